@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Any, TypeAlias
+from typing import Any, Literal, TypeAlias
 
 from kinegrade.expressions.tree import Expression
 from kinegrade.language.math.tree import Row
@@ -64,14 +64,15 @@ class Seen:
 class Findings:
     """What a solution has found so far, filled in as it is written.
 
-    `relatives` are the indices of the relative motions, each given by point, body and frame;
-    `inclined` the lines whose angle with the x axis has been found; `sized` the symbols of vectors
-    known by components whose magnitude has been given as well; `directed` the Coriolis
-    accelerations whose direction has been said; `arms` the distances of two points that have been
-    worked out; `turned` the printed symbols of answers that count in the question's sense, opposite
-    to that of their step; `places_alone` whether all answers are places of poles that normals lead
-    to, so that speeds are left out; `seen` the directions that triangles have given, each from one
-    point to another; `poles_sought` the bodies about whose poles answers are.
+    `coriolis` are the letters of Coriolis accelerations; `relatives` are the indices of the
+    relative motions, each given by point, body and frame; `inclined` the lines whose angle with the
+    x axis has been found; `sized` the symbols of vectors known by components whose magnitude has
+    been given as well; `directed` the Coriolis accelerations whose direction has been said; `arms`
+    the distances of two points that have been worked out; `turned` the printed symbols of answers
+    that count in the question's sense, opposite to that of their step; `places_alone` whether all
+    answers are places of poles that normals lead to, so that speeds are left out; `seen` the
+    directions that triangles have given, each from one point to another; `poles_sought` the bodies
+    about whose poles answers are.
     """
 
     facts: dict[Key, Fact] = field(default_factory=dict)
@@ -85,5 +86,6 @@ class Findings:
     arms: dict[frozenset[str], Symbol] = field(default_factory=dict)
     turned: set[Row] = field(default_factory=set)
     seen: dict[tuple[Expression, Expression], Seen] = field(default_factory=dict)
+    coriolis: Literal["C", "Cor"] = "C"
     places_alone: bool = False
     poles_sought: frozenset[str] = frozenset()

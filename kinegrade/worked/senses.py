@@ -75,8 +75,23 @@ def say_beside(message: Message, case: Case) -> Row:
 
 
 def state_way(vector: Vector, case: Case) -> Row:
-    """The direction of a vector beside its magnitude, nothing for a zero vector."""
-    return () if is_zero(vector) else say_beside(describe_direction(vector, case), case)
+    """The direction of a vector beside its magnitude where it lies along an axis; that of a
+    slanting one is told by what it follows from.
+    """
+    sense = None if is_zero(vector) else find_axis_sense(vector)
+    return say_beside(sense, case) if sense else ()
+
+
+def state_way_about(vector: Vector, arm: Vector, centre: str, case: Case) -> Row:
+    """The direction of a velocity or tangential acceleration beside its magnitude: along an axis,
+    else in which sense about a point, from which the vector `arm` leads to the moving one.
+    """
+    if is_zero(vector) or find_axis_sense(vector):
+        return state_way(vector, case)
+    base = case.naming.point(centre)
+    if double(arm.cross(vector)) > 0:
+        return say_beside(Message("solution.around", centre=base), case)
+    return say_beside(Message("solution.clockwise-about", point=base), case)
 
 
 def describe_direction(vector: Vector, case: Case) -> Message:

@@ -37,6 +37,7 @@ from kinegrade.worked.steps.poles import find_poles
 from kinegrade.worked.steps.polygons import find_common_scale
 from kinegrade.worked.steps.steps import explain_step, find_stage
 from kinegrade.worked.steps.titles import name_step
+from kinegrade.worked.steps.used_points import find_used_points
 from kinegrade.worked.vectors.facts import note_equation
 from kinegrade.worked.vectors.needed_rates import (
     NOTHING,
@@ -45,9 +46,8 @@ from kinegrade.worked.vectors.needed_rates import (
     find_needs,
     select_steps,
 )
-from kinegrade.worked.vectors.relatives import claim_plain_symbols
+from kinegrade.worked.vectors.relatives import choose_coriolis_letters, claim_plain_symbols
 from kinegrade.worked.vectors.stage import Stage
-from kinegrade.worked.vectors.used_points import find_used_points
 
 
 def write_worked_solution(
@@ -60,6 +60,7 @@ def write_worked_solution(
     case = Case(stated, language, method or stated.template.about.method)
     asked = tuple(stated.template.asks[name] for name in asks)
     claim_plain_symbols(asked, case)
+    choose_coriolis_letters(asked, case)
     boxes = AnswerBoxes.around(asked, case)
     if not stated.template.scheme.has_mechanism:
         with case.arithmetic.context():

@@ -199,13 +199,14 @@ def test_a_relative_vector_that_is_asked_for() -> None:
     assert not find_untold(
         r"""
         $A$ is a point of the carrier $OA$, which turns about $O$:
-        v_{A} &= OA \cdot \omega_{OA} = 6\,\unit{m/s}\quad\text{(upwards)}
+        v_{A} &= OA \cdot \omega_{OA} = 3\,\unit{m} \cdot 2\,\unit{rad/s} =
+            6\,\unit{m/s}\quad\text{(upwards)}
         $B$ is a point of link, base point $A$:
         v_{B,x} &= -\omega_{AB}\,y_{B} = -(-3\,\unit{rad/s}) \cdot 1\,\unit{m} = 3\,\unit{m/s}
         v_{B,y} &= v_{A} + \omega_{AB}(x_{B} - x_{A}) = 6\,\unit{m/s}
         The point of the carrier $OA$ that coincides with $B$ turns about $O$:
-        v_{B(OA)} &= OB \cdot \omega_{OA} = 2\sqrt{10}\,\unit{m/s} \approx 6.325\,\unit{m/s}\quad\text{(in
-            the direction }108.43^\circ\text{)}
+        v_{B(OA)} &= OB \cdot \omega_{OA} = 3.162\,\unit{m} \cdot 2\,\unit{rad/s} \approx
+            6.325\,\unit{m/s}\quad\text{(counter-clockwise about }O\text{)}
         Now the moving frame is the carrier $OA$:
             $\boldsymbol{v}_{\mathrm{r}} = \boldsymbol{v}_{B} - \boldsymbol{v}_{B(OA)}$ is the
             velocity of $B$ relative to it.

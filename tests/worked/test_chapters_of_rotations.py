@@ -74,7 +74,9 @@ def test_meshing_seen_from_the_carrier() -> None:
         ## The planet gear meshes with the sun gear
         Relative to the carrier $OA$ the pitch circles have equal speeds at the contact:
         1\,\unit{m} \cdot (\omega - \omega_{OA}) &= -2\,\unit{m} \cdot (\omega_{O} - \omega_{OA})
-        \omega &= 12\,\unit{rad/s}\quad\text{(counter-clockwise)}
+        \omega &= \omega_{OA} - \frac{2\,\unit{m}}{1\,\unit{m}} \cdot (\omega_{O} - \omega_{OA}) =
+            2\,\unit{rad/s} - \frac{2\,\unit{m}}{1\,\unit{m}} \cdot (-3\,\unit{rad/s} -
+            2\,\unit{rad/s}) = 12\,\unit{rad/s}\quad\text{(counter-clockwise)}
         """
     )
 
@@ -91,7 +93,8 @@ def test_meshing_of_angular_accelerations() -> None:
         Relative to the carrier $OA$ the pitch circles always have equal speeds at the contact;
             differentiated with respect to time:
         1\,\unit{m} \cdot (\alpha - \alpha_{OA}) &= -2\,\unit{m} \cdot (\alpha_{O} - \alpha_{OA})
-        \alpha &= -8\,\unit{rad/s^2}\quad\text{(clockwise)}
+        \alpha &= \alpha_{OA} - \frac{2\,\unit{m}}{1\,\unit{m}} \cdot (\alpha_{O} - \alpha_{OA}) =
+            -\frac{2\,\unit{m}}{1\,\unit{m}} \cdot 4\,\unit{rad/s^2} = -8\,\unit{rad/s^2}\quad\text{(clockwise)}
         """
     )
 

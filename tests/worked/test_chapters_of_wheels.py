@@ -81,11 +81,13 @@ def test_the_points_of_a_rolling_wheel() -> None:
         r"""
         The point of contact $D$ is the velocity pole of the wheel, so the velocity of $P$ is
             normal to $DP$:
-        v_{P} &= DP \cdot \left|\omega_{CD}\right| = 6\sqrt{2}\,\unit{m/s} \approx
+        v_{P} &= DP \cdot \left|\omega_{CD}\right| = 2.828\,\unit{m} \cdot 3\,\unit{rad/s} \approx
             8.485\,\unit{m/s}
         $D$ is a point of the wheel, base point $C$:
-        a_{D,x} &= a_{C} - \alpha_{CD}(y_{D} - y_{C}) = 2\,\unit{m/s^2} - (-1\,\unit{rad/s^2}) \cdot (-2\,\unit{m}) = 0
-        a_{D,y} &= -\omega_{CD}^{2}(y_{D} - y_{C}) = -(-3\,\unit{rad/s})^{2} \cdot (-2\,\unit{m}) = 18\,\unit{m/s^2}
+        a_{D,x} &= a_{C} + \alpha_{CD}\,y_{C} = 2\,\unit{m/s^2} + (-1\,\unit{rad/s^2}) \cdot
+            2\,\unit{m} = 0
+        a_{D,y} &= \omega_{CD}^{2}\,y_{C} = (-3\,\unit{rad/s})^{2} \cdot 2\,\unit{m} =
+            18\,\unit{m/s^2}
         a_{D} &= a_{D,y} = 18\,\unit{m/s^2}
         """,
         solution,

@@ -37,7 +37,8 @@ def test_two_relative_motions_have_two_symbols() -> None:
     told = displayed(kept("flat-faced-follower-curvature-radius"))
     starts = {line.split("&", maxsplit=1)[0].strip() for line in told}
     assert {r"v_{\mathrm{r}K}", r"v_{\mathrm{r},x}", r"a_{\mathrm{r}K}"} <= starts
-    assert r"v_{\mathrm{r}}" not in starts
+    (size,) = (line for line in told if line.startswith(r"v_{\mathrm{r}} "))
+    assert size.startswith(r"v_{\mathrm{r}} &= \left|v_{\mathrm{r},x}\right| =")
 
 
 def test_the_only_relative_motion_has_no_index() -> None:
@@ -74,11 +75,12 @@ def test_a_given_length_is_not_worked_out_from_coordinates() -> None:
 
 
 def test_a_direction_beside_an_answer_is_named_and_a_formula() -> None:
-    # it was printed as text, with its dollar signs, then as an angle that nothing named
+    # it was printed as text, with its dollar signs, then as an angle that nothing derived
     told = displayed(kept("planetary-gear-external-rim-velocities"))
     assert not any("$" in line for line in told)
-    (line,) = (line for line in told if line.startswith("v_{C} &="))
-    assert line.endswith(r"\unit{m/s}\quad\text{(in the direction }105^\circ\text{)}")
+    assert not any("in the direction" in line for line in told)
+    (line,) = (line for line in displayed(kept("crossed-belt-drive")) if line.startswith("v_{A} "))
+    assert line.endswith(r"\unit{m/s}\quad\text{(counter-clockwise about }O\text{)}")
 
 
 def test_an_angle_that_a_triangle_has_given_is_not_found_again_by_its_tangent() -> None:

@@ -5,9 +5,10 @@ from __future__ import annotations
 import pytest
 
 from kinegrade.language import Language
-from kinegrade.language.math.tree import Number, Text, list_nodes
+from kinegrade.language.math.tree import Letter, Text, list_nodes
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.library.library import load_template
+from kinegrade.worked.case import write_row
 from kinegrade.worked.document import Display
 from kinegrade.worked.solution import write_worked_solution
 from tests.worked.draws import kept, told
@@ -16,12 +17,13 @@ from tests.worked.telling import displayed, proses
 
 
 @pytest.mark.parametrize("language", ["en", "zh"])
-def test_the_angle_of_a_direction_is_a_formula(language: Language) -> None:
-    solution = solve_template(load_template("two-rods-driven-ends"), {})
-    blocks = write_worked_solution(solution, ("v_C",), language).blocks
+def test_a_letter_in_a_direction_is_a_formula(language: Language) -> None:
+    solution = solve_template(load_template("crossed-belt-drive"), {})
+    blocks = write_worked_solution(solution, ("v_B",), language).blocks
     lines = [line for block in blocks if isinstance(block, Display) for line in block.lines]
-    nodes = list(list_nodes(lines[-1]))
-    assert Number("30") in nodes
+    (speed,) = (line for line in lines if write_row(line).startswith("v_{A} "))
+    nodes = list(list_nodes(speed))
+    assert Letter("O") in nodes[-3:]
     assert not [node for node in nodes if isinstance(node, Text) and "$" in node.text]
 
 

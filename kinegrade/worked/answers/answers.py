@@ -20,7 +20,8 @@ from kinegrade.worked.answers.asked_vectors import (
     is_vector_call,
 )
 from kinegrade.worked.answers.centrodes import explain_centrode
-from kinegrade.worked.answers.quantity_formulas import Working, find_value, work_out
+from kinegrade.worked.answers.projections import Working
+from kinegrade.worked.answers.quantity_formulas import find_value, work_out
 from kinegrade.worked.answers.stated_values import explain_value
 from kinegrade.worked.case import Case
 from kinegrade.worked.document import Block

@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import assert_never
 
 from kinegrade.expressions.tree import Call, Expression, Name, Number, Operation
+from kinegrade.mechanics.vector import Vector
 from kinegrade.worked.case import Case
+from kinegrade.worked.formulas.atoms import AXES, AxisName, Symbol, add_squares, add_terms
 from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.leaves import formulate
-from kinegrade.worked.formulas.symbols import collect_symbols, name_point
+from kinegrade.worked.formulas.measures import double
+from kinegrade.worked.formulas.numbers import measure
+from kinegrade.worked.formulas.symbols import collect_symbols, name_coordinate, name_point
 from kinegrade.worked.steps.poles import name_pole
 
 
@@ -18,6 +23,51 @@ def state_place(tree: Expression, case: Case) -> Formula:
     symbols = {**collect_symbols(case.template), **letters}
     points = (*case.motion.points, *letters)
     return formulate(symbols, points).state(_name_poles(tree, case))
+
+
+def is_pole(tree: Expression, case: Case) -> bool:
+    """Whether a point is the pole of a body that turns at the instant."""
+    match tree:
+        case Call(function="pole", arguments=(Name(body), *_)):
+            return not case.arithmetic.is_zero(case.motion.omega(body))
+        case Call() | Name() | Number() | Operation():
+            return False
+        case _:
+            assert_never(tree)
+
+
+def state_distance(
+    ends: Sequence[tuple[Expression, Vector]], case: Case
+) -> tuple[Formula, Formula]:
+    """The distance of two points, each with its place, by their coordinates: in symbols and in
+    numbers.
+    """
+    sides = [
+        _state_difference(axis, ends, case)
+        for number, axis in enumerate(AXES)
+        if double(ends[0][1][number] - ends[1][1][number])
+    ]
+    if len(sides) == 1:
+        return sides[0]
+    symbols, numbers = zip(*sides, strict=True)
+    return add_squares(symbols), add_squares(numbers)
+
+
+def _state_difference(
+    axis: AxisName, ends: Sequence[tuple[Expression, Vector]], case: Case
+) -> tuple[Formula, Formula]:
+    """How far one point lies beyond the other along an axis; a coordinate that is zero is left
+    out.
+    """
+    ordered = sorted(ends, key=lambda end: -double(end[1][AXES.index(axis)]))
+    symbols, numbers = list[Formula](), list[Formula]()
+    for sign, (tree, place) in zip((1, -1), ordered, strict=True):
+        value = place[AXES.index(axis)]
+        if double(value):
+            letter = Symbol(state_place(tree, case).print())
+            symbols.append(name_coordinate(axis, letter).signed(sign))
+            numbers.append(measure(value, "m").signed(sign))
+    return add_terms(symbols), add_terms(numbers)
 
 
 def _name_poles(tree: Expression, case: Case) -> Expression:

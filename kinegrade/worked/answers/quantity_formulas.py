@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any, assert_never
 
 from kinegrade.expressions.evaluation import evaluate
@@ -18,9 +17,16 @@ from kinegrade.worked.answers.asked_vectors import (
     is_vector_call,
 )
 from kinegrade.worked.answers.dimensions import find_unit
-from kinegrade.worked.answers.places import state_place
+from kinegrade.worked.answers.places import is_pole, state_distance, state_place
+from kinegrade.worked.answers.projections import (
+    Working,
+    name_known_axis,
+    project,
+    project_on,
+    state_signed,
+)
 from kinegrade.worked.case import Case
-from kinegrade.worked.findings import Fact, Piece
+from kinegrade.worked.findings import Fact
 from kinegrade.worked.formulas.atoms import (
     AXES,
     ZERO,
@@ -31,27 +37,15 @@ from kinegrade.worked.formulas.atoms import (
 )
 from kinegrade.worked.formulas.atoms import Number as Numeral
 from kinegrade.worked.formulas.formula import Formula, Function
-from kinegrade.worked.formulas.measures import bearing, double, length, tidy
+from kinegrade.worked.formulas.measures import bearing, double, length
 from kinegrade.worked.formulas.numbers import measure, round_number, state_angle
 from kinegrade.worked.rates.speeds import find_rotation_value, name_rotation
-from kinegrade.worked.vectors.components import list_component
-from kinegrade.worked.vectors.inclinations import is_line_found
-from kinegrade.worked.vectors.stage import multiply_by_cosine
+from kinegrade.worked.vectors.components import find_heading, list_component
 from kinegrade.worked.vectors.summands import name_component
 from kinegrade.worked.vectors.vectors import UNITS
 
-_QUARTER = 90.0  # degrees
-_RIGHT = 1e-7  # degrees from a right angle that count as a right angle
 _MEASURES = frozenset({"magnitude", "x", "y", "along", "angle", "between"})
 _AXES: tuple[tuple[AxisName, Vector], ...] = (("x", Vector(1, 0)), ("y", Vector(0, 1)))
-
-
-@dataclass(frozen=True)
-class Working:
-    """A number in symbols, and with numbers substituted where that adds something."""
-
-    symbols: Formula
-    numbers: Formula | None = None
 
 
 def work_out(tree: Expression, case: Case) -> Working:
@@ -61,6 +55,8 @@ def work_out(tree: Expression, case: Case) -> Working:
             function in _MEASURES and is_vector_call(vector)
         ):
             return _measure(tree, case)
+        case Call(function="distance", arguments=ends) if any(is_pole(end, case) for end in ends):
+            return Working(*state_distance([(end, find_value(end, case)) for end in ends], case))
         case Call() if is_rotation_call(tree):
             return _state_rotation(tree, case)
         case Operation(left=left) if not isinstance(left, Number):
@@ -83,7 +79,9 @@ def _measure(tree: Call, case: Case) -> Working:
         case "x" | "y" as axis:
             return _state_component(fact, axis, case)
         case "along":
-            return _project(fact, find_value(tree.arguments[1], case), case)
+            direction = find_value(tree.arguments[1], case)
+            named = name_known_axis(tree.arguments[1], direction, case)
+            return project(fact, direction, case, named)
         case _:
             return _state_angle(tree, case)
 
@@ -98,7 +96,7 @@ def _state_magnitude(fact: Fact, case: Case) -> Working:
     if len(pieces) > 1:
         return Working(
             add_squares(piece.symbol for piece in pieces),
-            add_squares(_state_signed(piece, case) for piece in pieces),
+            add_squares(state_signed(piece, case) for piece in pieces),
         )
     (piece,) = pieces
     negative = double(piece.value.dot(piece.positive)) < 0
@@ -126,62 +124,29 @@ def _state_component(fact: Fact, axis: AxisName, case: Case) -> Working:
         return Working(name_component(fact.symbol, axis))
     summands = tuple(list_component(fact, axis, case))
     own = name_component(fact.symbol, axis)
-    if len(fact.pieces) < 2 or any(one.symbol == own for one in summands):
-        return _project(fact, dict(_AXES)[axis], case)
+    slanting = any(find_heading(piece, case) is None for piece in fact.pieces)
+    known = len(fact.pieces) > 1 or slanting
+    if not known or any(one.symbol == own for one in summands):
+        return project(fact, dict(_AXES)[axis], case)
     numbers = add_terms(one.in_numbers for one in summands if one.counts)
     symbols = add_terms(one.in_symbols for one in summands)
     return Working(symbols, None if numbers.is_decimal else numbers)
 
 
-def _project(fact: Fact, direction: Vector, case: Case) -> Working:
-    """The component along a direction: from the components, or each magnitude times a cosine;
-    those normal to it add nothing.
-    """
-    axis = bearing(direction)
-    symbols, numbers = list[Formula](), list[Formula]()
-    for piece in _list_components(fact) if fact.by_components else fact.parts:
-        angle = abs((bearing(piece.positive) - axis + 180) % 360 - 180)
-        if abs(angle - 90) > _RIGHT and double(piece.positive.squared()):
-            sign, acute = (1 if angle < 90 else -1), tidy(min(angle, 180 - angle))
-            symbols.append(_turn_to_axis(piece.symbol, piece, acute, case).signed(sign))
-            number = _state_signed(piece, case)
-            if number != ZERO:
-                share = _turn_to_axis(number.size, piece, acute, case)
-                numbers.append(share.signed(sign * number.sign))
-    shown = add_terms(numbers)
-    return Working(add_terms(symbols), None if shown.is_decimal else shown)
-
-
-def _turn_to_axis(size: Formula, piece: Piece, angle: float, case: Case) -> Formula:
-    """A size times the cosine of a piece's angle with a direction, in degrees. For the components
-    of a vector, x and y, a sine and a cosine of one angle: that of a line that has been found, else
-    that of the direction with the x axis.
-    """
-    rest = tidy(_QUARTER - angle)
-    found, other = (is_line_found(one, case) for one in (angle, rest))
-    by_sine = other if found != other else piece.symbol.axis == "y"
-    if piece.symbol.axis and by_sine and angle:
-        return size * Function("sin", state_angle(rest))
-    return multiply_by_cosine(size, angle)
-
-
-def _list_components(fact: Fact) -> tuple[Piece, ...]:
-    """A vector known by its components, as the sum of these."""
-    return tuple(
-        Piece(name_component(fact.symbol, name), axis, axis * number)
-        for (name, axis), number in zip(_AXES, fact.value, strict=True)
-    )
-
-
-def _state_signed(piece: Piece, case: Case) -> Formula:
-    """The number of a piece, negative where it points against its positive sense."""
-    size = length(piece.value, case.arithmetic)
-    signed = -size if double(piece.value.dot(piece.positive)) < 0 else size
-    return measure(signed, piece.symbol.unit)
-
-
 def _state_angle(tree: Call, case: Case) -> Working:
-    """The angle from one vector to another, or between them, from their directions."""
+    """The angle from one vector to another, or between them, from their directions; between a
+    vector known by its components and a line, from its projection on that.
+    """
+    vector, direction = tree.arguments
+    value = find_value(direction, case)
+    axis = None if is_vector_call(direction) else name_known_axis(direction, value, case)
+    if tree.function == "between" and axis and axis.angle and is_vector_call(vector):
+        fact = find_fact(vector, case)
+        if fact.by_components and fact.symbol in case.findings.sized:
+            symbols, numbers = project_on(fact, axis, case)
+            size = measure(length(fact.value, case.arithmetic), fact.symbol.unit)
+            shares = symbols / fact.symbol, numbers / size
+            return Working(*(Function("arccos", share) for share in shares))
     first, second = (bearing(find_value(argument, case)) for argument in tree.arguments)
     if tree.function == "between" and second < first:
         first, second = second, first

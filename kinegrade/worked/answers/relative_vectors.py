@@ -23,11 +23,12 @@ from kinegrade.worked.formulas.numbers import measure, state_number
 from kinegrade.worked.rates.speeds import find_rotation_value, name_rotation
 from kinegrade.worked.senses import state_way
 from kinegrade.worked.vectors.arms import introduce_lengths, name_length
+from kinegrade.worked.vectors.by_components import state_size
 from kinegrade.worked.vectors.components import add_components
 from kinegrade.worked.vectors.coriolis import Turned, explain_directions
 from kinegrade.worked.vectors.points import list_relative_parts
 from kinegrade.worked.vectors.relatives import Relative, find_relative, index_relative
-from kinegrade.worked.vectors.vectors import name_by_role
+from kinegrade.worked.vectors.vectors import name_by_role, name_coriolis
 
 
 def explain_relative(motion: Relative, level: Level, case: Case) -> Found:
@@ -41,7 +42,7 @@ def explain_relative(motion: Relative, level: Level, case: Case) -> Found:
     if level == "velocity" or term.kind == "sliding":
         value = term.coefficient() * case.rates(level)[term.rate]
         return Fact(name, value, False, (Piece(name, term.coefficient(), value, term),))
-    coriolis = name_by_role("C", level, index_relative(motion, case))
+    coriolis = name_coriolis(index_relative(motion, case), case)
     parts = [part for part in list_relative_parts(term, case, level) if part.symbol != coriolis]
     yield case.show(*(add_components(axis, name, parts, case) for axis in AXES))
     return Fact(name, add_vectors(part.value for part in parts), True)
@@ -93,8 +94,11 @@ def _find_coriolis(motion: Relative, case: Case) -> Found:
     asked = Call("relative_velocity", motion.names)
     found = explain_relative(motion, "velocity", case)
     relative = yield from keep_fact(asked, found, case)
+    if relative.by_components and relative.symbol not in case.findings.sized:
+        case.findings.sized.add(relative.symbol)
+        yield case.show(state_size(relative, case))
     value = case.motion.coriolis(*motion)
-    name = name_by_role("C", "acceleration", index_relative(motion, case))
+    name = name_coriolis(index_relative(motion, case), case)
     omega = abs(name_rotation(motion.frame, case, "velocity"))
     links = equate(TWO * omega * abs(relative.symbol))
     if any(map(double, value)):

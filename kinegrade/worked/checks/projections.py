@@ -17,6 +17,7 @@ from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.measures import bearing, double
 from kinegrade.worked.formulas.numbers import measure
 from kinegrade.worked.steps.couplers import Coupler, choose_method, find_coupler
+from kinegrade.worked.steps.rigid import find_rigid_triangle
 from kinegrade.worked.steps.titles import select_scalars
 from kinegrade.worked.vectors.deductions import AXIS_NAMES
 from kinegrade.worked.vectors.facts import make_key
@@ -38,6 +39,8 @@ def list_projection_checks(step: Step, stage: Stage) -> Iterator[Check]:
     coupler, case = find_coupler(stage), stage.case
     if coupler is not None and choose_method(coupler, case) == "pole":
         yield from _check_by_theorem(coupler, step, stage)
+        return
+    if find_rigid_triangle(stage) is not None:
         return
     deductions = tuple(find_deductions(stage.equations, select_scalars(step, case), step.unknowns))
     projections = [one for deduction in deductions for one in deduction.projections]

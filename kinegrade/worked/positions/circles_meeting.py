@@ -100,6 +100,7 @@ def _solve_triangle(
     """The side between the centres, the cosine, and the angle."""
     vector = instance.axes.pair(Operation("-", axis.arguments[1], axis.arguments[0])) or _NOTHING
     angle = instance.symbols[corner]
+    instance.note_distance(axis)
     return (
         *instance.equation(
             instance.formula(axis), length_of(Call("", vector), instance.axes), METRE

@@ -218,6 +218,7 @@ def write_length_lines(size: Expression, instance: Instance) -> tuple[Row, ...]:
     """
     if not isinstance(size, Call) or size.function != "distance":
         return ()
+    instance.note_distance(size)
     first, second = size.arguments
     vector = instance.axes.pair(Operation("-", second, first)) or (ZERO, ZERO)
     return instance.equation(instance.formula(size), length_of(Call("", vector), instance.axes))

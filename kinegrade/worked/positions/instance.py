@@ -36,7 +36,12 @@ from kinegrade.worked.formulas.expression import STRUCTURAL, Formulation
 from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.leaves import formulate
 from kinegrade.worked.formulas.numbers import state_quantity, substitute
-from kinegrade.worked.formulas.symbols import collect_symbols, name_coordinate, name_point
+from kinegrade.worked.formulas.symbols import (
+    collect_symbols,
+    join_letters,
+    name_coordinate,
+    name_point,
+)
 from kinegrade.worked.positions.algebra import Pair
 from kinegrade.worked.positions.axes import Axes, choose_axes
 from kinegrade.worked.positions.construction_steps import Step, list_steps
@@ -142,6 +147,13 @@ class Instance:
             return express_in_unit("", self.arithmetic.number(value), unit)
         with Balls(PRECISIONS[0]).context():
             return express_in_unit("", value, unit)
+
+    def note_distance(self, distance: Call) -> None:
+        """Keep the distance of two named points as worked out, so that no step does it again."""
+        ends = [end.name for end in distance.arguments if isinstance(end, Name)]
+        if len(ends) == 2:
+            letters = join_letters(map(self.case.naming.letter, ends))
+            self.case.findings.arms.setdefault(frozenset(ends), letters)
 
     def equation(self, left: Formula, tree: Expression, unit: Unit = METRE) -> tuple[Row, ...]:
         """left = the formula = the same with numbers = the value."""

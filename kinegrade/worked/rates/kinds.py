@@ -26,7 +26,7 @@ def _describe_motion(body: Body, mechanism: Mechanism, case: Case) -> Message:
     name = case.naming.body(body.name)
     if body.particle:
         return Message("solution.particle", point=case.naming.point(body.name))
-    pivot = mechanism.find_pivots().get(body.name)
+    pivot = mechanism.find_pivots().get(body.name) or _find_common_centre(body, case)
     if pivot is not None:
         return Message("solution.rotates", body=name, point=case.naming.point(pivot))
     if body.name in mechanism.find_translating():
@@ -37,6 +37,19 @@ def _describe_motion(body: Body, mechanism: Mechanism, case: Case) -> Message:
     if roll is not None:
         return Message("solution.rolls", body=name, other=describe_track(roll, case))
     return Message("solution.plane", body=name)
+
+
+def _find_common_centre(body: Body, case: Case) -> str | None:
+    """The fixed centre of the circles on which two points of a body move; None where they have
+    none in common.
+    """
+    for relation in case.motion.frames.relations:
+        terms = (*relation.left, *relation.right)
+        centres = [term.base for term in terms if term.kind == "arc" and term.frame == GROUND]
+        turning = [term.rate.body for term in terms if term.kind == "rotation"]
+        if turning == [body.name] and len(centres) == 2 and len({*centres}) == 1:
+            return centres[0]
+    return None
 
 
 def describe_track(roll: NoSlip, case: Case) -> Message:

@@ -2,12 +2,24 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 from kinegrade.language.message import Message
 from kinegrade.mechanics.laws import EqualBeltSpeed, EqualPitchSpeed, EqualRimSpeed
 from kinegrade.mechanics.vector_equation import Level
 from kinegrade.worked.case import Case
-from kinegrade.worked.formulas.equation import Equation, equate
-from kinegrade.worked.rates.speeds import Statement, name_relative_rotation, state_radius
+from kinegrade.worked.formulas.atoms import ZERO
+from kinegrade.worked.formulas.equation import Equation, equate, lead_to
+from kinegrade.worked.formulas.formula import Formula
+from kinegrade.worked.formulas.numbers import measure
+from kinegrade.worked.rates.speeds import (
+    Statement,
+    find_rotation_value,
+    name_relative_rotation,
+    name_rotation,
+    state_radius,
+)
+from kinegrade.worked.vectors.vectors import UNITS
 
 
 def state_meshing(mesh: EqualPitchSpeed, case: Case, level: Level) -> Statement:
@@ -31,15 +43,60 @@ def state_belt(belt: EqualBeltSpeed, case: Case, level: Level) -> Statement:
     )
 
 
+def solve_rims(law: EqualRimSpeed, result: Equation, case: Case, level: Level) -> Equation | None:
+    """What equal rim speeds say of the rotation of a gear or pulley, which `result` gives: in
+    symbols, with numbers, and the value. None for the carrier's.
+    """
+    names, unit = (law.body, law.of), UNITS[level, True]
+    letters = [name_rotation(name, case, level) for name in names]
+    if result.left not in letters:
+        return None
+    turned = letters.index(result.left)
+    other, sign = names[1 - turned], -1 if law.is_opposite else 1
+    rims = _Rims(
+        _state_radii(law, case)[1 - turned] / _state_radii(law, case)[turned],
+        name_rotation(other, case, level),
+        name_rotation(law.carrier, case, level),
+    )
+    lengths = [measure(circle.radius, "m") for circle in (law.circle, law.on)]
+    numbers = _Rims(
+        lengths[1 - turned] / lengths[turned],
+        measure(find_rotation_value(other, case, level), unit),
+        measure(find_rotation_value(law.carrier, case, level), unit),
+    )
+    working = rims.solve(sign), numbers.solve(sign)
+    return Equation(result.left, lead_to(result.left, working, result.links), result.aside)
+
+
+@dataclass(frozen=True)
+class _Rims:
+    """The ratio of the radii, the rotation of the other body and that of the carrier."""
+
+    ratio: Formula
+    other: Formula
+    carrier: Formula
+
+    def solve(self, sign: int) -> Formula:
+        """The rotation that is sought: omega_c + r' / r (omega' - omega_c)."""
+        if self.carrier == ZERO:
+            return ZERO if self.other == ZERO else self.ratio.dot(self.other).signed(sign)
+        relative = -self.carrier if self.other == ZERO else self.other - self.carrier
+        return self.carrier + self.ratio.dot(relative).signed(sign)
+
+
 def _equate_rim_speeds(law: EqualRimSpeed, case: Case, level: Level) -> Equation:
     """The speeds of both rims relative to the carrier, or their changes."""
-    sentence = case.template.scheme.joints[law.joint]
     left, right = (
-        state_radius(circle, radius, case)
-        * name_relative_rotation(turned, law.carrier, case, level)
-        for circle, radius, turned in (
-            (sentence.circle, law.circle.radius, law.body),
-            (sentence.on, law.on.radius, law.of),
-        )
+        radius * name_relative_rotation(turned, law.carrier, case, level)
+        for radius, turned in zip(_state_radii(law, case), (law.body, law.of), strict=True)
     )
     return Equation(left, equate(right.signed(-1 if law.is_opposite else 1)))
+
+
+def _state_radii(law: EqualRimSpeed, case: Case) -> tuple[Formula, Formula]:
+    """The radii of both rims, in symbols where the template has them."""
+    sentence = case.template.scheme.joints[law.joint]
+    return (
+        state_radius(sentence.circle, law.circle.radius, case),
+        state_radius(sentence.on, law.on.radius, case),
+    )

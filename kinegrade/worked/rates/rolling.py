@@ -28,6 +28,7 @@ from kinegrade.worked.rates.speeds import (
 )
 from kinegrade.worked.senses import describe_direction
 from kinegrade.worked.vectors.known_vectors import find_positive_sense, find_stated_sense
+from kinegrade.worked.vectors.magnitudes import is_turned
 from kinegrade.worked.vectors.stage import measure_along_direction
 from kinegrade.worked.vectors.vectors import UNITS
 
@@ -139,11 +140,14 @@ def _state_rotation(
     sign = _find_slip_sign(roll, relation, case, level)
     term = find_term(relation.turning[0][0], case)
     other = find_rotation_value(roll.of, case, level)
-    turned = (name_speed(term, case, level) / _state_radius(roll, case)).signed(sign)
+    symbol: Formula = name_speed(term, case, level)
+    value = measure_along_direction(term, case, level) * find_stated_sense(term, case, level)
+    if is_turned(symbol, case):
+        symbol = abs(symbol).signed(1 if double(value) > 0 else -1)
+    turned = (symbol.size / _state_radius(roll, case)).signed(sign * symbol.sign)
     carried = name_rotation(roll.of, case, level)
     symbols = add_terms((carried, turned) if carried != ZERO else (turned,))
-    speed = measure_along_direction(term, case, level) * find_stated_sense(term, case, level) * sign
-    known = measure(speed, UNITS[level, False])
+    known = measure(value * sign, UNITS[level, False])
     if known == ZERO:
         return (symbols,)
     rest = (known.size / measure(roll.circle.radius, "m")).signed(known.sign)

@@ -26,7 +26,7 @@ from kinegrade.worked.case import Case
 from kinegrade.worked.document import Block
 from kinegrade.worked.formulas.equation import Equation, equate
 from kinegrade.worked.rates.driven import state_imposed
-from kinegrade.worked.rates.rims import state_belt, state_meshing
+from kinegrade.worked.rates.rims import solve_rims, state_belt, state_meshing
 from kinegrade.worked.rates.rolling import solve_rolling, state_rolling
 from kinegrade.worked.rates.speeds import Statement, name_rotation, state_rate
 
@@ -80,7 +80,9 @@ def explain_scalar_step(
         case NoSlip() as roll:
             solved = solve_rolling(roll, relation, result, case, level)
             yield case.show(*((solved,) if solved else (stated, result)))
-        case EqualPitchSpeed() | EqualBeltSpeed() | SharedPoint() | GuidedPoint() | None:
+        case EqualPitchSpeed() | EqualBeltSpeed() as rims:
+            yield case.show(stated, solve_rims(rims, result, case, level) or result)
+        case SharedPoint() | GuidedPoint() | None:
             yield case.show(stated, result)
         case _:
             assert_never(relation.source)

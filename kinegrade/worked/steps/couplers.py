@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import assert_never
 
+from kinegrade.language.math.tree import Row
 from kinegrade.language.message import Message
 from kinegrade.mechanics.vector_equation import Part, VectorEquation, is_whole
 from kinegrade.problem.template.template import Method
@@ -16,8 +17,9 @@ from kinegrade.worked.document import Block
 from kinegrade.worked.formulas.equation import Equation, equate
 from kinegrade.worked.formulas.measures import length
 from kinegrade.worked.formulas.numbers import state_number
-from kinegrade.worked.senses import state_way
+from kinegrade.worked.senses import state_way, state_way_about
 from kinegrade.worked.steps.poles import find_poles
+from kinegrade.worked.steps.rigid import find_rigid_triangle, name_triangle
 from kinegrade.worked.vectors.facts import has_been_told
 from kinegrade.worked.vectors.known_vectors import is_stated_negative
 from kinegrade.worked.vectors.magnitudes import state_magnitude
@@ -42,6 +44,9 @@ class Coupler:
 
 def name_method(stage: Stage) -> Message | None:
     """The title of a step by another method than the base point's, else None."""
+    triangle = find_rigid_triangle(stage)
+    if triangle is not None:
+        return name_triangle(triangle, stage.case)
     coupler = find_coupler(stage)
     return _name_method_for(coupler, stage.case) if coupler else None
 
@@ -117,4 +122,11 @@ def explain_base_speed(coupler: Coupler, case: Case) -> Iterator[Block]:
         value = coupler.base.value
         links = (*equate(formula), *state_number(length(value, case.arithmetic), "m/s"))
         symbol = name_part(coupler.equation, coupler.base, case)
-        yield case.show(Equation(symbol, links, state_way(value, case)))
+        yield case.show(Equation(symbol, links, _state_way(coupler.base, case)))
+
+
+def _state_way(part: Part, case: Case) -> Row:
+    """The direction of a known velocity: about a fixed point where it turns about one."""
+    if part.term is None or part.term.kind == "sliding":
+        return state_way(part.value, case)
+    return state_way_about(part.value, part.term.vector, part.base, case)

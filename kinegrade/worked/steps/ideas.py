@@ -27,6 +27,7 @@ from kinegrade.problem.template.template import Ask
 from kinegrade.worked.case import Case
 from kinegrade.worked.document import Block, Heading
 from kinegrade.worked.steps.couplers import Coupler, choose_method, find_coupler
+from kinegrade.worked.steps.rigid import explain_choice, find_rigid_triangle
 from kinegrade.worked.steps.titles import select_scalars
 from kinegrade.worked.vectors.stage import Stage
 
@@ -94,7 +95,10 @@ def _find_reasons(step: Step, stage: Stage) -> Iterator[Message]:
     case, coupler = stage.case, find_coupler(stage)
     for relation in select_scalars(step, case):
         yield from _explain_link(relation.source, case)
-    if coupler is not None:
+    triangle = find_rigid_triangle(stage)
+    if triangle is not None:
+        yield explain_choice(triangle, case)
+    elif coupler is not None:
         yield _explain_choice(coupler, case)
     elif len(stage.equations) > 1:
         yield Message("solution.idea-together")

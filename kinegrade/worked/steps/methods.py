@@ -1,4 +1,5 @@
-"""Velocities of two points of a body by the projection theorem, or by the instantaneous centre.
+"""Velocities of two points of a body by the projection theorem, by the instantaneous centre, or
+by a rigid triangle.
 
 Where neither applies (a body that turns about no known point, a composition of motions), nothing is
 given, and the step is written with a base point.
@@ -19,6 +20,7 @@ from kinegrade.worked.steps.couplers import (
     find_coupler,
 )
 from kinegrade.worked.steps.pole_method import explain_by_pole
+from kinegrade.worked.steps.rigid import explain_rigid_triangle, find_rigid_triangle
 from kinegrade.worked.steps.steps import explain_remarks, make_term_table
 from kinegrade.worked.steps.titles import introduce_equation
 from kinegrade.worked.vectors.deductions import explain_deduction, show_solution
@@ -28,6 +30,10 @@ from kinegrade.worked.vectors.stage import Stage
 
 def explain_by_method(step: Step, stage: Stage) -> Iterator[Block]:
     """The step by the method chosen, or nothing where a base point is to be used."""
+    triangle = find_rigid_triangle(stage)
+    if triangle is not None:
+        yield from explain_rigid_triangle(triangle, stage)
+        return
     coupler = find_coupler(stage)
     if coupler is None:
         return

@@ -23,6 +23,7 @@ from kinegrade.worked.steps.polygons import (
     make_floats,
     spans_polygon,
 )
+from kinegrade.worked.steps.rigid import find_rigid_triangle
 from kinegrade.worked.vectors.stage import Stage
 from kinegrade.worked.vectors.vectors import name_part
 
@@ -39,7 +40,7 @@ def draw_stage(stage: Stage, scale: float | None = None) -> Iterator[Pictures]:
         yield Pictures((_draw_pole(coupler.body, rays, stage.case),))
         return
     added = [equation for equation in stage.equations if spans_polygon(equation)]
-    if added:
+    if added and find_rigid_triangle(stage) is None:
         polygons = (draw_equation(equation, stage, scale) for equation in added)
         yield Pictures((_draw_vectors(stage.equations, stage), *polygons))
 

@@ -14,10 +14,12 @@ from kinegrade.worked.case import Case
 from kinegrade.worked.document import Block
 from kinegrade.worked.formulas.atoms import AXES, OTHER, AxisName, add_terms
 from kinegrade.worked.formulas.equation import Equation, equate
-from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.measures import double
 from kinegrade.worked.formulas.numbers import measure, state_number
 from kinegrade.worked.formulas.symbols import name_coordinate, read_symbol
+from kinegrade.worked.positions.algebra import ZERO as NOTHING
+from kinegrade.worked.positions.axes import choose_axes
+from kinegrade.worked.positions.construction_steps import list_steps
 from kinegrade.worked.vectors.components import find_known, list_component
 from kinegrade.worked.vectors.points import find_point, find_vector
 from kinegrade.worked.vectors.summands import PLACES
@@ -85,19 +87,14 @@ def _state_coordinate(
     known = find_known(name_point_vector(base, "velocity", case), velocity, case)
     speeds = [share.in_symbols.signed(sign) for share in list_component(known, other, case)]
     arms = ((speed.size / case.naming.omega(body)).signed(speed.sign) for speed in speeds)
-    symbols = add_terms((name_coordinate(axis, case.naming.letter(base)), *arms))
-    across = velocity[PLACES[other]]
-    numbers = _move(
-        measure(case.motion.points[base][PLACES[axis]], "m"),
-        measure(across, "m/s") / measure(rate, "rad/s"),
-        sign,
-    )
+    start = name_coordinate(axis, case.naming.letter(base))
+    place, across = case.motion.points[base][PLACES[axis]], velocity[PLACES[other]]
+    arm = (measure(across, "m/s") / measure(rate, "rad/s")).signed(sign)
+    if choose_axes(list_steps(case.template)).coordinate(axis, base) == NOTHING:
+        symbols, numbers = add_terms(arms), arm
+    else:
+        symbols, numbers = add_terms((start, *arms)), measure(place, "m") + arm
     links = equate(symbols, numbers) if double(across) else equate(symbols)
     place = case.motion.pole(body, case.arithmetic)[PLACES[axis]]
     left = name_coordinate(axis, case.naming.letter(pole))
     return Equation(left, (*links, *state_number(place, "m")))
-
-
-def _move(start: Formula, distance: Formula, sign: int) -> Formula:
-    """A coordinate plus or minus a distance."""
-    return start + distance.signed(sign)

@@ -20,18 +20,18 @@ from kinegrade.mechanics.vector_equation import (
 )
 from kinegrade.worked.case import Case
 from kinegrade.worked.document import Block, Term, TermTable
-from kinegrade.worked.findings import Fact
-from kinegrade.worked.formulas.atoms import AXES, ZERO, VectorSymbol, add_squares
+from kinegrade.worked.formulas.atoms import ZERO, VectorSymbol
 from kinegrade.worked.formulas.equation import Equation, equate
-from kinegrade.worked.formulas.measures import double, length
-from kinegrade.worked.formulas.numbers import measure, state_number
+from kinegrade.worked.formulas.measures import length
+from kinegrade.worked.formulas.numbers import state_number
 from kinegrade.worked.rates.scalars import explain_scalar_step, state_relation
 from kinegrade.worked.senses import state_way
 from kinegrade.worked.steps.titles import describe_meanings, introduce_equation, select_scalars
 from kinegrade.worked.vectors.arms import find_arms, introduce_lengths
+from kinegrade.worked.vectors.by_components import find_components
 from kinegrade.worked.vectors.coriolis import explain_directions, list_turned
 from kinegrade.worked.vectors.deductions import explain_deduction
-from kinegrade.worked.vectors.facts import has_been_told, make_key
+from kinegrade.worked.vectors.facts import has_been_told
 from kinegrade.worked.vectors.magnitudes import (
     describe_direction,
     describe_magnitude,
@@ -40,7 +40,6 @@ from kinegrade.worked.vectors.magnitudes import (
 from kinegrade.worked.vectors.points import find_point
 from kinegrade.worked.vectors.projection import find_deductions
 from kinegrade.worked.vectors.stage import Stage
-from kinegrade.worked.vectors.summands import name_component
 from kinegrade.worked.vectors.vectors import (
     UNITS,
     name_part,
@@ -110,21 +109,6 @@ def _explain_earlier_vectors(equation: VectorEquation, case: Case) -> Iterator[B
             continue
         letters = _name_together(equation, part, case)
         yield from find_point(part.together, letters, case, equation.level)
-        fact = case.findings.facts[make_key(part.together, equation.level)]
-        told = fact.symbol in case.findings.sized
-        if fact.by_components and all(map(double, fact.value)) and not told:
-            case.findings.sized.add(fact.symbol)
-            yield case.show(_state_size(fact, equation.level, case))
-
-
-def _state_size(fact: Fact, level: Level, case: Case) -> Equation:
-    """The magnitude of a vector known by its components, and its direction."""
-    symbols = add_squares(name_component(fact.symbol, axis) for axis in AXES)
-    unit = UNITS[level, False]
-    numbers = add_squares(measure(part, unit) for part in fact.value)
-    size = state_number(length(fact.value, case.arithmetic), unit)
-    links = (*equate(symbols, numbers), *size)
-    return Equation(fact.symbol, links, state_way(fact.value, case))
 
 
 def _explain_contact(equation: VectorEquation, case: Case) -> Iterator[Block]:
@@ -194,13 +178,15 @@ def make_term_table(equation: VectorEquation, case: Case) -> TermTable:
 
 
 def _make_term(equation: VectorEquation, part: Part, case: Case) -> Term:
-    """A column of the table."""
-    return Term(
-        "",
-        name_part(equation, part, case, bold=True).print(),
-        describe_magnitude(equation, part, case),
-        describe_direction(equation, part, case),
-    )
+    """A column of the table; a vector found by its components has these in place of a magnitude."""
+    symbol = name_part(equation, part, case, bold=True).print()
+    pieces = find_components(part, equation.level, case)
+    if pieces:
+        first, second = (case.text(piece.symbol) for piece in pieces)
+        known = case.write(Message("solution.found-by-components"))
+        return Term("", symbol, rf"${first},\;{second}$", known)
+    magnitude = describe_magnitude(equation, part, case)
+    return Term("", symbol, magnitude, describe_direction(equation, part, case))
 
 
 def explain_remarks(equation: VectorEquation, case: Case) -> Iterator[Block]:

@@ -19,6 +19,7 @@ from kinegrade.worked.vectors.stage import Stage
 from kinegrade.worked.vectors.vectors import (
     is_composed,
     name_by_role,
+    name_coriolis,
     name_part,
     number_composition,
     vanishes,
@@ -111,8 +112,9 @@ def introduce_equation(equation: VectorEquation, case: Case) -> Message:
 def _introduce_composition(equation: VectorEquation, relative: Part, case: Case) -> Message:
     """The composition of the motions of a point relative to a moving frame."""
     number = number_composition(equation, relative, case)
-    vectors = [name_by_role(role, equation.level, number, bold=True) for role in "erC"]
-    transport, seen, coriolis = map(case.text, vectors)
+    vectors = [name_by_role(role, equation.level, number, bold=True) for role in "er"]
+    turned = name_coriolis(number, case, bold=True)
+    transport, seen, coriolis = map(case.text, (*vectors, turned))
     point, frame = case.naming.point(relative.point), case.naming.body(relative.frame)
     places: dict[str, Text] = {
         "point": point,

@@ -100,6 +100,7 @@ def _find_radius(start: str, end: str, case: Case) -> Expression | None:
 
 
 def _is_given(length: Expression, case: Case) -> bool:
-    """Whether a length is a sum or product of givens."""
+    """Whether a length is a sum or product of givens, or of lengths named by the template."""
     plain = not any(isinstance(part, Call) for part in walk(length))
-    return plain and set(find_names(length)) <= set(case.template.parameters)
+    given = {*case.template.parameters, *case.template.scheme.lengths}
+    return plain and set(find_names(length)) <= given

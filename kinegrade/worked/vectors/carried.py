@@ -8,7 +8,6 @@ from collections.abc import Generator, Iterator
 from dataclasses import replace
 
 from kinegrade.language.math.tree import Row
-from kinegrade.language.message import Message
 from kinegrade.mechanics.relations import Term
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Level, find_term_value
@@ -20,7 +19,7 @@ from kinegrade.worked.formulas.equation import Equation, equate
 from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.measures import double, is_zero, length
 from kinegrade.worked.formulas.numbers import measure, state_number
-from kinegrade.worked.senses import find_axis_sense, say_beside, state_sense_along
+from kinegrade.worked.senses import state_sense_along, state_way_about
 from kinegrade.worked.vectors.arms import introduce_lengths, name_length
 from kinegrade.worked.vectors.components import find_known, list_component, list_turning_summands
 from kinegrade.worked.vectors.summands import PLACES, add_summands, name_component
@@ -80,7 +79,7 @@ def _state_parts(term: Term, name: VectorSymbol, case: Case) -> Iterator[Equatio
     if not is_zero(tangential.value):
         letter = case.naming.alpha(body)
         symbol = letter if double(alpha) > 0 else abs(letter)
-        sense = _state_turning_sense(tangential, term, case)
+        sense = state_way_about(tangential.value, term.vector, term.base, case)
         number = measure(abs(alpha), "rad/s^2")
         yield _state_part(tangential, term, symbol, number, sense, case=case)
 
@@ -93,16 +92,3 @@ def _state_part(
     symbols = name_length(term.base, term.point, case).dot(symbol)
     value = state_number(length(piece.value, case.arithmetic), piece.symbol.unit)
     return Equation(piece.symbol, (*equate(symbols, arm.dot(number)), *value), sense)
-
-
-def _state_turning_sense(piece: Piece, term: Term, case: Case) -> Row:
-    """The direction of a tangential part: along an axis, else in which sense about the fixed
-    point.
-    """
-    along = find_axis_sense(piece.value)
-    if along is not None:
-        return say_beside(along, case)
-    base = case.naming.point(term.base)
-    if double(case.motion.changes[term.rate]) > 0:
-        return say_beside(Message("solution.around", centre=base), case)
-    return say_beside(Message("solution.clockwise-about", point=base), case)

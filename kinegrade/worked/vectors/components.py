@@ -75,7 +75,7 @@ def _project(piece: Piece, axis: AxisName, case: Case) -> tuple[Summand, ...] | 
     """The share of a piece in a component: none where it is normal to the axis, None where its
     direction has no named angle.
     """
-    heading = _find_heading(piece, case)
+    heading = find_heading(piece, case)
     along = name_axis(_DIRECTIONS[axis])
     if heading is None or along is None:
         return None
@@ -96,7 +96,7 @@ def _project(piece: Piece, axis: AxisName, case: Case) -> tuple[Summand, ...] | 
     return (Summand(_SIGNS[sign], formula, (number,)),)
 
 
-def _find_heading(piece: Piece, case: Case) -> Inclination | None:
+def find_heading(piece: Piece, case: Case) -> Inclination | None:
     """The direction of a piece by an angle that is known."""
     direction = bearing(piece.positive)
     straight = name_axis(direction)
@@ -139,33 +139,35 @@ def list_turning_summands(
     is zero, or the arm by the choice of the axes.
     """
     other = OTHER[axis]
-    signs: Mapping[AxisName, Literal["+", "-"]] = {"x": "-", "y": "+"}
+    turn = {"x": -1, "y": 1}[axis]
     rate, body = case.motion.rates[term.rate], term.rate.body
     letters, value = case.naming.turning(body, level), case.rates(level)[term.rate]
     axes = choose_axes(list_steps(case.template))
     across, along = (_state_arm(one, term, axes, case) for one in (other, axis))
     if double(value) and across is not None:
+        arm = measure(term.vector[PLACES[other]] * across.sign, "m")
         yield Summand(
-            signs[axis],
-            letters * across,
-            (measure(value, UNITS[level, True]), measure(term.vector[PLACES[other]], "m")),
+            _SIGNS[turn * across.sign],
+            letters * across.size,
+            (measure(value, UNITS[level, True]), arm),
         )
     if level == "acceleration" and double(rate) and along is not None:
         yield Summand(
-            "-",
-            case.naming.omega(body) ** TWO * along,
-            (measure(rate, "rad/s"), measure(term.vector[PLACES[axis]], "m")),
+            _SIGNS[-along.sign],
+            case.naming.omega(body) ** TWO * along.size,
+            (measure(rate, "rad/s"), measure(term.vector[PLACES[axis]] * along.sign, "m")),
             squared=True,
         )
 
 
 def _state_arm(axis: AxisName, term: Term, axes: Axes, case: Case) -> Formula | None:
-    """A coordinate of a point from its base point, the latter left out where the choice of the axes
-    makes it zero; None where it makes both zero.
+    """A coordinate of a point from its base point, each left out where the choice of the axes makes
+    it zero; None where it makes both zero.
     """
     point, base = (
         name_coordinate(axis, case.naming.letter(name)) for name in (term.point, term.base)
     )
+    placed = axes.coordinate(axis, term.point)
     if axes.coordinate(axis, term.base) != ZERO:
-        return point - base
-    return None if axes.coordinate(axis, term.point) == ZERO else point
+        return -base if placed == ZERO else point - base
+    return None if placed == ZERO else point

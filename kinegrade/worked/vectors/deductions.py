@@ -142,7 +142,7 @@ def _state_results(stage: Stage, rate: Rate) -> Iterator[Equation]:
     if found and (len(found) == 1 or not turning):
         equation, part = found[0]
         symbol = name_value(equation, part, case)
-        yield _state_vector_value(symbol, part, case, level)
+        yield state_vector_value(symbol, part, case, level)
         if turning:
             yield state_rotation_result(rate, case, level, _divide_by_arm(symbol, part, stage))
     elif turning:
@@ -169,7 +169,7 @@ def state_rotation_result(
     return Equation(letters, links, state_rotation_sense(value, case))
 
 
-def _state_vector_value(symbol: Formula, part: Part, case: Case, level: Level) -> Equation:
+def state_vector_value(symbol: Formula, part: Part, case: Case, level: Level) -> Equation:
     """The algebraic value of an unknown vector along its positive direction, with its sense in
     words.
     """

@@ -172,8 +172,9 @@ def _find_line(ends: tuple[str, str], case: Case) -> tuple[Formula, int, float] 
 
 
 def name_acute(ends: tuple[str, str], case: Case) -> Symbol:
-    """The acute angle between a line and the x axis, psi_AB."""
-    return index_letter(_ACUTE, join_letters(map(case.naming.letter, ends)).row)
+    """The acute angle between a line and the x axis, psi_AB; psi_BA where that has been found."""
+    order = ends[::-1] if ends[::-1] in case.findings.inclined else ends
+    return index_letter(_ACUTE, join_letters(map(case.naming.letter, order)).row)
 
 
 def is_direction_told(part: Part, case: Case) -> bool:
@@ -189,7 +190,12 @@ def is_direction_told(part: Part, case: Case) -> bool:
 
 def is_inclination_known(found: Inclination, ends: tuple[str, str], case: Case) -> bool:
     """Whether the angle of a line is given or has been introduced."""
-    return found.angle != name_acute(ends, case) or ends in case.findings.inclined
+    return found.angle != name_acute(ends, case) or _is_found(ends, case)
+
+
+def _is_found(ends: tuple[str, str], case: Case) -> bool:
+    """Whether the acute angle of the line through two points has been found, in either order."""
+    return bool({ends, ends[::-1]} & case.findings.inclined)
 
 
 def is_line_found(angle: float, case: Case) -> bool:
@@ -210,7 +216,7 @@ def introduce_angle(part: Part, case: Case) -> Iterator[Block]:
     found = find_inclination(part, case)
     if ends is None or found is None or found.angle != name_acute(ends, case):
         return
-    if ends in case.findings.inclined:
+    if _is_found(ends, case):
         return
     case.findings.inclined.add(ends)
     instance = make_instance(case)

@@ -19,6 +19,7 @@ from kinegrade.worked.formulas.measures import NEGLIGIBLE, bearing, length
 from kinegrade.worked.formulas.numbers import state_angle, state_number
 from kinegrade.worked.formulas.symbols import join_letters
 from kinegrade.worked.vectors.arms import name_length
+from kinegrade.worked.vectors.known_vectors import find_path_term
 from kinegrade.worked.vectors.vectors import (
     UNITS,
     name_arm,
@@ -142,9 +143,17 @@ def _find_orientation(equation: VectorEquation, part: Part, case: Case) -> Row:
             relative = name_by_role("r", "velocity", number_composition(equation, part, case))
             return (Sign(r"\perp"), *relative.print())
         case "absolute" | "transport" | "relative" | "rotation":
-            return _find_alignment(part, case)
+            return _find_alignment(part, case) or _find_circle(equation, part, case)
         case _:
             assert_never(part.role)
+
+
+def _find_circle(equation: VectorEquation, part: Part, case: Case) -> Row:
+    """The radius to which a velocity is normal that another way gives about a fixed point."""
+    term = find_path_term(part.together, case)
+    if term is None or term.kind == "sliding" or equation.level != "velocity":
+        return ()
+    return (Sign(r"\perp"), *join_letters(map(case.naming.letter, (term.base, term.point))).row)
 
 
 def _find_alignment(part: Part, case: Case) -> Row:

@@ -22,7 +22,7 @@ from kinegrade.worked.formulas.atoms import AXES, TWO, ZERO, VectorSymbol
 from kinegrade.worked.formulas.equation import Equation, equate
 from kinegrade.worked.formulas.measures import double, length
 from kinegrade.worked.formulas.numbers import measure, state_number
-from kinegrade.worked.senses import state_way
+from kinegrade.worked.senses import state_way_about
 from kinegrade.worked.vectors.arms import introduce_lengths, name_length
 from kinegrade.worked.vectors.carried import explain_turning, state_carried_component
 from kinegrade.worked.vectors.components import add_components, find_known
@@ -30,7 +30,11 @@ from kinegrade.worked.vectors.contacts import needs_components, turn_about_conta
 from kinegrade.worked.vectors.facts import make_key
 from kinegrade.worked.vectors.known_vectors import find_positive_sense
 from kinegrade.worked.vectors.relatives import find_relative, index_relative
-from kinegrade.worked.vectors.vectors import name_by_role, name_point_vector
+from kinegrade.worked.vectors.vectors import (
+    name_by_role,
+    name_coriolis,
+    name_point_vector,
+)
 
 _Place = Literal["of", "at"]  # a point of the body that turns, or one at the same place
 _Start = Literal["point", "base"]  # from a fixed axis, or from a moving base point
@@ -129,13 +133,15 @@ def _explain_single(term: Term, name: VectorSymbol, case: Case) -> Iterator[Bloc
 def _state_speed(term: Term, name: VectorSymbol, case: Case) -> Iterator[Equation]:
     """The arm where it has to be worked out, and the speed of a point at it."""
     value = term.velocity(case.motion.rates)
-    omega = case.naming.omega(term.rate.body)
-    turned = omega if double(case.motion.rates[term.rate]) >= 0 else abs(omega)
+    omega, rate = case.naming.omega(term.rate.body), case.motion.rates[term.rate]
+    turned = omega if double(rate) >= 0 else abs(omega)
     ends = term.base, term.point
     yield from introduce_lengths((ends,), case)
     size = state_number(length(value, case.arithmetic), "m/s")
-    links = (*equate(name_length(*ends, case).dot(turned)), *size)
-    yield Equation(name, links, state_way(value, case))
+    arm = measure(length(term.vector, case.arithmetic), "m")
+    numbers = arm.dot(measure(abs(rate), "rad/s"))
+    links = (*equate(name_length(*ends, case).dot(turned), numbers), *size)
+    yield Equation(name, links, state_way_about(value, term.vector, term.base, case))
 
 
 def _announce_rotation(term: Term, start: _Start, case: Case) -> Message:
@@ -170,7 +176,8 @@ def _explain_circling(term: Term, name: VectorSymbol, case: Case) -> Generator[B
     first, second = replace(name, part="n"), replace(name, part="t")
     links = equate(symbols, speed**TWO / radius)
     size = state_number(length(normal, case.arithmetic), "m/s^2")
-    yield case.show(Equation(first, (*links, *size)))
+    arms = introduce_lengths(((term.base, term.point),), case)
+    yield case.show(*arms, Equation(first, (*links, *size)))
     along = term.coefficient()
     pieces = Piece(first, normal, normal, term), Piece(second, along, tangential, term)
     return Fact(name, normal + tangential, False, pieces)
@@ -226,17 +233,17 @@ def list_relative_parts(term: Term, case: Case, level: Level) -> Iterator[Fact]:
     """The relative and Coriolis parts of a term, each by its magnitude and direction."""
     number = index_relative(find_relative(term), case)
     for part in list_term_parts(term, case.motion, tuple(case.motion.rates), level):
-        name = _name_relative_part(part, level, number)
+        name = _name_relative_part(part, level, number, case)
         fixed = part.role == "coriolis" or part.part == "n"
         sense = part.value if fixed else term.coefficient()
         yield Fact(name, part.value, False, (Piece(name, sense, part.value, term),))
 
 
-def _name_relative_part(part: Part, level: Level, number: Row) -> VectorSymbol:
+def _name_relative_part(part: Part, level: Level, number: Row, case: Case) -> VectorSymbol:
     """The symbol of a relative or Coriolis part."""
     match part.role:
         case "coriolis":
-            return name_by_role("C", level, number)
+            return name_coriolis(number, case)
         case "relative" | "absolute" | "transport" | "rotation":
             return replace(name_by_role("r", level, number), part=part.part)
         case _:

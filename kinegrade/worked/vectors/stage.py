@@ -15,6 +15,7 @@ from kinegrade.worked.formulas.equation import Equation, equate
 from kinegrade.worked.formulas.formula import Formula, Function
 from kinegrade.worked.formulas.measures import length
 from kinegrade.worked.formulas.numbers import measure, state_angle
+from kinegrade.worked.vectors.by_components import find_components, project_components
 from kinegrade.worked.vectors.inclinations import (
     Cosine,
     Inclination,
@@ -89,11 +90,25 @@ class Stage:
     ) -> Iterator[Formula]:
         """The shares of one side, each with its cosine and, where `sign` is negative, turned."""
         for share in shares:
+            components = self._list_components(projection, share, solved is not None)
+            yield from (one.signed(sign) for one in components)
+            if components:
+                continue
             amount = self._state_share(projection.equation, share.part, solved)
             if amount != ZERO:
                 turned, cosine = self._state_cosine(projection, share, solved is not None)
                 term = amount.size if cosine == ONE else amount.size * cosine
                 yield term.signed(sign * amount.sign * turned)
+
+    def _list_components(
+        self, projection: Projection, share: Share, in_numbers: bool
+    ) -> tuple[Formula, ...]:
+        """The share of a vector by its components, none where it is not known by these alone."""
+        pieces = find_components(share.part, self.level, self.case)
+        axis = find_axis(projection, self.case)
+        if axis is None:
+            return ()
+        return project_components(pieces, axis, self.case, in_numbers=in_numbers)
 
     def _state_cosine(
         self, projection: Projection, share: Share, in_numbers: bool

@@ -5,19 +5,20 @@ constructed on a ray from it.
 from __future__ import annotations
 
 import operator
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from math import degrees, nan, pi
 from typing import assert_never
 
-from kinegrade.expressions.tree import Call, Expression, Name, Number, Operation, walk
+from kinegrade.expressions.tree import Call, Expression, Name, Number, Operation, Operator, walk
 from kinegrade.numbers.angle import Angle
 from kinegrade.worked.case import Case
 from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.leaves import count_quarter_turns, formulate
 from kinegrade.worked.formulas.measures import tidy
 from kinegrade.worked.formulas.symbols import collect_symbols
-from kinegrade.worked.positions.construction_steps import list_steps
+from kinegrade.worked.positions.construction_steps import Step, list_steps
 
+_OPPOSITE: Mapping[Operator, Operator] = {"+": "-", "-": "+"}
 _WORK: Mapping[str, Callable[[float, float], float]] = {
     "+": operator.add,
     "-": operator.sub,
@@ -31,18 +32,32 @@ def find_stated_angle(ends: tuple[str, str], case: Case) -> tuple[Formula, int, 
     """The angle that states the line through two points: in symbols and without right angles, the
     sign with which it counts counter-clockwise from +x, and its degrees; None where none does.
     """
-    angles = (
-        angle
-        for step in list_steps(case.template)
-        for angle in _list_angles(step.point, step.tree, ends)
-        if _is_given(angle, case)
-    )
-    angle = next(angles, None)
+    steps = list_steps(case.template)
+    angle = next((angle for angle in _list_stated(ends, steps) if _is_given(angle, case)), None)
     if angle is None:
         return None
     sign, plain = _drop_right_angles(angle)
     symbols = formulate(collect_symbols(case.template)).state(plain, True)
     return symbols, sign, tidy(degrees(_evaluate(plain, case)))
+
+
+def _list_stated(ends: tuple[str, str], steps: Sequence[Step]) -> Iterator[Expression]:
+    """The angles that state the line through two points, or one parallel or normal to it."""
+    for step in steps:
+        yield from _list_angles(step.point, step.tree, ends)
+    trees = {step.point: step.tree for step in steps}
+    match [trees.get(end) for end in ends]:
+        case [
+            Call("polar", (centre, _, angle)),
+            Call("polar", (other, _, same)),
+        ] if (centre, angle) == (other, same):
+            yield angle
+    for point, base in (ends, ends[::-1]):
+        match trees.get(point):
+            case Operation(
+                "+", Name(start), Call("turned", (Operation("-", Name(last), Name(first)),))
+            ) if start == base:
+                yield from _list_stated((first, last), steps)
 
 
 def _is_given(angle: Expression, case: Case) -> bool:
@@ -87,7 +102,9 @@ def _drop_right_angles(angle: Expression) -> tuple[int, Expression]:
     if count_quarter_turns(angle.right) is not None:
         return _drop_right_angles(angle.left)
     if count_quarter_turns(angle.left) is None:
-        return 1, angle
+        sign, left = _drop_right_angles(angle.left)
+        joined = _OPPOSITE[angle.sign] if sign < 0 else angle.sign
+        return sign, Operation(joined, left, angle.right)
     sign, rest = _drop_right_angles(angle.right)
     return sign * {"+": 1, "-": -1}[angle.sign], rest
 

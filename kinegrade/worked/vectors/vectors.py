@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from typing import Literal, assert_never
 
 from kinegrade.language.math.tree import Letter, Lettering, Number, Row, Sign
-from kinegrade.mechanics.vector_equation import Level, Part, Role, VectorEquation
+from kinegrade.mechanics.vector_equation import Level, Part, VectorEquation
 from kinegrade.worked.case import Case
 from kinegrade.worked.formulas.atoms import Symbol, VectorSymbol
 from kinegrade.worked.formulas.formula import Formula
@@ -24,7 +24,6 @@ UNITS: Mapping[tuple[Level, bool], str] = {  # by whether it is a rotation
     ("velocity", True): "rad/s",
     ("acceleration", True): "rad/s^2",
 }
-_ROLES: Mapping[Role, str] = {"transport": "e", "relative": "r", "coriolis": "C"}
 
 
 def name_part(
@@ -36,9 +35,14 @@ def name_part(
 
 
 def name_by_role(role: str, level: Level, number: Row, *, bold: bool = False) -> VectorSymbol:
-    """The vector of a composition by its role: "a", "e", "r" or "C", and its number."""
-    lower = (Lettering("mathrm", (Letter(role),)), *number)
+    """The vector of a composition by its role: "a", "e", "r", "C" or "Cor", and its number."""
+    lower = (Lettering("mathrm", tuple(map(Letter, role))), *number)
     return VectorSymbol(LETTERS[level], lower, bold=bold)
+
+
+def name_coriolis(number: Row, case: Case, *, bold: bool = False) -> VectorSymbol:
+    """The Coriolis acceleration, by the letters chosen for it."""
+    return name_by_role(case.findings.coriolis, "acceleration", number, bold=bold)
 
 
 def name_point_vector(point: str, level: Level, case: Case) -> VectorSymbol:
@@ -51,9 +55,14 @@ def _find_subscript(equation: VectorEquation, part: Part, case: Case) -> Row:
     points.
     """
     match part.role:
-        case "transport" | "relative" | "coriolis":
+        case "transport":
             number = number_composition(equation, part, case)
-            return name_by_role(_ROLES[part.role], equation.level, number).lower
+            return name_by_role("e", equation.level, number).lower
+        case "relative":
+            number = number_composition(equation, part, case)
+            return name_by_role("r", equation.level, number).lower
+        case "coriolis":
+            return name_coriolis(number_composition(equation, part, case), case).lower
         case "absolute" if is_composed(equation, part):
             return name_by_role("a", equation.level, ()).lower
         case "absolute":

@@ -12,7 +12,7 @@ from typing import assert_never
 from kinegrade.expressions.tree import Call, Name
 from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
-from kinegrade.language.math.tree import Row
+from kinegrade.language.math.tree import Lettering, Row
 from kinegrade.language.math.tree import Text as Words
 from kinegrade.language.message import Message, Text
 from kinegrade.mechanics.joints import GROUND
@@ -114,13 +114,16 @@ class Naming:
         )
 
     def _label_wheel(self, body: str) -> _Label:
-        """The wheel, gear or pulley; with its letter where there are several, or where the letter
-        is a Roman numeral.
+        """The wheel, gear or pulley; with its number in the figure, else its letter where there are
+        several, or where the letter is a Roman numeral.
         """
         family = self.template.about.family
         kind = next((kind for part, kind in _ROUND.items() if part in family), "wheel")
         if set(body) <= set("IV"):
             return _Label(kind, number=body)
+        number = self.template.figure.labels.get(body) or ""
+        if number.isdigit():
+            return _Label(kind, number=number)
         if sum(self._is_round(other.name) for other in self.template.scheme.bodies) > 1:
             symbol = write_point_symbol(body)
             return _Label(kind, symbol, f"${symbol}$")
@@ -172,11 +175,16 @@ class Naming:
         if body.name.islower():
             letters = join_letters(map(name_point, body.points[:2])) if body.points else Symbol(())
         else:
-            letters = name_point(body.name)
+            letters = self._name_letter(body.name)
         symbol = index_letter("omega", letters.row)
         if symbol not in taken and "_" not in body.name:
             return symbol
         return index_letter("omega", self._print_text(name_barely(body.name)))
+
+    def _name_letter(self, name: str) -> Symbol:
+        """The letters of a body; Roman numerals upright."""
+        letters = name_point(name)
+        return Symbol((Lettering("mathrm", letters.row),)) if set(name) <= set("IV") else letters
 
     def _list_asked_rotations(self) -> Iterator[tuple[str, str, Symbol]]:
         """What asks call the rotations of bodies: omega or alpha, the body, the symbol."""

@@ -7,6 +7,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator, Sequence, Set
 from dataclasses import dataclass, field
+from itertools import islice
 from typing import Literal, TypeAlias
 
 from kinegrade.language.math.tree import Fenced, Row
@@ -105,8 +106,8 @@ def find_faults(blocks: Sequence[Block], solution: Solution) -> Iterator[Fault]:
                 yield from _judge_angles(row, write_row(row), known.angles)
                 known.named.add(name_symbol(row))
             case Line():
-                after = parts[place : place + NEXT]
-                sought = {_name_left(one) for one in after if isinstance(one, Line)}
+                after = (one for one in parts[place:] if isinstance(one, Line))
+                sought = {_name_left(one) for one in islice(after, NEXT)}
                 yield from _judge_line(part, sought, known)
     for wrong in judge_polygons(blocks, known.amounts):
         yield Fault(wrong.law, wrong.line)

@@ -6,12 +6,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from kinegrade.expressions.tree import Expression, find_names
+from kinegrade.expressions.tree import Call, Expression, find_names
 from kinegrade.mechanics.plan import Step
 from kinegrade.mechanics.relations import Term
 from kinegrade.problem.quantities.functions import find_motion_calls
 from kinegrade.problem.template.template import Ask
 from kinegrade.worked.case import Case
+from kinegrade.worked.formulas.leaves import count_quarter_turns
 from kinegrade.worked.vectors.contacts import turn_about_contact
 from kinegrade.worked.vectors.needed_rates import find_references
 
@@ -47,5 +48,10 @@ def _list_points(term: Term, case: Case) -> Iterator[str]:
         yield about_contact.base
     sentence = case.joint(term)
     for shape in (sentence.on, sentence.circle) if sentence else ():
-        if shape is not None:
+        if shape is not None and not _lies_along_axis(shape):
             yield from find_names(shape)
+
+
+def _lies_along_axis(shape: Call) -> bool:
+    """Whether a shape is a line along an axis, which no point has to tell."""
+    return shape.function == "line" and count_quarter_turns(shape.arguments[1]) is not None

@@ -1,0 +1,95 @@
+"""Components of vectors along the direction that an ask names."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from kinegrade.expressions.tree import Expression, find_names
+from kinegrade.mechanics.vector import Vector
+from kinegrade.worked.case import Case
+from kinegrade.worked.findings import Fact, Piece
+from kinegrade.worked.formulas.atoms import ZERO, add_terms
+from kinegrade.worked.formulas.formula import Formula, Function
+from kinegrade.worked.formulas.measures import bearing, double, length, tidy
+from kinegrade.worked.formulas.numbers import measure, state_angle
+from kinegrade.worked.vectors.by_components import project_components, split
+from kinegrade.worked.vectors.inclinations import (
+    Inclination,
+    is_inclination_known,
+    is_line_found,
+    name_along,
+)
+from kinegrade.worked.vectors.stage import multiply_by_cosine
+
+_QUARTER = 90.0  # degrees
+_RIGHT = 1e-7  # degrees from a right angle that count as a right angle
+
+
+@dataclass(frozen=True)
+class Working:
+    """A number in symbols, and with numbers substituted where that adds something."""
+
+    symbols: Formula
+    numbers: Formula | None = None
+
+
+def name_known_axis(direction: Expression, value: Vector, case: Case) -> Inclination | None:
+    """The direction that an ask names, whose value is given, along or normal to the line of two
+    points, by an angle that is known; None where none is.
+    """
+    points = [name for name in find_names(direction) if name in case.motion.points]
+    if len(points) != 2:
+        return None
+    ends = (points[0], points[1])
+    found = name_along(bearing(value), ends, case)
+    return found if found and is_inclination_known(found, ends, case) else None
+
+
+def project(fact: Fact, direction: Vector, case: Case, named: Inclination | None = None) -> Working:
+    """The component along a direction, `named` by an angle where one is known: from the
+    components, or each magnitude times a cosine; those normal to it add nothing.
+    """
+    if fact.by_components and named is not None and named.angle is not None:
+        return Working(*project_on(fact, named, case))
+    axis = bearing(direction)
+    symbols, numbers = list[Formula](), list[Formula]()
+    for piece in split(fact) if fact.by_components else fact.parts:
+        angle = abs((bearing(piece.positive) - axis + 180) % 360 - 180)
+        if abs(angle - 90) > _RIGHT and double(piece.positive.squared()):
+            sign, acute = (1 if angle < 90 else -1), tidy(min(angle, 180 - angle))
+            symbols.append(_turn_to_axis(piece.symbol, piece, acute, case).signed(sign))
+            number = state_signed(piece, case)
+            if number != ZERO:
+                share = _turn_to_axis(number.size, piece, acute, case)
+                numbers.append(share.signed(sign * number.sign))
+    shown = add_terms(numbers)
+    return Working(add_terms(symbols), None if shown.is_decimal else shown)
+
+
+def project_on(fact: Fact, axis: Inclination, case: Case) -> tuple[Formula, Formula]:
+    """The projection of a vector known by its components, in symbols and in numbers."""
+    symbols, numbers = (
+        add_terms(project_components(split(fact), axis, case, in_numbers=one))
+        for one in (False, True)
+    )
+    return symbols, numbers
+
+
+def _turn_to_axis(size: Formula, piece: Piece, angle: float, case: Case) -> Formula:
+    """A size times the cosine of a piece's angle with a direction, in degrees. For the components
+    of a vector, x and y, a sine and a cosine of one angle: that of a line that has been found, else
+    that of the direction with the x axis.
+    """
+    rest = tidy(_QUARTER - angle)
+    found, other = (is_line_found(one, case) for one in (angle, rest))
+    by_sine = other if found != other else piece.symbol.axis == "y"
+    if piece.symbol.axis and by_sine and angle:
+        return size * Function("sin", state_angle(rest))
+    return multiply_by_cosine(size, angle)
+
+
+def state_signed(piece: Piece, case: Case) -> Formula:
+    """The number of a piece, negative where it points against its positive sense."""
+    size = length(piece.value, case.arithmetic)
+    signed = -size if double(piece.value.dot(piece.positive)) < 0 else size
+    return measure(signed, piece.symbol.unit)

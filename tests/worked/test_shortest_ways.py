@@ -1,0 +1,103 @@
+"""Solutions take what is known as it is known: components that have been found, a rigid triangle, a
+length of the statement, an angle told under one name.
+"""
+
+from __future__ import annotations
+
+from kinegrade.worked.document import Pictures
+from kinegrade.worked.solution import write_worked_solution
+from tests.worked.draws import drawn, kept, told
+from tests.worked.telling import displayed, lines, proses
+
+
+def find_lines(name: str, start: str, place: int = 0) -> list[str]:
+    """The equations of a template's solution whose left side begins so."""
+    return [line for line in displayed(kept(name, place)) if line.startswith(start)]
+
+
+def test_a_vector_found_by_its_components_is_projected_by_these() -> None:
+    # v_D was projected with the cosine of an angle that nothing told
+    (speed,) = find_lines("extended-rod-driving-rocker", r"v_{\mathrm{r}} &=", 1)
+    assert speed.startswith(r"v_{\mathrm{r}} &= v_{D,x}\cos\delta - v_{D,y}\sin\delta")
+    table = [line for line in lines(kept("extended-rod-driving-rocker", 1)) if "] " in line]
+    assert any(line.endswith(r"_{\mathrm{a}} | $v_{D,x},\;v_{D,y}$ | known") for line in table)
+
+
+def test_a_component_along_a_line_of_the_statement_has_its_angle() -> None:
+    (normal,) = find_lines("wheel-on-circular-track", "a_{B,BO} &=")
+    assert r"a_{B,x}\sin(\theta - \beta)" in normal
+
+
+def test_two_points_on_circles_about_one_centre_turn_with_it_as_a_rigid_triangle() -> None:
+    name = "two-wheels-on-cylinder"
+    (turning,) = find_lines(name, r"\omega_{AB} &=")
+    assert turning.startswith(r"\omega_{AB} &= -\frac{v_{A}}{OA} = ")
+    (speed,) = find_lines(name, "v_{B} &=")
+    assert speed.startswith(r"v_{B} &= OB \cdot \omega_{AB} = ")
+    assert any("$OAB$ is a rigid triangle: $AB$ turns about" in text for text in proses(kept(name)))
+    assert any(text.startswith("$AB$: rotation about the fixed") for text in proses(kept(name)))
+    assert not [block for block in kept(name) if isinstance(block, Pictures)]
+
+
+def test_a_method_that_is_asked_for_is_taken_in_place_of_the_rigid_triangle() -> None:
+    by_pole = told(drawn("two-wheels-on-cylinder")[0], "pole")
+    assert not any("rigid triangle" in text for text in proses(by_pole))
+
+
+def test_a_line_makes_one_angle_and_has_one_length_whatever_the_order_of_its_points() -> None:
+    told = displayed(kept("crank-bar-through-sleeve-with-arm"))
+    assert len([line for line in told if line.startswith(r"\tan\psi")]) == 1
+    assert not [line for line in told if line.startswith("BA &=")]
+    assert not any(
+        text.startswith("Here") for text in proses(kept("rolling-wheel-pin-slotted-rocker"))
+    )
+
+
+def test_the_radius_of_a_circle_on_which_a_point_moves_is_told() -> None:
+    (arm,) = find_lines("wheel-on-circular-track", "O_{1}O &=")
+    assert arm.startswith("O_{1}O &= R + r = ")
+
+
+def test_the_distance_of_a_pole_is_worked_out() -> None:
+    (distance,) = find_lines("pole-sleeve-slider-rod", "SB &=")
+    assert "y_{S}" in distance
+
+
+def test_a_point_that_only_draws_a_level_track_is_not_placed() -> None:
+    assert not find_lines("crank-rocker-towed-wheel", "x_{K} &=")
+
+
+def test_a_coriolis_acceleration_keeps_the_letter_of_the_question() -> None:
+    # its C does not stand in an equation with it
+    told = "".join(displayed(kept("crank-bar-through-sleeve-with-arm")))
+    assert r"a_{\mathrm{C}}" in told
+    assert r"\mathrm{Cor}" not in told
+
+
+def test_a_coriolis_acceleration_is_told_from_the_acceleration_of_a_point_c() -> None:
+    solution = drawn("bar-pushing-rolling-disc")[0]
+    page = write_worked_solution(solution, solution.template.asked(), "en").blocks
+    equations = "".join(displayed(page))
+    assert r"a_{\mathrm{Cor}}" in equations
+    assert r"a_{\mathrm{C}}" not in equations
+
+
+def test_roman_numerals_of_bodies_stand_upright_and_apart_from_chinese_words() -> None:
+    told = kept("crossed-belt-drive", language="zh")
+    assert any(line.startswith(r"\omega_{\mathrm{I}} &=") for line in displayed(told))
+    assert any("带轮 I 的角速度" in text for text in proses(told))
+
+
+def test_equal_rim_speeds_are_solved_in_symbols() -> None:
+    (result,) = find_lines("crossed-belt-drive", r"\omega_{\mathrm{II}} &=")
+    assert (
+        r"&= \omega_{OA} - \frac{r_{1}}{r_{2}} \cdot (\omega_{\mathrm{I}} - \omega_{OA}) ="
+        in result
+    )
+
+
+def test_a_wheel_has_the_number_of_the_figure() -> None:
+    assert any(
+        text.startswith("$AB$") and "wheel 1: plane" in text
+        for text in proses(kept("two-wheels-on-cylinder"))
+    )
