@@ -22,7 +22,7 @@ from kinegrade.worked.words.naming import Naming
         ("stone-crusher", "crank", "the crank $OE$", "曲柄 $OE$", "OE"),
         ("two-rods-driven-ends", "rod_AC", "the rod $AC$", "杆 $AC$", "AC"),
         ("rolling-wheel-rim-points", "W", "the wheel", "轮", r"\text{wheel}"),
-        ("two-wheels-on-cylinder", "W2", "wheel $W_{2}$", "轮 $W_{2}$", "W_{2}"),
+        ("two-wheels-on-cylinder", "W2", "wheel 2", "轮 2", r"\text{wheel 2}"),
         ("planetary-gear-external-rim-velocities", "II", "gear II", "齿轮 II", r"\text{gear II}"),
         ("pin-in-two-rings", "ring1", "ring 1", "圆环 1", r"\text{ring 1}"),
         ("pose-cam-tappet", "tappet", "the follower", "从动件", r"\text{follower}"),

@@ -67,6 +67,13 @@ def test_a_point_that_only_draws_a_level_track_is_not_placed() -> None:
     assert not find_lines("crank-rocker-towed-wheel", "x_{K} &=")
 
 
+def test_a_point_of_contact_is_placed_for_points_that_turn_about_it_alone() -> None:
+    solution = drawn("slider-driven-gear-on-rack")[0]
+    page = write_worked_solution(solution, ("v_A", "omega_O"), "en").blocks
+    assert not any(line.startswith("x_{C} &=") for line in displayed(page))
+    assert find_lines("rolling-wheel-pin-slotted-rocker", "x_{P} &=")
+
+
 def test_a_coriolis_acceleration_keeps_the_letter_of_the_question() -> None:
     # its C does not stand in an equation with it
     told = "".join(displayed(kept("crank-bar-through-sleeve-with-arm")))

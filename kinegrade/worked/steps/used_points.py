@@ -44,12 +44,21 @@ def _list_points(term: Term, case: Case) -> Iterator[str]:
     """The points of a term: that which moves, about which, and those that give its path."""
     yield from (term.point, term.base)
     about_contact = turn_about_contact(term, case)
-    if about_contact is not None:
+    if about_contact is not None and not _is_rolling_centre(term.point, case):
         yield about_contact.base
     sentence = case.joint(term)
     for shape in (sentence.on, sentence.circle) if sentence else ():
         if shape is not None and not _lies_along_axis(shape):
             yield from find_names(shape)
+
+
+def _is_rolling_centre(point: str, case: Case) -> bool:
+    """Whether a point is the centre of a rolling circle, whose velocity the track gives without
+    the point of contact.
+    """
+    laws = (relation.source for relation in case.motion.frames.relations)
+    rolls = (law.find_rolling() for law in laws if law is not None)
+    return any(roll is not None and roll.circle.centre == point for roll in rolls)
 
 
 def _lies_along_axis(shape: Call) -> bool:
