@@ -43,7 +43,8 @@ def test_an_open_belt_between_fixed_pulleys() -> None:
         Relative to the ground both rims always move with the speed of the belt, an open one, so in
             the same sense:
         1\,\unit{m} \cdot \omega &= 3\,\unit{m} \cdot \omega_{O}
-        \omega &= 6\,\unit{rad/s}\quad\text{(counter-clockwise)}
+        \omega &= \frac{3\,\unit{m}}{1\,\unit{m}} \cdot \omega_{O} =
+            \frac{3\,\unit{m}}{1\,\unit{m}} \cdot 2\,\unit{rad/s} = 6\,\unit{rad/s}\quad\text{(counter-clockwise)}
         """
     )
     assert read_chapter("# Accelerations", solution).partition(f"{title}\n")[2] == as_read(
@@ -51,7 +52,8 @@ def test_an_open_belt_between_fixed_pulleys() -> None:
         Relative to the ground both rims always have the speed of the open belt; differentiated
             with respect to time:
         1\,\unit{m} \cdot \alpha &= 3\,\unit{m} \cdot \alpha_{O}
-        \alpha &= 15\,\unit{rad/s^2}\quad\text{(counter-clockwise)}
+        \alpha &= \frac{3\,\unit{m}}{1\,\unit{m}} \cdot \alpha_{O} = \frac{3\,\unit{m}}{1\,\unit{m}} \cdot
+            5\,\unit{rad/s^2} = 15\,\unit{rad/s^2}\quad\text{(counter-clockwise)}
         """
     )
 
@@ -64,6 +66,7 @@ def test_a_crossed_belt_about_a_fixed_pulley() -> None:
         Relative to the carrier $OC$ both rims always move with the speed of the belt, a crossed
             one, so in opposite senses:
         (1 + 1)\,(\omega - \omega_{OC}) &= -3\,\unit{m} \cdot (0 - \omega_{OC})
-        \omega &= 5\,\unit{rad/s}\quad\text{(counter-clockwise)}
+        \omega &= \omega_{OC} + \frac{3\,\unit{m}}{1 + 1} \cdot \omega_{OC} = 2\,\unit{rad/s} +
+            \frac{3\,\unit{m}}{2\,\unit{m}} \cdot 2\,\unit{rad/s} = 5\,\unit{rad/s}\quad\text{(counter-clockwise)}
         """
     )

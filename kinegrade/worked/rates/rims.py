@@ -80,8 +80,9 @@ class _Rims:
         """The rotation that is sought: omega_c + r' / r (omega' - omega_c)."""
         if self.carrier == ZERO:
             return ZERO if self.other == ZERO else self.ratio.dot(self.other).signed(sign)
-        relative = -self.carrier if self.other == ZERO else self.other - self.carrier
-        return self.carrier + self.ratio.dot(relative).signed(sign)
+        if self.other == ZERO:
+            return self.carrier + self.ratio.dot(self.carrier).signed(-sign)
+        return self.carrier + self.ratio.dot(self.other - self.carrier).signed(sign)
 
 
 def _equate_rim_speeds(law: EqualRimSpeed, case: Case, level: Level) -> Equation:
