@@ -37,9 +37,8 @@ _GUIDE_GAP = BOLD.width / 2 + 0.55  # from the axis of a rod to its guide
 RACK_DEPTH = 2.6  # from the pitch line of a rack to its back
 # Millimetres: a tooth of a jaw, and the gap at the mouth; the slope between the two jaws
 _TOOTH, _MOUTH, _MOUTH_SLOPE = 0.9, 2.2, 0.3
-# Heights of a fixed pin's stand: the second where a sleeve turns about the pin; higher ones too,
-# the last on a narrower base, where a bar leaves the pin steeply downward
-STANDS = (3.6, 5.2, 6.2)
+# Heights of a fixed pin's stand, and of one about whose pin a sleeve turns, which hides its top
+STAND, STAND_OF_SLEEVE = 3.6, 6.2
 _STEPS = 60  # corners of a round band, whose edges are drawn over them
 _STEP = 2 * pi / _STEPS
 SOLID_AT_PIN = 3.0  # millimetres that a slot keeps from a pin of its own body, at least
@@ -74,7 +73,7 @@ def draw_pivot(at: Vector, upright: Vector) -> tuple[Primitive, ...]:
 
 def find_half_base(height: float) -> float:
     """Half the width of the hatched base of a stand of that height."""
-    return 2.6 if height < STANDS[-1] else 2.3
+    return 2.6 if height < STAND_OF_SLEEVE else 2.3
 
 
 def draw_knife_edge(at: Vector, toward: Vector) -> tuple[Primitive, ...]:

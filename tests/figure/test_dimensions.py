@@ -11,7 +11,7 @@ from kinegrade.figure.marks.dimensions import add_length
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.placing.obstacles import Obstacles
 from kinegrade.figure.scene import BOLD, FIRM, THIN, Disc, Label, Primitive, Strokes
-from kinegrade.figure.symbols import STANDS, draw_pivot
+from kinegrade.figure.symbols import STAND, draw_pivot
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import Length
 from tests.figure.clear import heads
@@ -67,7 +67,7 @@ def test_an_extension_line_does_not_begin_in_a_letter() -> None:
 
 
 def test_extension_lines_start_outside_the_supports_of_their_points() -> None:
-    ground = (*draw_pivot(A, DOWN * STANDS[0]), *draw_pivot(B, DOWN * STANDS[0]))
+    ground = (*draw_pivot(A, DOWN * STAND), *draw_pivot(B, DOWN * STAND))
     bar = Strokes(((Vector(-30.0, 5.0), Vector(30.0, 4.0)),), BOLD)
     for start, _ in _find_extensions(_add(Length("d", "A", "B"), (bar,), ground)):
         assert -6.5 < start.y < -5.1

@@ -52,6 +52,7 @@ def test_a_full_table_reads_as_written() -> None:
         ]
         labels = { A = "A_1", B = false, OA = "1" }
         shapes = { AB = "bent" }
+        supports = { O = "left" }
         axes = "aside"
         frames = [
             { at = "A", to = "B", x = "x_1", y = "y_1" },
@@ -70,6 +71,7 @@ def test_a_full_table_reads_as_written() -> None:
     )
     assert dict(hints.labels) == {"A": "A_1", "B": None, "OA": "1"}
     assert dict(hints.shapes) == {"AB": "bent"}
+    assert dict(hints.supports) == {"O": "left"}
     assert hints.axes == "aside"
     assert hints.frames == (
         BodyFrame("x_1", "y_1", "A", "A", "B"),
@@ -98,6 +100,13 @@ def test_all_faults_come_at_once() -> None:
 @pytest.mark.parametrize(
     ("text", "expected"),
     [
+        (
+            "supports = { O = 'below', Q = 'up' }",
+            [
+                "supports.Q: unknown point - known here: A, B, O",
+                'supports.O: "below" - expected right, up, left or down',
+            ],
+        ),
         ("axes = 1", ["axes: 1 - expected origin or aside"]),
         ("labels = []", ["labels: a list - expected a table like { O = 'O_1' }"]),
         (

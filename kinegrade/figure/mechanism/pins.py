@@ -99,7 +99,7 @@ def _find_side_of_through_bar(anatomy: Anatomy, name: str) -> Vector | None:
         if bar is not through[0]:
             toward = sum((unit(way) for way in list_ways(bar, at)), toward)
     if any(symbol.fixed and symbol.point == name for symbol in anatomy.symbols):
-        toward = toward + unit(choose_upright(at, anatomy))
+        toward = toward + unit(choose_upright(name, anatomy))
     across = unit(through[0].end - through[0].start).turned()
     return across if across.dot(toward) > 0 else -across
 

@@ -4,10 +4,11 @@ rest.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from math import asin, atan2, hypot
 from typing import assert_never
 
+from kinegrade.errors import TemplateError
 from kinegrade.figure.joints.symbol import Rim, find_fixed_pins
 from kinegrade.figure.mechanism.anatomy import Anatomy
 from kinegrade.figure.mechanism.plates import Plate
@@ -23,15 +24,20 @@ from kinegrade.figure.plane import (
 )
 from kinegrade.figure.scene import BOLD, Primitive
 from kinegrade.figure.symbols import (
-    STANDS,
+    STAND,
+    STAND_OF_SLEEVE,
     draw_knife_edge,
     draw_pivot,
     find_half_base,
 )
+from kinegrade.language.message import Fault, Message
 from kinegrade.mechanics.joints import GROUND
 from kinegrade.mechanics.vector import Vector
+from kinegrade.problem.template.hints import Side
 
-_CLEAR = 0.4  # millimetres between the hatching and a bar
+_SIDES: tuple[Side, ...] = ("down", "up", "left", "right")
+# Millimetres between the ground line and a bar, which may leave at 45 degrees beside it
+_CLEAR = 0.2
 _AROUND = 1.6  # millimetres around the upright of a stand that keep clear of other bodies
 # Millimetres beyond the foot of a stand and at its sides that hide a marked centre
 _HATCHED, _CROSS = 3.0, 0.8
@@ -41,8 +47,15 @@ _INSIDE = 8.5  # millimetres of radius at which a stand is clear of the hatching
 def draw_stands(anatomy: Anatomy) -> Iterator[Primitive]:
     """The knife edges, then the stands of fixed pins; a pin at the centre of a fixed wheel without
     room for one needs none.
+
+    Raises TemplateError for a support where nothing is fixed.
     """
-    at = anatomy.mechanism.points
+    at, fixed = anatomy.mechanism.points, find_fixed_pins(anatomy.symbols)
+    for name in anatomy.hints.supports:
+        if name not in fixed:
+            raise TemplateError(
+                Fault(f"figure.supports.{name}", Message("figure.nothing-to-support"))
+            )
     for name, side in anatomy.knife_edges.items():
         yield from draw_knife_edge(at[name], side)
     wheels = {
@@ -50,44 +63,21 @@ def draw_stands(anatomy: Anatomy) -> Iterator[Primitive]:
         for rim in anatomy.rims
         if rim.body == GROUND and not rim.ring and rim.radius < _INSIDE
     }
-    pins = [
-        at[name]
-        for name in find_fixed_pins(anatomy.symbols)
-        if name not in wheels and name not in anatomy.knife_edges
-    ]
-    for pin, upright in zip(pins, _choose_alike(pins, anatomy), strict=True):
-        yield from draw_pivot(pin, upright)
+    for name in fixed:
+        if name not in wheels and name not in anatomy.knife_edges:
+            yield from draw_pivot(at[name], choose_upright(name, anatomy))
 
 
-def _choose_alike(pins: Sequence[Vector], anatomy: Anatomy) -> list[Vector]:
-    """The uprights of the stands: on floors, but for those of sleeves, all as tall as the tallest
-    where that is free, so that the supports of one mechanism look alike.
+def choose_upright(name: str, anatomy: Anatomy) -> Vector:
+    """The vector from a fixed pin to the ground of its stand, always of one size: on the side that
+    the author wants, else down, so that the supports of a mechanism look alike in all postures,
+    unless something is in the way there.
     """
-    uprights = [choose_upright(pin, anatomy) for pin in pins]
-    on_floors = [
-        upright.y < 0 and not _turns_a_sleeve(pin, anatomy)
-        for pin, upright in zip(pins, uprights, strict=True)
-    ]
-    floors = [upright for upright, floor in zip(uprights, on_floors, strict=True) if floor]
-    tallest = max(floors, key=length, default=None)
-    return [
-        tallest if tallest and floor and _measure_hindrance(pin, tallest, anatomy) == 0 else own
-        for pin, own, floor in zip(pins, uprights, on_floors, strict=True)
-    ]
-
-
-def choose_upright(at: Vector, anatomy: Anatomy) -> Vector:
-    """The vector from a pin to the ground of its stand: down, so that the supports of a mechanism
-    look alike in all postures, and rather tall than on another side, unless something is in the
-    way there.
-    """
-    usual = STANDS[1] if _turns_a_sleeve(at, anatomy) else STANDS[0]
-    down, *others = (SIDE_VECTORS[name] for name in ("down", "up", "left", "right"))
-    lower = [down * height for height in STANDS if height >= usual]
-    uprights = (*lower, *(side * usual for side in others))
-    rated = ((_measure_hindrance(at, upright, anatomy), upright) for upright in uprights)
-    free = next((upright for hindrance, upright in rated if hindrance == 0), None)
-    return free or min(uprights, key=lambda upright: _measure_hindrance(at, upright, anatomy))
+    at = anatomy.mechanism.points[name]
+    height = STAND_OF_SLEEVE if _turns_a_sleeve(at, anatomy) else STAND
+    wanted = anatomy.hints.supports.get(name, _SIDES[0])
+    uprights = [SIDE_VECTORS[side] * height for side in dict.fromkeys((wanted, *_SIDES))]
+    return min(uprights, key=lambda upright: _measure_hindrance(at, upright, anatomy))
 
 
 def _turns_a_sleeve(at: Vector, anatomy: Anatomy) -> bool:

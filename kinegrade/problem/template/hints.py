@@ -13,7 +13,7 @@ from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.vector_equation import Level
 
 Sense = Literal["ccw", "cw"]
-_Side = Literal["right", "up", "left", "down"]
+Side = Literal["right", "up", "left", "down"]
 Shape = Literal[
     "gear",
     "cam",
@@ -34,7 +34,7 @@ Axes = Literal["origin", "aside"]
 
 SENSES: tuple[Sense, ...] = ("ccw", "cw")
 TURN: Mapping[Sense, float] = {"ccw": 1.0, "cw": -1.0}  # counter-clockwise is positive
-SIDES: tuple[_Side, ...] = ("right", "up", "left", "down")
+SIDES: tuple[Side, ...] = ("right", "up", "left", "down")
 SHAPES: tuple[Shape, ...] = get_args(Shape)
 LEVELS: tuple[Level, ...] = ("velocity", "acceleration")
 AXES: tuple[Axis, ...] = ("x", "y")
@@ -144,7 +144,8 @@ class FigureHints:
     goes on beyond its point), "jaw" (of a crusher, facing a fixed jaw), "arc" (a round track of
     which only the arc around its wheels is drawn), "rope" (what a wheel rolls on, from the
     wheel to its point), "load" (the same with a load at its point), "disc" (a disc about the first
-    point, not a slotted bar), "geneva" (the slotted wheel of a Geneva drive).
+    point, not a slotted bar), "geneva" (the slotted wheel of a Geneva drive). `supports` gives the
+    side on which the support of a fixed pin stands; below it where nothing is said.
     """
 
     lengths: tuple[Length, ...] = ()
@@ -156,5 +157,6 @@ class FigureHints:
     arrows: tuple[Turning | Moving, ...] = ()
     labels: Mapping[str, str | None] = field(default_factory=dict)
     shapes: Mapping[str, Shape] = field(default_factory=dict)
+    supports: Mapping[str, Side] = field(default_factory=dict)
     frames: tuple[BodyFrame, ...] = ()
     axes: Axes | None = None

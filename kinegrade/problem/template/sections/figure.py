@@ -27,6 +27,7 @@ from kinegrade.problem.template.hints import (
     Radius,
     Rimmed,
     Shape,
+    Side,
     Turning,
 )
 from kinegrade.problem.template.sections import keys
@@ -82,6 +83,7 @@ def read_figure(table: Table, names: Names) -> FigureHints:
         arrows=_read_marks(figure, "arrows", _read_arrow, names),
         labels=_read_labels(figure, names),
         shapes=_read_shapes(figure, names),
+        supports=_read_supports(figure, names),
         frames=_read_marks(figure, "frames", _read_frame, names),
         axes=figure.optional("axes", choice(PLACES_OF_AXES)),
     )
@@ -211,6 +213,13 @@ def _read_shapes(figure: Table, names: Names) -> Mapping[str, Shape]:
         *bodies, unknown=Message("fields.unknown-body")
     )
     return shapes.entries(choice(SHAPES))
+
+
+def _read_supports(figure: Table, names: Names) -> Mapping[str, Side]:
+    supports = figure.table("supports", '{ O = "up" }').only(
+        *names.points, unknown=Message("fields.unknown-point")
+    )
+    return supports.entries(choice(SIDES))
 
 
 def _label(value: object) -> str:

@@ -79,6 +79,7 @@ FIGURE = (
     "right_angles",
     "labels",
     "shapes",
+    "supports",
     "frames",
     "axes",
 )
@@ -92,6 +93,7 @@ FIGURE_EXAMPLES: Mapping[str, str] = {
     "right_angles": 'right_angles = [["C", "D", "E"]]',
     "labels": 'labels = { O1 = "O_1" }',
     "shapes": 'shapes = { ABC = "bent" }',
+    "supports": 'supports = { O1 = "up" }',
     "frames": 'frames = [{ x = "x_1", y = "y_1", at = "A", to = "B" }]',
     "axes": 'axes = "origin"',
 }
