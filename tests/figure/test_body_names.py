@@ -12,7 +12,7 @@ from kinegrade.figure.marks.sides import Side
 from kinegrade.figure.mechanism.layers import Drawing
 from kinegrade.figure.mechanism.straight_parts import Bar, Part
 from kinegrade.figure.placing.layout import Layout
-from kinegrade.figure.scene import FIRM, THIN, Bow, Disc, Label
+from kinegrade.figure.scene import FIRM, THIN, Bow, Disc, Label, Strokes
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import Angle, FigureHints
@@ -71,3 +71,13 @@ def test_the_name_of_a_wheel_without_room_does_not_stand_beyond_the_ring_around_
     alone, beside = name("W", (wheel,), full), name("W", (wheel, ring), full)
     assert hypot(*(alone - ring.at)) > 30.0
     assert hypot(*(beside - ring.at)) < 30.0
+
+
+def test_the_name_of_a_wheel_without_room_is_led_to_its_rim() -> None:
+    wheel = replace(WHEEL, radius=8.0)
+    full = Layout.of([Disc(CENTRE, radius, FIRM) for radius in (3.2, 4.4, 5.6, 8.0)])
+    hints, drawing = FigureHints(labels={"W": "1"}), Drawing((), (), (wheel,), (), (), ())
+    *_, leader = add_body_names(full, NO_MECHANISM, hints, drawing).lines
+    assert isinstance(leader, Strokes)
+    ((start, end),) = leader.lines
+    assert 6.0 < hypot(*start) < 8.0 < hypot(*end)

@@ -35,6 +35,8 @@ _SPACE = 2.5  # millimetres between words
 _AT_END, _ASIDE = 6.0, 1.5  # millimetres beyond the end of a line, and beside it, that are its own
 _IN_ANGLE = 4.0  # millimetres beyond the arc of an angle in which a letter would name that
 _SHARES = (0.7, 0.55, 0.4)  # of the radius of a circle, for the name of its body
+_FINER_SHARES = (0.8, 0.7, 0.6, 0.5, 0.4, 0.3)  # the same, in more directions
+_INSIDE_RIM = 1.5  # millimetres inside a rim at which a leader to a disc ends
 _NEAR = 48  # spots around the middle of a bar before those along it
 # Millimetres of the leader of a bar's name, and where on the bar it ends
 _REACHES, _PLACES = (6.0, 9.0, 12.0), (0.5, 0.35, 0.65)
@@ -53,9 +55,11 @@ def add_body_names(
     """
     for body, symbol in hints.labels.items():
         if symbol and body not in mechanism.points:
-            around = _Surroundings(layout, tuple(rim for rim in drawing.rims if rim.body != body))
+            own = next((rim for rim in drawing.rims if rim.body == body), None)
+            others = tuple(rim for rim in drawing.rims if rim.body != body)
+            around = _Surroundings(layout, own, others)
             spots = _list_spots(body, symbol, drawing)
-            taken = around.rate(symbol, spots)
+            taken = around.rate(symbol, spots) + around.find_outside(spots)
             wish = Wish(symbol, spots[np.argsort(taken, kind="stable")])
             leaders = [
                 around.rate_leader(leader) for leader in _list_leaders(body, symbol, drawing)
@@ -70,7 +74,8 @@ def _write_name(
     """The layout with a name at one of its places, or at a leader where none is its own."""
     placed = place_label(wish, layout.obstacles)
     spot = np.array([placed.label.centre])
-    if leaders and (placed.faulty or around.rate(wish.symbol, spot)[0] > 0):
+    lost = around.rate(wish.symbol, spot) + around.find_outside(spot)
+    if leaders and (placed.faulty or lost[0] > 0):
         led = layout.marked(leaders)
         if led.costs[-1] < _DEAR:
             return led
@@ -79,9 +84,12 @@ def _write_name(
 
 @dataclass(frozen=True)
 class _Surroundings:
-    """What else a name might be read as that of: what is written and marked, other bodies' rims."""
+    """What else a name might be read as that of: what is written and marked, other bodies' rims;
+    and the circle of its `own` body.
+    """
 
     layout: Layout
+    own: Rim | None
     others: tuple[Rim, ...]
 
     def rate(self, symbol: str, spots: Floats) -> Floats:
@@ -89,6 +97,13 @@ class _Surroundings:
         wish = Wish(symbol, spots)
         taken = _find_beside(wish, self.layout) + _find_at_angles(wish, self.layout)
         return taken + _find_in_others(wish, self.others)
+
+    def find_outside(self, spots: Floats) -> Floats:
+        """For each spot 1 outside the disc of its body, where nothing says whose name it is."""
+        if self.own is None or self.own.ring:
+            return np.zeros(len(spots))
+        outside = np.hypot(*(spots - np.array(self.own.at)).T) > self.own.radius
+        return np.asarray(outside, dtype=float)
 
     def rate_leader(self, leader: Leader) -> Leader:
         """The leader with its demerit here."""
@@ -157,9 +172,12 @@ def _list_spots(body: str, symbol: str, drawing: Drawing) -> Floats:
 
 
 def _list_leaders(body: str, symbol: str, drawing: Drawing) -> list[Leader]:
-    """Leaders to places on the bar that a body is drawn as; none to a circle."""
-    if any(rim.body == body for rim in drawing.rims):
-        return []
+    """Leaders to places on the bar that a body is drawn as, or to the rim of its disc; none to a
+    ring.
+    """
+    circles = [rim for rim in drawing.rims if rim.body == body]
+    if circles:
+        return _list_leaders_to_rim(symbol, circles[0])
     bars = [part for part in drawing.parts if isinstance(part, Bar | Rod) and part.body == body]
     starts = [bar.start + (bar.end - bar.start) * share for bar in bars[:1] for share in _PLACES]
     return [
@@ -170,11 +188,25 @@ def _list_leaders(body: str, symbol: str, drawing: Drawing) -> list[Leader]:
     ]
 
 
+def _list_leaders_to_rim(symbol: str, rim: Rim) -> list[Leader]:
+    """Leaders outward from a little inside a rim."""
+    if rim.ring:
+        return []
+    edge = max(rim.radius - _INSIDE_RIM, 0.0)
+    return [
+        Leader(rim.at + polar(pi / 6 * turn, edge), pi / 6 * turn, reach + _INSIDE_RIM, symbol)
+        for reach in _REACHES
+        for turn in range(12)
+    ]
+
+
 def _list_spots_in_circle(symbol: str, rim: Rim) -> Floats:
     """Spots within a circle, then about it; the name of a toothed ring stands at its teeth."""
     levels = [rim.radius * share for share in _SHARES]
     if rim.ring and rim.kind == "gear":
         levels = [rim.radius - TOOTH_TIP - _AT_TEETH - max(measure_symbol(symbol)) / 2]
     inner = [rim.at + polar(pi / 4 * turn, level) for level in levels for turn in range(8)]
+    finer = [rim.radius * share for share in _FINER_SHARES] if not rim.ring else []
+    inner += [rim.at + polar(pi / 12 * turn, level) for level in finer for turn in range(24)]
     around = list_spots_around(symbol, rim.at, rim.radius)
     return np.concatenate((np.array(inner), around))
