@@ -22,7 +22,7 @@ from kinegrade.mechanics.mechanism import Body, Mechanism
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import Angle, Axes, BodyFrame, FigureHints, Length
 from tests.figure.clear import faults, heads, lines
-from tests.figure.mechanisms import RIGHT, UP, slider_crank
+from tests.figure.mechanisms import RIGHT, UP, follower_circle, slider_crank
 from tests.figure.more_mechanisms import sliding_plate
 
 EMPTY = Drawing((), (), (), (), (), ())
@@ -137,7 +137,7 @@ def test_the_arc_of_a_signed_angle_has_an_arrowhead_at_its_end(phi: float) -> No
     assert heads(draw_crank(phi, angles=(replace(angle, signed=False),))) == []
 
 
-def test_an_axis_along_the_edge_of_a_plate_begins_at_its_origin() -> None:
+def test_an_axis_along_the_edge_of_a_plate_stands_beside_it() -> None:
     scene = sketch(
         sliding_plate()[0], FigureHints(frames=(BodyFrame("x_2", "y_2", "B", "B", "C"),))
     )
@@ -149,7 +149,38 @@ def test_an_axis_along_the_edge_of_a_plate_begins_at_its_origin() -> None:
         abs(((end - start) / hypot(*(end - start))).cross(tip - start))
         for start, end in pairwise((*plate.corners, plate.corners[0]))
     ]
-    assert min(gaps) < 0.01
+    assert min(gaps) == pytest.approx(1.7)
+
+
+def test_an_axis_to_a_block_on_a_line_runs_on_beyond_the_block() -> None:
+    mechanism, _ = slider_crank(0.2, 1.75, 60)
+    plain = sketch(mechanism, FigureHints(axes="origin"))
+    lined = sketch(mechanism, FigureHints(axes="origin", lines=(("O", "B"),)))
+    for scene, beyond in ((plain, False), (lined, True)):
+        tip, block = heads(scene)[0].corners[0], list_blocks(scene)[0]
+        assert (tip.x > max(corner.x for corner in block.corners)) == beyond
+
+
+def list_blocks(scene: Scene) -> list[Outline]:
+    return [
+        part
+        for part in scene.primitives
+        if isinstance(part, Outline) and part.fill == "white" and len(part.corners) == 4
+    ]
+
+
+def test_an_axis_ends_before_the_plate_of_a_follower() -> None:
+    mechanism, _ = follower_circle(0.2, 0.05, 30)
+    scene = sketch(mechanism, FigureHints(axes="origin"))
+    tip = heads(scene)[-1].corners[0]
+    faces = [
+        line
+        for part in scene.primitives
+        if isinstance(part, Strokes) and part.pen == BOLD
+        for line in part.lines
+        if abs(line[0].y - line[1].y) < 0.01
+    ]
+    assert tip.y < min(start.y for start, _ in faces)
 
 
 def test_two_axes_along_one_edge_each_end_nearer_to_their_own_origin() -> None:

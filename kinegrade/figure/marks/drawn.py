@@ -9,7 +9,7 @@ from kinegrade.figure.mechanism.layers import Drawing
 from kinegrade.figure.mechanism.plates import Plate
 from kinegrade.figure.mechanism.straight_parts import Bar, Rod
 from kinegrade.figure.placing.obstacles import Segment
-from kinegrade.figure.plane import NEAR, length, on_line, unit
+from kinegrade.figure.plane import NEAR, length, mean, on_line, unit
 from kinegrade.mechanics.joints import Line
 from kinegrade.mechanics.vector import Vector
 
@@ -29,19 +29,41 @@ def measure_drawn(at: Vector, toward: Vector, drawing: Drawing) -> float:
     return max(reaches)
 
 
-def measure_edge(at: Vector, toward: Vector, drawing: Drawing) -> float:
+def find_edge(at: Vector, toward: Vector, drawing: Drawing) -> tuple[float, Vector]:
     """The length in millimetres of the edge of a plate that leaves a corner in a direction (a unit
-    vector); 0 when none does.
+    vector), and the unit vector from the edge out of the plate; 0 when none does.
     """
-    plates = [part for part in drawing.parts if isinstance(part, Plate)]
-    steps = [
-        corner - at
-        for plate in plates
-        if any(length(corner - at) < NEAR for corner in plate.corners)
-        for corner in plate.corners
-    ]
-    reaches = [step.dot(toward) for step in steps if abs(step.cross(toward)) < NEAR]
-    return max(reaches, default=0.0)
+    found = [(0.0, toward.turned())]
+    for part in drawing.parts:
+        if isinstance(part, Plate) and any(length(corner - at) < NEAR for corner in part.corners):
+            steps = [corner - at for corner in part.corners]
+            across = toward.turned()
+            outward = -across if mean(part.corners).dot(across) > at.dot(across) else across
+            reaches = [step.dot(toward) for step in steps if abs(step.cross(toward)) < NEAR]
+            found.append((max(reaches, default=0.0), outward))
+    return max(found, key=lambda edge: edge[0])
+
+
+def find_block(at: Vector, toward: Vector, drawing: Drawing) -> tuple[float, float]:
+    """How far, in millimetres, the block that slides along an axis begins and ends from a point on
+    it in its direction (a unit vector); zeros when there is none.
+    """
+    for rail in drawing.rails:
+        ahead = (rail.at - at).dot(toward)
+        if rail.block and ahead > rail.block.length and on_line(rail.at, Line(at, toward)):
+            size = rail.block.length if abs(rail.along.cross(toward)) < NEAR else rail.block.width
+            return ahead - size / 2, ahead + size / 2
+    return 0.0, 0.0
+
+
+def meets_face(at: Vector, toward: Vector, drawing: Drawing) -> bool:
+    """Whether the plate of a follower is across the way from a point in a direction."""
+    return any(
+        (part.start - at).cross(toward) * (part.end - at).cross(toward) < 0
+        and (part.start - at).dot(toward) > 0
+        for part in drawing.parts
+        if isinstance(part, Bar) and part.use == "face"
+    )
 
 
 def _list_lines(drawing: Drawing) -> Iterator[Segment]:

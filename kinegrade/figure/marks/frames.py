@@ -10,7 +10,7 @@ from typing import assert_never
 
 import numpy as np
 
-from kinegrade.figure.marks.drawn import measure_drawn, measure_edge
+from kinegrade.figure.marks.drawn import find_block, find_edge, measure_drawn, meets_face
 from kinegrade.figure.mechanism.layers import Drawing
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.placing.mark import Mark, direction
@@ -18,7 +18,7 @@ from kinegrade.figure.placing.obstacles import Segment
 from kinegrade.figure.placing.place import Wish, list_spots_around
 from kinegrade.figure.plane import NEAR, length, unit
 from kinegrade.figure.scene import THIN, Primitive, Strokes, find_common_box
-from kinegrade.figure.symbols import HEAD_LENGTH, PIN, draw_arrowhead
+from kinegrade.figure.symbols import BLOCK_LENGTH, HEAD_LENGTH, PIN, draw_arrowhead
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import Angle, BodyFrame, FigureHints
 
@@ -32,7 +32,11 @@ _LENGTHS, _BODY_LENGTHS, _ASIDE = (
 _LEG_LENGTHS = (22.0, 25.0, 19.0)  # millimetres of an axis that is the leg of an angle
 _BEYOND_LEG = 4.0  # millimetres of an axis beyond the point that gives the side of an angle
 _BEYOND_BAR = (6.0, 7.5, 9.0)  # millimetres of an axis beyond the bar or the ground that it is on
-_ON_EDGE = 5.0  # millimetres of an edge beyond the longest axis on it
+_ON_EDGE = 5.0  # millimetres of an edge beyond the longest axis along it
+# Millimetres between an edge and the axis beside it, which begins clear of a block at its origin
+_BESIDE_EDGE, _PAST_BLOCK = 1.7, 3.4
+_BEFORE_BLOCK = 18.0  # millimetres before a block that have no room for an axis and its letter
+_AT_ORIGIN = 3.0  # millimetres of an axis at its origin, where a pin and other axes are
 _CLEAR = 3.0  # millimetres about that square that are free as well
 _ROOM = 11.0  # millimetres, of the square that the axes aside take with their letters
 _STATIONS = 7  # places along the height of a figure for the axes aside
@@ -51,8 +55,8 @@ def add_frames(
 ) -> Layout:
     """The layout with the axes that stand at points: those of bodies, then x and y at the
     origin; their letters keep clear of lines that are still to come. An axis along a bar or the
-    ground runs on beyond it, one along the edge of a plate lies on that; one that is the leg of an
-    angle reaches beyond its arc.
+    ground runs on beyond it, as does one to a block; one along the edge of a plate stands beside
+    that; one that is the leg of an angle reaches beyond its arc.
     """
     axes = [axis for frame in hints.frames for axis in _name_axes(*_find_place(at, frame), frame)]
     if hints.axes == "origin":
@@ -65,13 +69,19 @@ def add_frames(
 def _list_ways(
     at: Mapping[str, Vector], hints: FigureHints, drawing: Drawing, axis: _NamedAxis
 ) -> list[Mark]:
-    """An axis in the lengths that it may have; on an edge that has room for it its head lies on
-    that, so that it is seen to begin at its own origin.
+    """An axis in the lengths that it may have; beside an edge that has room for it, so that it is
+    seen to begin at its own origin.
     """
     symbol, origin, toward, usual = axis
-    if measure_edge(origin, toward, drawing) > max(usual) + _ON_EDGE:
-        on_edge = _list_axes(origin + toward * PIN, toward, symbol, usual)
-        return [replace(way, on_edge=True) for way in on_edge]
+    edge, outward = find_edge(origin, toward, drawing)
+    if edge > max(usual) + _ON_EDGE:
+        beside = origin + outward * _BESIDE_EDGE + toward * _PAST_BLOCK
+        return list(_list_axes(beside, toward, symbol, tuple(size - _PAST_BLOCK for size in usual)))
+    begins, ends = find_block(origin, toward, drawing)
+    if begins and (begins < _BEFORE_BLOCK or _has_line(at, hints, origin, origin + toward * ends)):
+        line = (origin + toward * PIN, origin + toward * begins)
+        shafts = _list_axes(origin + toward * ends, toward, symbol, _BEYOND_BAR)
+        return [replace(shaft, before=(line,)) for shaft in shafts]
     leg = _measure_leg(at, hints.angles, origin, toward)
     long = (*(size for size in _LEG_LENGTHS if size > leg), leg + _BEYOND_LEG) if leg else ()
     drawn = measure_drawn(origin, toward, drawing)
@@ -79,7 +89,22 @@ def _list_ways(
     sizes = (*(size for size in (*long, *usual) if size > drawn), *beyond)
     hidden = drawn if _is_point(at, origin + toward * drawn) else 0.0
     left = tuple(size - hidden for size in sizes)
-    return list(_list_axes(origin + toward * (hidden + PIN), toward, symbol, left))
+    ways = _list_axes(origin + toward * (hidden + PIN), toward, symbol, left)
+    free = not leg and meets_face(origin, toward, drawing)
+    return [replace(way, free=free) for way in ways]
+
+
+def _has_line(at: Mapping[str, Vector], hints: FigureHints, start: Vector, end: Vector) -> bool:
+    """Whether a thin line, or the leg of an angle, leads from a point to a block that ends at
+    another.
+    """
+    legs = ((angle.at, side) for angle in hints.angles for side in (angle.start, angle.end))
+    lines = [(at[one], at[other]) for one, other in (*hints.lines, *legs) if {one, other} <= {*at}]
+    return any(
+        min(length(point - start) for point in line) < NEAR
+        and min(length(point - end) for point in line) < BLOCK_LENGTH
+        for line in lines
+    )
 
 
 def _is_point(at: Mapping[str, Vector], end: Vector) -> bool:
@@ -158,21 +183,23 @@ def _list_axes(
 
 @dataclass(frozen=True)
 class _Axis:
-    """A thin arrow with its letter at the tip."""
+    """A thin arrow with its letter at the tip; `before` is the part short of a block on it."""
 
     start: Vector
     toward: Vector
     size: float
     symbol: str
     demerit: float
-    on_edge: bool = False
+    before: tuple[Segment, ...] = ()
+    free: bool = False
     shared: bool = True
 
     def path(self) -> tuple[Segment, ...]:
-        """The part before the tip; the rest may run along a bar, and all of it along an edge."""
-        if self.on_edge:
-            return ()
-        return ((self._tip() - self.toward * _TIP, self._tip()),)
+        """The part before the tip, as the rest may run along a bar or over one; all that is clear
+        of its origin where it has to be `free`.
+        """
+        size = max(_TIP, self.size - _AT_ORIGIN) if self.free else _TIP
+        return ((self._tip() - self.toward * size, self._tip()),)
 
     def wish(self) -> Wish:
         """Around the tip, beyond it first."""
@@ -181,7 +208,7 @@ class _Axis:
     def primitives(self) -> tuple[Primitive, ...]:
         """The shaft and its arrowhead."""
         shaft = (self.start, self._tip() - self.toward * HEAD_LENGTH * 0.8)
-        return (Strokes((shaft,), THIN), draw_arrowhead(self._tip(), self.toward))
+        return (Strokes((*self.before, shaft), THIN), draw_arrowhead(self._tip(), self.toward))
 
     def _tip(self) -> Vector:
         return self.start + self.toward * self.size
