@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
-from kinegrade.figure.scene import Disc
+import pytest
+
+from kinegrade.figure.mechanism.layers import draw
+from kinegrade.figure.mechanism.paper import scale_to_paper
+from kinegrade.figure.scene import BOLD, Disc, Outline, Strokes
 from kinegrade.figure.sketch import sketch
 from kinegrade.mechanics.drivers import Rotation
 from kinegrade.mechanics.joints import GROUND, Line, Pin, Slide
@@ -41,3 +45,17 @@ def test_it_is_there_as_well_where_an_arrow_has_its_own_sense() -> None:
 
 def test_a_crank_that_turns_on_the_ground_has_no_motor() -> None:
     assert housings(Rotation("OA", 1.0, 0.0)) == []
+
+
+def test_both_bars_run_over_the_motor_which_is_welded_to_the_one_that_carries_it() -> None:
+    points = {"O": ORIGIN, "A": Vector(0.3, 0.0), "B": Vector(0.3, 0.3)}
+    bodies = (Body("OA", ("O", "A")), Body("AB", ("A", "B")))
+    joints = (Pin("O", ("OA", GROUND)), Pin("A", ("OA", "AB")))
+    driver = Rotation("AB", 1.0, 0.0, "OA")
+    mechanism, hints = hinted(Mechanism(points, bodies, joints, (driver,)))
+    drawn = draw(scale_to_paper(mechanism, 100.0), hints).primitives
+    (housing,) = (part for part in drawn if isinstance(part, Disc) and part.fill == "grey")
+    (weld,) = (part for part in drawn if isinstance(part, Outline) and part.fill == "black")
+    bars = [part for part in drawn if isinstance(part, Strokes) and part.pen == BOLD]
+    assert weld.corners[0] == Vector(pytest.approx(25.8), pytest.approx(0.0))
+    assert all(drawn.index(housing) < drawn.index(bar) for bar in bars)

@@ -72,12 +72,12 @@ def _draw_layers(
     for arm in arms:
         yield from draw_straight_part(arm)
     yield from draw_sleeves(anatomy)
+    yield from draw_motors(anatomy)
     for part in anatomy.parts:
         if is_slender(part) and part not in arms:
             yield from draw_straight_part(part)
     yield from draw_gussets(anatomy.corners)
     yield from draw_heads(anatomy)
-    yield from draw_motors(anatomy)
     yield from draw_points(anatomy)
 
 

@@ -12,7 +12,7 @@ from kinegrade.figure.mechanism.plates import Plate
 from kinegrade.figure.mechanism.stands import choose_upright
 from kinegrade.figure.mechanism.straight_parts import is_slender, list_ways
 from kinegrade.figure.plane import NEAR, length, unit
-from kinegrade.figure.scene import FIRM, Disc, Primitive
+from kinegrade.figure.scene import FIRM, Disc, Outline, Primitive
 from kinegrade.figure.symbols import DOT, draw_centre_mark, draw_dot, draw_half_pin, draw_pin
 from kinegrade.mechanics.vector import Vector
 
@@ -21,6 +21,10 @@ _LOWER = Vector(0.01, -0.1)  # where a pin sits when nothing else decides: below
 _DOT_IN_MESH = 0.5  # millimetres of radius: it fits on a tooth
 _WHITE = 0.45  # millimetres about a dot on a bar that is not its body's
 _HOUSING = 2.3  # millimetres, the radius of a motor
+_SEAM, _WELD = (
+    1.6,
+    2.6,
+)  # millimetres from its pin to its weld, and along the bar to the tip of that
 
 
 def draw_points(anatomy: Anatomy) -> Iterator[Primitive]:
@@ -42,12 +46,23 @@ def draw_points(anatomy: Anatomy) -> Iterator[Primitive]:
 
 
 def draw_motors(anatomy: Anatomy) -> Iterator[Primitive]:
-    """A round housing about the pin of two bodies of which one drives the other."""
+    """A round housing about the pin of two bodies of which one drives the other, welded to the bar
+    of the body that carries it.
+    """
     for driver in anatomy.mechanism.drivers:
         bodies = find_motor(driver)
         for symbol in anatomy.symbols:
             if bodies and symbol.point and set(bodies) <= set(symbol.turning):
-                yield Disc(anatomy.mechanism.points[symbol.point], _HOUSING, FIRM, "grey")
+                at = anatomy.mechanism.points[symbol.point]
+                yield Disc(at, _HOUSING, FIRM, "grey")
+                yield from _weld_housing(anatomy, at, carrier=bodies[1])
+
+
+def _weld_housing(anatomy: Anatomy, at: Vector, carrier: str) -> Iterator[Primitive]:
+    bars = [part for part in anatomy.parts if is_slender(part) and part.body == carrier]
+    for toward in (unit(way) for bar in bars for way in list_ways(bar, at)):
+        edge, across = at + toward * _SEAM, toward.turned() * _SEAM
+        yield Outline((edge + toward * _WELD, edge + across, edge - across), None, "black")
 
 
 def _find_pins(anatomy: Anatomy) -> set[str]:

@@ -31,9 +31,28 @@ _RING = 2.4  # millimetres of material around a circle that encloses others
 
 
 def draw_round_bodies(anatomy: Anatomy) -> Iterator[Primitive]:
-    """The circles of the ground, then those of the bodies, the larger ones below."""
+    """The circles of the ground, then those of the bodies, the larger ones below; rings with slots
+    lie in one another.
+    """
+    slotted = [rim for rim in anatomy.rims if _is_slotted(rim)]
     for rim in anatomy.rims:
-        yield from _draw_rim(anatomy, rim)
+        if rim not in slotted:
+            yield from _draw_rim(anatomy, rim)
+    for layer in zip(*(_draw_slotted(anatomy, rim) for rim in slotted), strict=True):
+        for pieces in layer:
+            yield from pieces
+
+
+def _is_slotted(rim: Rim) -> bool:
+    return rim.kind == "slot" and rim.body != GROUND and not rim.ring
+
+
+def _draw_slotted(anatomy: Anatomy, rim: Rim) -> tuple[tuple[Primitive, ...], ...]:
+    """The layers of a ring-shaped slot."""
+    pin = find_fixed_pin(anatomy.symbols, rim.body)
+    pivot = anatomy.mechanism.points[pin] if pin else None
+    on_ring = pivot and abs(length(pivot - rim.at) - rim.radius) < NEAR
+    return symbols.draw_round_slot(rim.at, rim.radius, pivot if on_ring else None)
 
 
 def trace_cam_outline(
@@ -57,7 +76,7 @@ def _draw_rim(anatomy: Anatomy, rim: Rim) -> tuple[Primitive, ...]:
         case "cam":
             return _draw_cam(anatomy, rim)
         case "wheel" | "gear" | "slot":
-            return _draw_ring(rim) if rim.ring else _draw_round(anatomy, rim)
+            return _draw_ring(rim) if rim.ring else _draw_round(rim)
         case _:
             assert_never(rim.kind)
 
@@ -104,17 +123,12 @@ def _draw_gear(rim: Rim, fill: Fill) -> tuple[Primitive, ...]:
     return (teeth, Disc(rim.at, rim.radius, PITCH))
 
 
-def _draw_round(anatomy: Anatomy, rim: Rim) -> tuple[Primitive, ...]:
-    """A wheel, a gear, or a ring-shaped slot."""
+def _draw_round(rim: Rim) -> tuple[Primitive, ...]:
+    """A wheel or a gear."""
     match rim.kind:
-        case "slot":
-            pin = find_fixed_pin(anatomy.symbols, rim.body)
-            pivot = anatomy.mechanism.points[pin] if pin else None
-            on_ring = pivot and abs(length(pivot - rim.at) - rim.radius) < NEAR
-            return symbols.draw_round_slot(rim.at, rim.radius, pivot if on_ring else None)
         case "gear":
             return _draw_gear(rim, "grey")
-        case "wheel" | "cam" | "edge":
+        case "wheel" | "slot" | "cam" | "edge":
             return (Disc(rim.at, rim.radius, FIRM, "grey"),)
         case _:
             assert_never(rim.kind)
