@@ -155,7 +155,7 @@ def _place_frames_and_angles(
     layout: Layout, paper: Mechanism, hints: FigureHints, drawing: Drawing
 ) -> Layout:
     """Marks that are bound to one point, right angles first; an angle keeps clear of the sides of
-    those to come.
+    those to come, and of where straight arrows are likely to stand.
     """
     at = paper.points
     for points in hints.right_angles:
@@ -166,8 +166,8 @@ def _place_frames_and_angles(
     moving = [given for given in hints.arrows if isinstance(given, Moving)]
     layout = add_frames(layout, at, hints, drawing, sparing)
     circles = list_circles(drawing.primitives)
+    arrows = draw_likely_motions(paper, moving)
     for number, angle in enumerate(hints.angles, start=1):
-        arrows = draw_likely_motions(paper, moving, angle.at)
         to_come = [*arrows, *(line for lines in legs[number:] for line in lines)]
         for arcs in mark_angles(at, angle, sides[number - 1], circles):
             layout = layout.marked(arcs, to_come, partial(list_led_arcs, arcs, layout.obstacles))

@@ -182,18 +182,15 @@ def test_an_arrow_in_the_ground_is_worse_than_one_across_the_arc_of_an_angle() -
     assert start.y == pytest.approx(at.y)
 
 
-def test_a_second_arrow_of_one_sense_goes_on_beyond_the_first_rather_than_into_the_ground() -> None:
+def test_two_arrows_of_one_sense_both_begin_at_their_point() -> None:
     mechanism = slider(1, 1)
     at = mechanism.points["B"]
     above = Strokes(((at + Vector(-30.0, 2.6), at + Vector(30.0, 2.6)),), BOLD)
-    layout = add_motions(Layout.of([above]), mechanism, BOTH, [lay_floor(at)])
-    (_, first), (second, end) = (mark.path()[0] for mark in layout.marks)
-    assert first.y == second.y == end.y == pytest.approx(at.y)
-    assert first.x < second.x < end.x
-    shafts = [part.lines[0] for part in layout.primitives if isinstance(part, Strokes)][1:]
-    assert shafts[1][0].x == pytest.approx(first.x)
-    velocity, acceleration = layout.labels
-    assert velocity.centre.x < first.x < acceleration.centre.x
+    for bare in (Layout.of(()), Layout.of([above])):
+        layout = add_motions(bare, mechanism, BOTH, [lay_floor(at)])
+        shafts = [mark.path()[0] for mark in layout.marks]
+        assert all(at.x <= start.x <= at.x + 4.0 < end.x for start, end in shafts)
+        assert abs(shafts[0][0].y - shafts[1][0].y) > 2.5
 
 
 def test_an_arrow_leaves_its_pin_close_to_a_bar_rather_than_beside_its_point() -> None:
@@ -218,12 +215,24 @@ def test_an_arrow_does_not_end_at_a_rim_as_a_radius_does() -> None:
 def test_the_letter_of_an_angle_leaves_its_side_to_the_arrow_along_it() -> None:
     mechanism = slider(-1, 0)
     at = mechanism.points["B"]
-    lanes = draw_likely_motions(mechanism, [*BOTH[:1], Moving("w", "A", "left")], "B")
-    [part] = lanes
+    [part] = draw_likely_motions(mechanism, BOTH[:1])
     assert isinstance(part, Strokes)
     assert {round(end.x - at.x, 6) for _, end in part.lines} == {-9.0}
     assert sorted(round(start.y - at.y, 6) for start, _ in part.lines) == [-0.85, 0.85]
-    assert draw_likely_motions(mechanism, BOTH, "O") == ()
+    assert draw_likely_motions(mechanism, ()) == ()
+
+
+def test_the_arc_of_an_angle_leaves_room_for_an_arrow_at_another_point() -> None:
+    template = load_template("slotted-bar-between-two-rods")
+    [draw] = drawn(draw_filter(template, "u1"), 1)
+    mechanism = draw.solution.assembly.mechanism.map(float)
+    scene = sketch(mechanism, mark_givens(template))
+    size = 7.4  # of a shaft
+    shafts = [part.lines[0] for part in scene.primitives if isinstance(part, Strokes)]
+    level = [(start, end) for start, end in shafts if abs(end.y - start.y) < 1e-9]
+    to_the_right = [s for s, e in level if e.x - s.x == pytest.approx(size)]
+    pins = [part.centre for part in scene.primitives if isinstance(part, Disc)]
+    assert any(hypot(*(start - pin)) < 1.1 for start in to_the_right for pin in pins)
 
 
 def test_each_symbol_is_nearest_to_its_own_arrow() -> None:

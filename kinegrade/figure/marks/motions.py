@@ -19,12 +19,10 @@ from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import Moving
 
 # Millimetres from the point to the tail, from where on bars are kept off, and of the arrow, with
-# their demerits: at its pin, at the free face of its block, at its pin with a bar at its side, and
-# longer, across a rim
+# their demerits: at its pin, there with a bar at its side, and longer, across a rim
 _AT_PIN = PIN + 0.2
 _AHEAD = {
     (_AT_PIN, LEAVING, ARROW): 0.0,
-    (3.4, LEAVING, ARROW): 1.0,
     (_AT_PIN, 5.4, ARROW): 0.4,
     (_AT_PIN, LEAVING, 12.0): 2.0,
     (_AT_PIN, 5.4, 12.0): 2.4,
@@ -56,7 +54,6 @@ def add_motions(
     arrows: list[MovingArrow] = []
     for hint in hints:
         ways = _list_arrows(mechanism, hint)
-        ways += [arrow.beyond(hint) for arrow in arrows if arrow.is_ahead(ways[0].toward)]
         across = [arc for arc in arcs if not _begins_along(arc, ways[0])]
         rims = Obstacles((), layout.obstacles.rings)
         around = _Surroundings(tuple(rails), Obstacles.of(across), rims)
@@ -69,18 +66,16 @@ def add_motions(
     return layout
 
 
-def draw_likely_motions(
-    mechanism: Mechanism, hints: Iterable[Moving], point: str
-) -> tuple[Primitive, ...]:
-    """Lines on either side of where the arrows at a point will be, if nothing is in the way; the
-    letters of angles there keep clear of them.
+def draw_likely_motions(mechanism: Mechanism, hints: Iterable[Moving]) -> tuple[Primitive, ...]:
+    """Lines on either side of where arrows will be, if nothing is in the way, from where these
+    leave the parts at their points; angles keep clear of them.
     """
-    at, lanes = mechanism.points[point], []
+    lanes = []
     for hint in hints:
-        if hint.point == point:
-            toward = _find_direction(mechanism, hint)
-            starts = [at + toward.turned() * aside for aside in (_LANE, -_LANE)]
-            lanes += [(start, start + toward * ARROW) for start in starts]
+        at, toward = mechanism.points[hint.point], _find_direction(mechanism, hint)
+        for aside in (_LANE, -_LANE):
+            beside = at + toward.turned() * aside
+            lanes.append((beside + toward * LEAVING, beside + toward * ARROW))
     return (Strokes(tuple(lanes), THIN),) if lanes else ()
 
 

@@ -23,7 +23,8 @@ from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import Moving
 
 ARROW = 9.0  # millimetres, length of the arrow of a straight motion
-_OPPOSED = 8.0  # demerit of an arrow that stands tail to tail with another beside its point
+# Demerits of an arrow that stands tail to tail with another beside its point, or lies over it
+_OPPOSED, _OVER = 8.0, 100.0
 # Millimetres between two parallel arrows at one point, and the demerit of less
 _APART, _TIGHT = 2.5, 6.0
 _MISTAKEN = 3.0  # demerit of a symbol about as near to another arrow at the same point
@@ -36,10 +37,6 @@ LEAVING, _BLOCK = 3.0, 2.0
 _HATCHING, _CLEARED = (0.3, 1.5), 0.9
 _OFF_PIN = 0.2  # millimetres between a pin and the line from it to a tail
 _PAST_ARROW = 1.6  # millimetres from an arrow to the way past it
-# Millimetres by which an arrow reaches beyond another one on its line, and its demerit; millimetres
-# from its start, where that one's head is
-_FURTHER, _ON_LINE = 7.5, 4.0
-_OFF_HEAD = 1.0
 
 
 @dataclass(frozen=True)
@@ -59,17 +56,6 @@ class MovingArrow:
     leaving: float = LEAVING
     shared: bool = False
 
-    def beyond(self, hint: Moving) -> MovingArrow:
-        """An arrow of another motion from the same point in the same sense, further than this one,
-        of whose shaft it is the continuation.
-        """
-        worse = self.demerit + _ON_LINE
-        return replace(self, start=self._end(), hint=hint, demerit=worse, size=_FURTHER)
-
-    def is_ahead(self, toward: Vector) -> bool:
-        """Whether it begins at its point, in that direction (a unit vector)."""
-        return abs(self._find_aside(self.start)) < NEAR and length(self.toward - toward) < NEAR
-
     def among(self, others: Sequence[MovingArrow]) -> MovingArrow:
         """The arrow beside others at its point, past which is the way to it."""
         if not others:
@@ -88,7 +74,7 @@ class MovingArrow:
         away = (self.start + self._end()) / 2 - self.point
         aside = abs(self._find_aside(self.start))
         if aside < _LEAST_OFFSET:
-            near = max(_OFF_HEAD, self.leaving - length(self.start - self.point))
+            near = self.leaving - length(self.start - self.point)
             return ((self.start + self.toward * near, self._end()),)
         past, line = self.point + away * (self.past / aside), self._trace_line(self.past)
         return ((self.start, self._end()), (past, self.point + away), *([line] if line else []))
@@ -107,13 +93,14 @@ class MovingArrow:
 
     def _rate_beside(self, other: MovingArrow, apart: float) -> float:
         """The demerit of an arrow too close beside another one at its point, or on one line with
-        it beside their point, in opposite senses.
+        it: over it, or beside their point in opposite senses.
         """
         if abs(apart) >= _LEAST_OFFSET:
             return _TIGHT if abs(apart) < _APART else 0.0
-        against: bool = self.toward.dot(other.toward) < 0
+        if self.toward.dot(other.toward) >= 0:
+            return _OVER
         beside = abs(self._find_aside(self.start)) >= _LEAST_OFFSET
-        return _OPPOSED if against and beside else 0.0
+        return _OPPOSED if beside else 0.0
 
     def wish(self) -> Wish:
         """Beside the arrow, beyond its tip, farther beside it, else around its tip."""
