@@ -13,7 +13,7 @@ from typing import Literal, assert_never
 
 from kinegrade.figure.marks.angles import (
     draw_least_legs,
-    list_circles,
+    find_neighbours,
     list_led_arcs,
     mark_angles,
 )
@@ -33,7 +33,7 @@ from kinegrade.figure.mechanism.paper import scale_to_paper
 from kinegrade.figure.mechanism.view import crop_to_view
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.placing.obstacles import Obstacles
-from kinegrade.figure.scene import Scene, find_common_box
+from kinegrade.figure.scene import THIN, Bow, Scene, find_common_box
 from kinegrade.figure.similar_mechanisms import Subject, normalise_subject
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.problem.template.hints import FigureHints, Moving, Turning
@@ -165,11 +165,13 @@ def _place_frames_and_angles(
     sparing = [line for lines in legs for line in lines]
     moving = [given for given in hints.arrows if isinstance(given, Moving)]
     layout = add_frames(layout, at, hints, drawing, sparing)
-    circles = list_circles(drawing.primitives)
+    around = find_neighbours(drawing)
     arrows = draw_likely_motions(paper, moving)
     for number, angle in enumerate(hints.angles, start=1):
         to_come = [*arrows, *(line for lines in legs[number:] for line in lines)]
-        for arcs in mark_angles(at, angle, sides[number - 1], circles):
+        drawn = tuple(part for part in layout.lines if isinstance(part, Bow) and part.pen == THIN)
+        near = replace(around, arcs=drawn)
+        for arcs in mark_angles(at, angle, sides[number - 1], near):
             layout = layout.marked(arcs, to_come, partial(list_led_arcs, arcs, layout.obstacles))
     return layout
 

@@ -8,24 +8,29 @@ from functools import partial
 from math import degrees, hypot, radians, sin
 from operator import attrgetter
 
+import numpy as np
 import pytest
 
 from kinegrade.figure.joints.symbol import Use
-from kinegrade.figure.marks.angle_arc import AngleArc, LedAngleArc
-from kinegrade.figure.marks.angles import list_circles, list_led_arcs, mark_angles
+from kinegrade.figure.marks.angle_arc import AngleArc, LedAngleArc, Neighbours
+from kinegrade.figure.marks.angles import find_neighbours, list_led_arcs, mark_angles
 from kinegrade.figure.marks.sides import Side, find_sides
 from kinegrade.figure.mechanism.layers import Drawing
 from kinegrade.figure.mechanism.straight_parts import Bar, is_slender
 from kinegrade.figure.placing.layout import Layout
+from kinegrade.figure.placing.wedge import rate_parted
 from kinegrade.figure.plane import angle_of
 from kinegrade.figure.scene import BOLD, FIRM, THIN, Bow, Disc, Label, Scene, Strokes
 from kinegrade.figure.sketch import sketch
 from kinegrade.mechanics.joints import GROUND, Pin
 from kinegrade.mechanics.mechanism import Body, Mechanism
 from kinegrade.mechanics.vector import Vector
+from kinegrade.problem.printed_givens import mark_question
 from kinegrade.problem.template.hints import Angle
+from kinegrade.problem.template.library.library import load_template
 from tests.figure.clear import heads
 from tests.figure.mechanisms import Case, hinted, polar
+from tests.problem.draws import draw_filter, drawn
 
 
 def crank(angle: float, length: float = 0.2, **table: object) -> Case:
@@ -120,13 +125,14 @@ def test_the_arc_of_an_angle_does_not_run_along_a_circle() -> None:
     [alone] = mark_angles(at, hint, sides)
     nicest = min(alone, key=attrgetter("demerit")).bow
     for circle in (Disc(nicest.centre, nicest.radius + 0.5, FIRM), replace(nicest, radius=7.4)):
-        [arcs] = mark_angles(at, hint, sides, [circle])
+        [arcs] = mark_angles(at, hint, sides, Neighbours((circle,)))
         assert abs(min(arcs, key=attrgetter("demerit")).bow.radius - circle.radius) > 1.0
 
 
 def test_only_circles_large_enough_to_be_mistaken_for_an_arc_count() -> None:
     pin, wheel = Disc(Vector(0.0, 0.0), 0.9, FIRM), Disc(Vector(0.0, 0.0), 9.0, FIRM)
-    assert list_circles([pin, wheel, Strokes((), FIRM)]) == [wheel]
+    drawing = Drawing((pin, wheel, Strokes((), FIRM)), (), (), (), (), ())
+    assert find_neighbours(drawing).circles == (wheel,)
 
 
 def test_a_leader_that_cannot_be_the_cheapest_is_not_made() -> None:
@@ -194,3 +200,70 @@ def test_a_letter_that_has_no_room_at_its_arc_is_led_to_it() -> None:
     [(start, end)] = ends
     assert 0 < degrees(angle_of(start)) < 16
     assert hypot(*(end - letter.centre)) < max(letter.width, letter.height)
+
+
+def find_corners(letter: Label) -> list[Vector]:
+    half = [(x, y) for x in (-0.5, 0.5) for y in (-0.5, 0.5)]
+    return [letter.centre + Vector(x * letter.width, y * letter.height) for x, y in half]
+
+
+def measure_turn(arc: Bow, place: Vector) -> float:
+    """Degrees from the first side of an angle to a place, in the sense of its arc."""
+    turned = degrees(angle_of(place - arc.centre) - arc.start) % 360
+    return turned if arc.sweep > 0 else -turned % 360
+
+
+@pytest.mark.parametrize(
+    ("name", "seed", "symbol"),
+    [
+        ("pin-in-disc-slot-and-rod", "u3", r"\varphi"),
+        ("bar-pushing-rolling-disc", "u2", r"\gamma"),
+    ],
+)
+def test_a_letter_is_not_led_out_of_an_angle_in_which_it_has_room(
+    name: str, seed: str, symbol: str
+) -> None:
+    template = load_template(name)
+    [draw] = drawn(draw_filter(template, seed), 1)
+    mechanism = draw.solution.assembly.mechanism.map(float)
+    scene = sketch(mechanism, mark_question(template, template.asked()))
+    [letter] = [label for label in scene.labels if label.symbol == symbol]
+    arcs = [part for part in scene.primitives if isinstance(part, Bow) and part.pen == THIN]
+    assert any(
+        all(measure_turn(arc, corner) < abs(degrees(arc.sweep)) for corner in find_corners(letter))
+        for arc in arcs
+        if hypot(*(letter.centre - arc.centre)) < arc.radius + 5.0
+    )
+
+
+def test_a_leader_passes_the_end_of_a_side_rather_than_going_through_it() -> None:
+    side = Side(0.0, 0.0, 0.0, broad=False, lag=0.0)
+    arc = AngleArc(Bow(VERTEX, 7.0, 0.0, 0.3, THIN), (side,), Angle("x", "O", "right", "up"), 0.0)
+    through: dict[bool, set[float]] = {True: set(), False: set()}
+    for led in list_led_arcs([arc], Layout.of(()).obstacles, 9.0):
+        [(start, end)] = led.path()
+        reach = 0.0
+        if end.y < 0 < start.y:
+            reach = start.x + (end.x - start.x) * start.y / (start.y - end.y)
+        through[0.0 < reach < 8.0].add(round(led.demerit, 3))
+    assert min(through[False]) < min(through[True]) - 10.0
+
+
+def test_a_letter_stands_on_the_side_of_a_bar_on_which_its_arc_is() -> None:
+    bow = Bow(VERTEX, 7.0, 0.0, 1.2, THIN)
+    bar = (Vector(11.0, -2.0), Vector(4.0, 12.0))
+    spots = np.array([[5.0, 2.5], [9.0, 6.0], [7.0, 3.0], [12.0, 3.0]])
+    assert rate_parted(spots, bow, [bar]).tolist() == [0.0, 1.0, 0.0, 1.0]
+    assert rate_parted(spots, bow, []).tolist() == [0.0] * 4
+
+
+def test_a_letter_stands_nearer_to_its_own_arc_than_to_another() -> None:
+    side = Side(0.0, 0.0, 0.0, broad=False, lag=0.0)
+    bow, other = Bow(VERTEX, 7.0, 0.0, 1.2, THIN), Bow(Vector(2.0, 1.0), 9.0, 0.0, 1.2, THIN)
+    alone = AngleArc(bow, (side, side), Angle("x", "O", "right", "up"), 0.0)
+    beside = replace(alone, neighbours=Neighbours(arcs=(other,))).wish()
+    assert alone.wish().demerits is not None
+    assert beside.demerits is not None
+    outside = alone.wish().spots[0]
+    assert hypot(*outside) > bow.radius
+    assert beside.demerits[0] > alone.wish().demerits[0]

@@ -7,13 +7,13 @@ from dataclasses import dataclass, replace
 from itertools import product
 from math import pi
 
-from kinegrade.figure.marks.sides import LEFT, Side
+from kinegrade.figure.marks.sides import LEFT, SHORT, Side
 from kinegrade.figure.placing.mark import chords
 from kinegrade.figure.placing.obstacles import COST_LABEL, Obstacles, Segment
-from kinegrade.figure.placing.place import Wish, list_spots_around
-from kinegrade.figure.placing.wedge import list_spots_in_wedge
+from kinegrade.figure.placing.place import Wish, list_spots_around, rate_nearness
+from kinegrade.figure.placing.wedge import list_spots_in_wedge, rate_outside, rate_parted
 from kinegrade.figure.plane import length, polar
-from kinegrade.figure.scene import THIN, Bow, Primitive, Strokes
+from kinegrade.figure.scene import THIN, Bow, Disc, Primitive, Strokes
 from kinegrade.figure.symbols import draw_arc_head
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import Angle
@@ -24,7 +24,27 @@ _TRIM = 1.5  # millimetres at either end of an arc where it meets its sides, as 
 _LEADERS, _LED, _LONGER = (4.0, 6.5), 7.0, 0.8
 _PLACES = (0.5, 0.3, 0.7)  # of the arc, where its leader ends
 _LEAVES, _AT_END = 0.6, -0.6  # millimetres of a leader at its arc, and from its end to the letter
+# Demerits of a letter beyond a bar from its arc, and of one about as near to another arc; radians
+# between the points of an arc to which its letter should be near
+_PARTED, _MISTAKEN, _STATIONS = 8.0, 6.0, 0.25
+# Demerits of a letter outside the angle at the end of a leader, and of a leader through a side;
+# millimetres from the end of a side to a leader that passes it
+_OUTSIDE, _THROUGH, _PAST_SIDE = 3.0, 20.0, 0.8
 _TWELFTHS = tuple(turn * pi / 6 for turn in range(12))
+
+
+@dataclass(frozen=True)
+class Neighbours:
+    """What else there is about an angle: circles along which its arc would merge with them, the
+    axes of bars, and the arcs of other angles, which its letter must not seem to name.
+    """
+
+    circles: tuple[Disc | Bow, ...] = ()
+    bars: tuple[Segment, ...] = ()
+    arcs: tuple[Bow, ...] = ()
+
+
+ALONE = Neighbours()
 
 
 @dataclass(frozen=True)
@@ -35,6 +55,7 @@ class AngleArc:
     legs: tuple[Side, ...]
     hint: Angle
     demerit: float
+    neighbours: Neighbours = ALONE
     shared: bool = True
 
     def path(self) -> tuple[Segment, ...]:
@@ -59,8 +80,17 @@ class AngleArc:
                 yield bow.centre + polar(leg.angle) * near, line[1]
 
     def wish(self) -> Wish:
-        """Between the sides."""
-        return list_spots_in_wedge(self.hint.symbol, self.bow)
+        """Between the sides, first at this arc and not at another one."""
+        wish, near = list_spots_in_wedge(self.hint.symbol, self.bow), self.neighbours
+        if not near.bars and not near.arcs:
+            return wish
+        others = [at for arc in near.arcs for at in arc.path(_STATIONS)]
+        own = self.bow.path(_STATIONS)
+        worse = _PARTED * rate_parted(wish.spots, self.bow, near.bars)
+        worse += _MISTAKEN * rate_nearness(wish.symbol, wish.spots, own, others)
+        if wish.demerits is not None:
+            worse += wish.demerits
+        return replace(wish, demerits=worse)
 
     def primitives(self) -> tuple[Primitive, ...]:
         """The sides, the arrowhead, the arc."""
@@ -80,13 +110,15 @@ def add_leaders(arc: AngleArc, obstacles: Obstacles, dear: float) -> Iterator[Le
     if covered >= COST_LABEL:
         return
     bow = arc.bow
+    arc = replace(arc, legs=tuple(replace(leg, beyond=SHORT) for leg in arc.legs))
     starts = [bow.centre + polar(bow.start + share * bow.sweep, bow.radius) for share in _PLACES]
     for reach in _LEADERS:
         demerit = arc.demerit + covered + _LED + _LONGER * (reach - _LEADERS[0])
         if demerit >= dear:
             return
         for start, turn in product(starts, _TWELFTHS):
-            yield LedAngleArc(arc, start, turn, reach, demerit)
+            led = LedAngleArc(arc, start, turn, reach, demerit)
+            yield replace(led, demerit=demerit + _THROUGH) if led.crosses_side() else led
 
 
 @dataclass(frozen=True)
@@ -102,6 +134,20 @@ class LedAngleArc:
     demerit: float
     shared: bool = True
 
+    def crosses_side(self) -> bool:
+        """Whether the leader crosses a side of the angle as far as that is drawn."""
+        centre, end = self.arc.bow.centre, self._end()
+        for leg in self.arc.legs:
+            toward, line = polar(leg.angle), leg.line(centre, self.arc.bow.radius)
+            drawn = length(line[1] - centre) if line else leg.drawn
+            from_side = [(place - centre).cross(toward) for place in (self.start, end)]
+            if from_side[0] * from_side[1] <= 0:
+                share = from_side[0] / (from_side[0] - from_side[1])
+                at = self.start + (end - self.start) * share
+                if 0 < (at - centre).dot(toward) < drawn + _PAST_SIDE:
+                    return True
+        return False
+
     def path(self) -> tuple[Segment, ...]:
         """The leader without its start at the arc."""
         return ((self.start + polar(self.turn, _LEAVES), self._end()),)
@@ -109,7 +155,8 @@ class LedAngleArc:
     def wish(self) -> Wish:
         """Around the far end of the leader."""
         symbol, toward = self.arc.hint.symbol, polar(self.turn)
-        return Wish(symbol, list_spots_around(symbol, self._end(), _AT_END, toward)[:6])
+        spots = list_spots_around(symbol, self._end(), _AT_END, toward)[:6]
+        return Wish(symbol, spots, demerits=_OUTSIDE * rate_outside(symbol, spots, self.arc.bow))
 
     def primitives(self) -> tuple[Primitive, ...]:
         """The arc with the lines of its sides, and the leader."""

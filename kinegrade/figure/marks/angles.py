@@ -9,8 +9,10 @@ from dataclasses import replace
 from math import asin, inf, pi
 from operator import attrgetter
 
-from kinegrade.figure.marks.angle_arc import AngleArc, add_leaders
+from kinegrade.figure.marks.angle_arc import ALONE, AngleArc, Neighbours, add_leaders
 from kinegrade.figure.marks.sides import Side
+from kinegrade.figure.mechanism.layers import Drawing
+from kinegrade.figure.mechanism.straight_parts import Bar, Rod
 from kinegrade.figure.placing.mark import Mark
 from kinegrade.figure.placing.obstacles import Obstacles
 from kinegrade.figure.placing.wedge import measure_narrow
@@ -42,10 +44,10 @@ def mark_angles(
     at: Mapping[str, Vector],
     hint: Angle,
     legs: tuple[Side, ...],
-    circles: Sequence[Disc | Bow] = (),
+    neighbours: Neighbours = ALONE,
 ) -> Iterator[list[AngleArc]]:
-    """Arcs of several radii between two sides, rather not along any of the `circles` that are
-    drawn; none when the angle is too small to be visible.
+    """Arcs of several radii between two sides, told from their neighbours; none when the angle is
+    too small to be visible.
     """
     reaches = _measure_reaches(at[hint.at], legs, at.values())
     nicest = _choose_bow(at, hint, legs)
@@ -58,16 +60,19 @@ def mark_angles(
                 hint,
                 _rate_demerit(bow.radius, nicest.radius, legs)
                 + _rate_ends(bow.radius, reaches)
-                + _rate_merging(bow, circles),
+                + _rate_merging(bow, neighbours.circles),
+                neighbours,
             )
             for bow in bows
         ]
 
 
-def list_circles(primitives: Iterable[Primitive]) -> list[Disc | Bow]:
-    """The circles among what is drawn with which the arc of an angle might merge."""
-    round_ones = (part for part in primitives if isinstance(part, Disc | Bow))
-    return [part for part in round_ones if part.radius > _LEAST_CIRCLE]
+def find_neighbours(drawing: Drawing) -> Neighbours:
+    """The circles with which the arc of an angle might merge, and the axes of bars."""
+    round_ones = (part for part in drawing.primitives if isinstance(part, Disc | Bow))
+    circles = tuple(part for part in round_ones if part.radius > _LEAST_CIRCLE)
+    straight = (part for part in drawing.parts if isinstance(part, Bar | Rod))
+    return Neighbours(circles, tuple((part.start, part.end) for part in straight))
 
 
 def list_led_arcs(arcs: Iterable[AngleArc], obstacles: Obstacles, dear: float) -> Iterator[Mark]:

@@ -17,7 +17,8 @@ from kinegrade.mechanics.joints import Line
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import Angle
 
-_BEYOND = 2.5  # millimetres that a thin line along a side continues beyond the arc
+# Millimetres that a thin line along a side continues beyond the arc, and where a leader passes it
+_BEYOND, SHORT = 2.5, 1.0
 _DOUBLE = 1.2  # millimetres within which the ground and a line along it would look like one
 LEFT = 4.2  # millimetres from a vertex in which its own bars leave beside a side
 
@@ -25,8 +26,9 @@ LEFT = 4.2  # millimetres from a vertex in which its own bars leave beside a sid
 @dataclass(frozen=True)
 class Side:
     """A side of an angle: its direction, how far a bar is drawn along it, how far away the point
-    on it is (0 for none), whether the bar is so broad that its axis has to be drawn, and how far
-    outside the angle the ground runs that takes the place of a line.
+    on it is (0 for none), whether the bar is so broad that its axis has to be drawn, how far
+    outside the angle the ground runs that takes the place of a line, and how far a line goes
+    `beyond` the arc.
     """
 
     angle: float
@@ -34,15 +36,16 @@ class Side:
     reach: float
     broad: bool
     lag: float
+    beyond: float = _BEYOND
 
     def line(self, vertex: Vector, radius: float) -> Segment | None:
         """The thin line that an arc of this radius needs; None when the bar is long enough."""
         toward = polar(self.angle)
         if self.broad:
-            return vertex + toward * (PIN + 0.15), vertex + toward * (radius + _BEYOND)
+            return vertex + toward * (PIN + 0.15), vertex + toward * (radius + self.beyond)
         if radius < self.drawn + PIN:
             return None
-        needed = radius + (1.0 if self.reach else _BEYOND)
+        needed = radius + (1.0 if self.reach else self.beyond)
         far = needed if self.drawn else max(needed, self.reach)
         return vertex + toward * max(self.drawn, PIN + 0.15), vertex + toward * far
 
