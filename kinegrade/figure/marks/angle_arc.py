@@ -26,7 +26,7 @@ _PLACES = (0.5, 0.3, 0.7)  # of the arc, where its leader ends
 _LEAVES, _AT_END = 0.6, -0.6  # millimetres of a leader at its arc, and from its end to the letter
 # Demerits of a letter beyond a bar from its arc, and of one about as near to another arc; radians
 # between the points of an arc to which its letter should be near
-_PARTED, _MISTAKEN, _STATIONS = 8.0, 6.0, 0.25
+_PARTED, _MISTAKEN, _STATIONS = 20.0, 6.0, 0.25
 # Demerits of a letter outside the angle at the end of a leader, and of a leader through a side;
 # millimetres from the end of a side to a leader that passes it
 _OUTSIDE, _THROUGH, _PAST_SIDE = 3.0, 20.0, 0.8
