@@ -85,6 +85,14 @@ def test_an_arrow_does_not_end_at_a_point_of_the_rim() -> None:
     assert length(find_tip(layout) - preferred) > 4.0
 
 
+def test_an_arrow_does_not_end_in_the_wedge_between_the_rim_and_a_bar_that_touches_it() -> None:
+    preferred = find_tip(mark([make_rim(ORIGIN, 20.0)]))
+    contact = polar(20.0, degrees(angle_of(preferred)) + 20.0)
+    along = unit(contact).turned() * 15.0
+    bar = Strokes(((contact - along, contact + along),), BOLD)
+    assert turned(mark([make_rim(ORIGIN, 20.0)], [bar], at=contact), contact) > 25.0
+
+
 def test_radii_of_circles_that_overlap_point_away_from_each_other() -> None:
     for way in (Vector(6.0, 0.0), Vector(-6.0, 0.0), Vector(0.0, 6.0)):
         layout = mark([make_rim(ORIGIN, 20.0), make_rim(way, 20.0, "P")])

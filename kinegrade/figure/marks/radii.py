@@ -13,7 +13,7 @@ from kinegrade.figure.joints.symbol import Rim
 from kinegrade.figure.marks.radius_arrows import RadiusFromCentre, RadiusFromOutside
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.placing.mark import Mark
-from kinegrade.figure.placing.obstacles import Obstacles
+from kinegrade.figure.placing.obstacles import COST_BOLD, Obstacles
 from kinegrade.figure.plane import NEAR, angle_of, length, nearest_of, polar, unit
 from kinegrade.figure.scene import THIN, Bow
 from kinegrade.figure.symbols import HEAD_LENGTH
@@ -30,6 +30,8 @@ _LEANING, _LEAST_ANGLE = 6.0, cos(pi / 10)  # cost of an arrow nearer than that 
 _WITHIN_ANGLE = 12.0  # cost of an arrow between the sides of an angle, as if it were one of them
 _INWARD = 9.0  # cost of an arrow at a large circle from outside, less than one firm line
 _AT_POINT = 3.0  # cost of a tip that hides a point on the rim
+# Millimetres beyond a rim in which a bar leaves a narrow wedge, and the cost of a tip beside one
+_WEDGE, _BESIDE_BAR = 2.2, 8.0
 _ALONG_ARC = (
     0.06,
     0.94,
@@ -67,6 +69,7 @@ def add_radius(
             marks.append(inward(leaning, rim.kind == "gear"))
             continue
         demerit = leaning + _WITHIN_ANGLE * any(_lies_within(angle, arc) for arc in sectors)
+        demerit += _BESIDE_BAR * _ends_beside_bar(rim, toward, layout.obstacles)
         marks.append(_draw_from_centre(rim, found, at.values(), hint.symbol, (toward, demerit)))
         if not rim.ring and rim.kind != "cam" and rim.find_arc() is None:
             marks.append(inward(leaning + _INWARD, rim.kind == "gear"))
@@ -130,6 +133,13 @@ def _draw_from_centre(
     rough = rim.kind == "gear" or hatched
     arrow = RadiusFromCentre(rim.at, rim.radius, toward, symbol, demerit, others, rough, hatched)
     return replace(arrow, demerit=demerit + _AT_POINT * hides + arrow.rate_meetings())
+
+
+def _ends_beside_bar(rim: Rim, toward: Vector, drawn: Obstacles) -> bool:
+    """Whether a bar passes just beyond the tip of an arrow, which would seem to end on that."""
+    tip = rim.at + toward * rim.radius
+    beyond = (tip, tip + toward * _WEDGE)
+    return Obstacles(drawn.lines, ()).along((beyond,), shared=False) >= COST_BOLD
 
 
 def _lies_within(angle: float, arc: Bow) -> bool:
