@@ -1,4 +1,5 @@
 # make demo   the main job: an exam for the demonstration class, marked
+# make practice   the practice sheet of the demonstration bank
 # make test   the tools that tests need (make tools), lint, types, tests
 # make demo-answers   after a change of templates or banks/demo.toml: what the demonstration class types
 # make fairness   students who work rightly, or make each known mistake, on 1,000 papers of every template (20 minutes)
@@ -18,7 +19,7 @@ BIN := $(VENV)/bin
 unexport PYTHONDONTWRITEBYTECODE
 READY := $(VENV)/.ready
 
-.PHONY: docs picture demo demo-answers test lint types bench measure fairness prove catalogue golden check-templates tools clean
+.PHONY: docs picture demo practice demo-answers test lint types bench measure fairness prove catalogue golden check-templates tools clean
 
 $(READY): pyproject.toml
 	$(PYTHON) -m venv $(VENV)
@@ -31,6 +32,10 @@ demo: $(READY)
 	$(BIN)/kinegrade generate banks/demo.toml banks/demo-roster.csv -o demo/EXAM --reproducible demo --solutions --force --new-numbers
 	$(BIN)/kinegrade grade demo/EXAM banks/demo-answers.csv -o demo/MARKS --force || test $$? -eq 1
 	@echo "papers: demo/EXAM/papers.pdf   key: demo/EXAM/key.pdf   marks: demo/MARKS/grades.csv   Moodle: demo/MARKS/moodle.csv"
+
+practice: $(READY)
+	mkdir -p demo
+	$(BIN)/kinegrade practice banks/demo.toml -o demo/practice.html --force
 
 demo-answers: $(READY)
 	mkdir -p demo

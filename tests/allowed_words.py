@@ -94,6 +94,11 @@ ALLOWED: Mapping[str, Mapping[str, Sequence[str]]] = {
             "sin cos tan cot arcsin arccos arctan sinh cosh tanh exp ln log min max",
         ],
     },
+    "the name of a standard, as its packages state it": {
+        "lms/scorm.py": [
+            "ADL SCORM",
+        ],
+    },
     "what another system calls its columns": {
         "lms/grades/systems/blackboard.py": [
             "Feedback Format",

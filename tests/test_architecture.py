@@ -53,6 +53,7 @@ FLOORS = {
     "proof": 9,
     "exam": 10,
     "grading": 11,
+    "practice": 12,
     "reports": 12,
     "lms": 13,
     "public": 14,

@@ -38,7 +38,7 @@ def test_a_file_that_tex_does_not_find_is_missing(
 ) -> None:
     found = [f"echo /texmf/{name}" for name in TEX_FILES if name != "siunitx.sty"]
     program(tmp_path, "kpsewhich", "\n".join([*found, "exit 1"]))
-    for name in ("pdflatex", "xelatex", "pdftoppm"):
+    for name in ("pdflatex", "xelatex", "pdftoppm", "node", "chromium"):
         program(tmp_path, name, "")
     monkeypatch.setenv("PATH", str(tmp_path))
     assert missing_tools() == {"siunitx.sty": "texlive-science"}
@@ -50,9 +50,9 @@ def test_without_apt_get_one_line_says_what_to_install(
     monkeypatch.setenv("PATH", str(tmp_path))
     assert main() == 1
     (line,) = capsys.readouterr().err.splitlines()
-    assert line.startswith("tools: pdflatex, xelatex, pdftoppm, ctexhook.sty, ")
+    assert line.startswith("tools: pdflatex, xelatex, pdftoppm, node, chromium, ctexhook.sty, ")
     assert line.endswith(
-        "install TeX Live (tug.org/texlive) or MacTeX with siunitx, TikZ and xeCJK, and poppler"
+        "install TeX Live (tug.org/texlive) or MacTeX with siunitx, TikZ and xeCJK, poppler, node and chromium"
     )
 
 

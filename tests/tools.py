@@ -18,6 +18,8 @@ PROGRAMS = {
     "pdflatex": "texlive-latex-recommended",
     "xelatex": "texlive-xetex",
     "pdftoppm": "poppler-utils",
+    "node": "nodejs",
+    "chromium": "chromium",
 }
 TEX_FILES = {
     "ctexhook.sty": "texlive-lang-chinese",
@@ -42,7 +44,7 @@ def complaint(missing: dict[str, str]) -> str:
     """One line about what is missing and how to install it."""
     return (
         f"tools: {', '.join(missing)} not found; expected TeX Live with siunitx, TikZ and xeCJK, "
-        "and poppler; run make tools"
+        "poppler, node and chromium; run make tools"
     )
 
 
@@ -77,7 +79,7 @@ def main() -> int:
         return 0
     print(
         f"tools: {', '.join(missing)} not found, and not installed by apt-get; install TeX Live "
-        "(tug.org/texlive) or MacTeX with siunitx, TikZ and xeCJK, and poppler",
+        "(tug.org/texlive) or MacTeX with siunitx, TikZ and xeCJK, poppler, node and chromium",
         file=sys.stderr,
     )
     return 1

@@ -19,6 +19,7 @@ from kinegrade.cli.entries import compare_entries
 from kinegrade.cli.exams import archive, generate, verify
 from kinegrade.cli.export import export
 from kinegrade.cli.marks import class_report, diff, feedback, grade
+from kinegrade.cli.practice import practice
 from kinegrade.cli.printing import paper, papers, reprint_exam, sample, solutions
 from kinegrade.cli.problems.choosing import list_templates, show
 from kinegrade.cli.problems.cycle import cycle
@@ -56,6 +57,7 @@ for command in (
     generate,
     series,
     sample,
+    practice,
     papers,
     paper,
     reprint_exam,

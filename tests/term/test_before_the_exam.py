@@ -1,4 +1,4 @@
-"""Before the exam: rows 1 to 7 of the term, and the help of row 25."""
+"""Before the exam: rows 1 to 7 and 12 of the term, and the help of row 25."""
 
 from __future__ import annotations
 
@@ -203,3 +203,12 @@ def test_row_25_swapped_folders_are_named(small_class: Path, tmp_path: Path) -> 
     assert "MARKS" in said
     assert "EXAM" in said
     assert "No such file" not in said
+
+
+def test_row_12_a_practice_sheet_takes_answers_and_holds_its_keys(tmp_path: Path) -> None:
+    bank = write_bank(tmp_path, f"{HEAD}{QUESTION}asks = {{ v_B = 1 }}\n")
+    page = tmp_path / "practice.html"
+    made = kinegrade("practice", bank, "-o", page, "--draws", "2")
+    assert made.exit_code == 0, made.stderr
+    assert "for practice only" in made.stderr
+    assert '<input type="text"' in page.read_text(encoding="utf-8")

@@ -23,7 +23,7 @@ Sense = Literal["ccw", "cw", "right", "left", "up", "down"]
 _OPPOSITE: dict[Sense, Sense] = {
     "ccw": "cw", "cw": "ccw", "right": "left", "left": "right", "up": "down", "down": "up",
 }  # fmt: skip
-_WORDS: dict[Sense, Message] = {
+SENSE_WORDS: dict[Sense, Message] = {
     "ccw": Message("typing.sense-ccw"),
     "cw": Message("typing.sense-cw"),
     "right": Message("typing.sense-right"),
@@ -54,7 +54,7 @@ class _Patterns:
 
 @cache
 def _compile_patterns() -> _Patterns:
-    words = "|".join(f"(?P<{sense}>{_match_sense(sense)})" for sense in _WORDS)
+    words = "|".join(f"(?P<{sense}>{_match_sense(sense)})" for sense in SENSE_WORDS)
     behind = rf"(?<![\s,;(\[])[\s,;(\[]*(?<![A-Za-z])(?:{words})\.?[\s)\]]*$"
     before = rf"^[\s(\[]*(?:{words})(?![A-Za-z])[\s)\],:.=]*"
     alone = rf"(?<![A-Za-z_])(?:{words})(?![A-Za-z])"
@@ -65,7 +65,7 @@ def _match_sense(sense: Sense) -> str:
     """An expression for the spellings of a sense: a hyphen may be a blank or left out, and so may
     the points of c.c.w.
     """
-    words = match_spellings(_WORDS[sense]).replace(r"\-", "[- ]?").replace(r"\.", r"\.?")
+    words = match_spellings(SENSE_WORDS[sense]).replace(r"\-", "[- ]?").replace(r"\.", r"\.?")
     return f"{words}|[{_ARROWS[sense]}]"
 
 
@@ -89,7 +89,7 @@ def split_sense(text: str) -> tuple[str, Sense | None]:
     for pattern in (patterns.behind, patterns.before) if patterns.anywhere.search(text) else ():
         found = pattern.search(text)
         if found:
-            sense = next(name for name in _WORDS if found[name] is not None)
+            sense = next(name for name in SENSE_WORDS if found[name] is not None)
             return text[: found.start()] + text[found.end() :], sense
     return text, None
 

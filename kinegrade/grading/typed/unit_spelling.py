@@ -37,7 +37,7 @@ _WORDS = {
 _SYMBOLS = {"°": "deg", "%": "%", "dm": "dm"}
 _PER = Message("typing.per")
 _SQUARED, _SQUARE = Message("typing.squared"), Message("typing.square")  # behind a unit, before it
-_SHORT = {"rpm": "turn/min", "rps": "turn/s", "kph": "km/h", "kmh": "km/h", "r": "turn"}
+SHORT_UNITS = {"rpm": "turn/min", "rps": "turn/s", "kph": "km/h", "kmh": "km/h", "r": "turn"}
 _RUN_TOGETHER = re.compile(r"\b((?:k|c|m)?m|rad)s(?=\^?\(?-?[0-9])")  # as in ms^-2
 # The ordinal sign and the ring, which are next to ° on many keyboards
 _DEGREE_SIGNS = str.maketrans("º˚", "°°")
@@ -89,9 +89,9 @@ def read_unit(text: str) -> WrittenUnit | None:
     powers = _read_powers(_fold(text))
     if powers is None or ("r" in powers and not (powers["min"] == -1 or powers["s"] == -1)):
         return None
-    for name in [name for name in powers if name in _SHORT]:
+    for name in [name for name in powers if name in SHORT_UNITS]:
         power = powers.pop(name)
-        for part, exponent in (_read_powers(_SHORT[name]) or {}).items():
+        for part, exponent in (_read_powers(SHORT_UNITS[name]) or {}).items():
             powers[part] += power * exponent
     return _find_worth(powers)
 
@@ -161,33 +161,36 @@ def _read_bracket(text: str, place: int) -> tuple[Counter[str] | None, int]:
 
 def _find_name(written: str) -> str | None:
     """The unit's standard name; case is ignored, because phones capitalise."""
-    names = _list_names()
+    names = list_unit_names()
     return names.get(written) or names.get(written.casefold())
 
 
 @cache
-def _list_names() -> Mapping[str, str]:
+def list_unit_names() -> Mapping[str, str]:
     """The standard name of a unit by each of its symbols and spellings."""
     spelled = {
         spelling.casefold(): name
         for name, words in _WORDS.items()
         for spelling in list_spellings(words)
     }
-    return {**spelled, **_SYMBOLS, **{name: name for name in (*FACTORS, *_SHORT)}}
+    return {**spelled, **_SYMBOLS, **{name: name for name in (*FACTORS, *SHORT_UNITS)}}
 
 
 def _find_worth(powers: Counter[str]) -> WrittenUnit:
     factor, pi = Fraction(1), 0
     exponents = Counter[str]()
     for name, power in powers.items():
-        size, dimension = _find_size(name)
+        size, dimension = find_size(name)
         factor *= size**power
         pi += power * (name in HALF_TURNS)
         exponents[dimension] += power
     return WrittenUnit(factor, pi, exponents["length"], exponents["time"], exponents["angle"])
 
 
-def _find_size(name: str) -> tuple[Fraction, str]:
+def find_size(name: str) -> tuple[Fraction, str]:
+    """The size of a unit of that name in SI units, a part of pi for those of `HALF_TURNS`, and
+    what it measures.
+    """
     if name == "%":
         return Fraction(1, 100), "number"
     if name == "dm":

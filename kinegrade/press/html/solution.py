@@ -1,12 +1,13 @@
-r"""A worked solution as HTML with math between `\(` and `\)`, for a learning management system to
-show after the quiz.
+r"""A worked solution as HTML: with math between `\(` and `\)` for a learning management system to
+show after the quiz, with MathML for pages of our own.
 
 It has the texts, equations and tables of the printed one, which alone has the pictures.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from typing import assert_never
 
 from kinegrade.language import Language
@@ -16,9 +17,15 @@ from kinegrade.language.html_text import (
     write_plain_html,
     write_row_html,
 )
+from kinegrade.language.math.mathml import write_mathml_row
 from kinegrade.language.math.tree import Environment, Group, LineBreak, Mark, Row, Sign
-from kinegrade.language.message import Message
-from kinegrade.language.prose.html import write_line, write_prose
+from kinegrade.language.message import Location, Message
+from kinegrade.language.prose.html import (
+    write_line,
+    write_page_line,
+    write_page_prose,
+    write_prose,
+)
 from kinegrade.worked.document import (
     Block,
     Display,
@@ -32,35 +39,51 @@ from kinegrade.worked.document import (
 _WHERE = Message("typesetting.place-worked-solution")
 
 
-def write_blocks(blocks: Sequence[Block], language: Language) -> str:
+@dataclass(frozen=True)
+class MathSetting:
+    """How formulas are written: in a row, on lines of their own, in a line of prose, in prose."""
+
+    row: Callable[[Row], str]
+    display: Callable[[Row], str]
+    line: Callable[[str, Location], str]
+    prose: Callable[[str, Location], str]
+
+
+FOR_MATHJAX = MathSetting(write_row_html, write_display_html, write_line, write_prose)
+IN_MATHML = MathSetting(write_mathml_row, write_mathml_row, write_page_line, write_page_prose)
+
+
+def write_blocks(
+    blocks: Sequence[Block], language: Language, setting: MathSetting = FOR_MATHJAX
+) -> str:
     """The blocks of a worked solution one after the other; pictures are left out. Raises
     TypesetError.
     """
     words = open_catalogue(language)
-    return "".join(_write_block(block, words) for block in blocks)
+    return "".join(_write_block(block, words, setting) for block in blocks)
 
 
-def _write_block(block: Block, words: Catalogue) -> str:
+def _write_block(block: Block, words: Catalogue, setting: MathSetting) -> str:
     match block:
         case Heading():
             tag = "h4" if block.level == 1 else "h5"
-            return f"<{tag}>{write_line(block.text, _WHERE)}</{tag}>\n"
+            return f"<{tag}>{setting.line(block.text, _WHERE)}</{tag}>\n"
         case Prose():
-            return write_prose(block.text, _WHERE)
+            return setting.prose(block.text, _WHERE)
         case Display():
-            return f"<p>{_write_aligned(block.lines)}</p>\n"
+            return f"<p>{setting.display(_align_lines(block.lines))}</p>\n"
         case TermTable():
-            return _write_terms(block.terms, words)
+            return _write_terms(block.terms, words, setting)
         case Pictures():
             return ""
         case _:
             assert_never(block)
 
 
-def _write_aligned(lines: Sequence[Row]) -> str:
+def _align_lines(lines: Sequence[Row]) -> Row:
     """Equations one below another."""
     body = [node for line in lines for node in (LineBreak(), *_align(line))]
-    return write_display_html((Environment("aligned", tuple(body[1:])),))
+    return (Environment("aligned", tuple(body[1:])),)
 
 
 def _align(row: Row) -> Row:
@@ -68,13 +91,15 @@ def _align(row: Row) -> Row:
     return row if Mark() in row else (Mark(), *row)
 
 
-def _write_terms(terms: Sequence[Term], words: Catalogue) -> str:
+def _write_terms(terms: Sequence[Term], words: Catalogue, setting: MathSetting) -> str:
     """The vector equation over the magnitudes and directions of its terms."""
-    symbols = [write_row_html((*_print_sign(term), *term.symbol)) for term in terms]
+    symbols = [setting.row((*_print_sign(term), *term.symbol)) for term in terms]
+    magnitudes = [setting.line(term.magnitude, _WHERE) for term in terms]
+    directions = [setting.line(term.direction, _WHERE) for term in terms]
     rows = [
         ("", symbols),
-        (words.text("solution.layout.magnitude"), [_write_cell(term.magnitude) for term in terms]),
-        (words.text("solution.layout.direction"), [_write_cell(term.direction) for term in terms]),
+        (words.text("solution.layout.magnitude"), magnitudes),
+        (words.text("solution.layout.direction"), directions),
     ]
     written = "".join(
         (
@@ -89,10 +114,6 @@ def _write_terms(terms: Sequence[Term], words: Catalogue) -> str:
 def _print_sign(term: Term) -> Row:
     """The sign of a term, with the room that it has between two terms."""
     return (Sign(term.sign), Group(())) if term.sign else ()
-
-
-def _write_cell(text: str) -> str:
-    return write_line(text, _WHERE)
 
 
 def _write_entry(cell: str) -> str:

@@ -1,0 +1,136 @@
+"""What follows for one ask from a student's value for another, as a quadratic in that value.
+
+The plan is linear in each rate, and normal accelerations are quadratic in velocities, so that most
+of what students carry on from is of this form; what is not is said to be so.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+from kinegrade.exam.setting.setting import SetQuestion
+from kinegrade.mechanics.plan import Plan
+from kinegrade.problem.template.template import Template
+from kinegrade.students.following.connections import (
+    find_connections,
+    find_generic_plan,
+    find_stages,
+)
+from kinegrade.students.following.follow_through import Follower
+from kinegrade.students.following.followed_steps import StepFollower
+from kinegrade.students.mistaking.mistakes import convert_parameter
+
+# Times the right answer: three values determine a quadratic, at the others it has to hold
+_TRIED, _PROVED = (1.3, -0.7, 1.9), (0.6, 2.7, -1.6)
+_OF_ITS_SIGN = (1.3, 0.7, 1.9), (0.6, 2.7, 1.6)  # where magnitudes are taken of what follows
+_SAME = 1e-8
+_DIGITS = 11
+Points = Sequence[tuple[float, float]]
+Shares = tuple[tuple[float, ...], tuple[float, ...]]
+
+
+@dataclass(frozen=True)
+class FollowTable:
+    """A question's asks, and which of them depend on which, in all draws."""
+
+    template: Template
+    asks: tuple[str, ...]
+
+    @cached_property
+    def stages(self) -> tuple[int, ...]:
+        """For each ask the number of its stage: none depends on a later one."""
+        number = {
+            ask: place
+            for place, stage in enumerate(find_stages(self.template, self.asks))
+            for ask in stage
+        }
+        return tuple(number[ask] for ask in self.asks)
+
+    @cached_property
+    def plan(self) -> Plan | None:
+        """The plan of all draws."""
+        return find_generic_plan(self.template) if self.template.scheme.drivers else None
+
+    @cached_property
+    def pairs(self) -> tuple[tuple[str, str], ...]:
+        """Each ask from which another follows, with that one."""
+        found = find_connections(self.template, self.asks)
+        return tuple((earlier, later) for later in found for earlier in found[later])
+
+    def write(self, question: SetQuestion) -> tuple[str, ...]:
+        """For each way of following in a draw the places of the two asks and the coefficients, none
+        where no quadratic does; a "+" behind them where they hold for values of the right sign.
+        """
+        follower = self._make_follower(question.drawn.values)
+        return tuple(
+            " ".join(map(str, (self.asks.index(earlier), self.asks.index(later), *numbers)))
+            for earlier, later in self.pairs
+            for numbers in _list_ways(follower, earlier, later)
+        )
+
+    def _make_follower(self, texts: Mapping[str, str]) -> Follower | StepFollower:
+        values = {
+            name: convert_parameter(parameter, texts[name])
+            for name, parameter in self.template.parameters.items()
+        }
+        if self.template.scheme.has_mechanism:
+            return Follower(self.template, values, self.plan)
+        return StepFollower(self.template, values)
+
+
+def _list_ways(
+    follower: Follower | StepFollower, earlier: str, later: str
+) -> tuple[tuple[str, ...], ...]:
+    """The coefficients of each way of going on, with a "+" where they hold for values of the right
+    sign alone; an empty one where there are none.
+    """
+    everywhere = tuple(_fit(follower, earlier, later, (_TRIED, _PROVED)))
+    if all(everywhere):
+        return everywhere
+    fitted = _fit(follower, earlier, later, _OF_ITS_SIGN)
+    return tuple(dict.fromkeys((*numbers, "+") if numbers else () for numbers in fitted))
+
+
+def _fit(
+    follower: Follower | StepFollower, earlier: str, later: str, shares: Shares
+) -> Iterator[tuple[str, ...]]:
+    """The coefficients of each way, found and proved at shares of the right answer."""
+    right = follower.right(earlier)
+    if not right:
+        return
+    tried, proved = (
+        [(right * share, follower.consequences({earlier: right * share}, later)) for share in each]
+        for each in shares
+    )
+    count = len(tried[0][1])
+    if any(len(ways) != count for _, ways in (*tried, *proved)):
+        yield ()
+        return
+    for way in range(count):
+        coefficients = _interpolate([(value, ways[way]) for value, ways in tried])
+        holds = all(_holds(coefficients, value, ways[way]) for value, ways in proved)
+        yield tuple(f"{each:.{_DIGITS}g}" for each in coefficients) if holds else ()
+
+
+def _interpolate(points: Points) -> tuple[float, float, float]:
+    """The quadratic through three points."""
+    (x1, y1), (x2, y2), (x3, y3) = points
+    first, second = (y2 - y1) / (x2 - x1), (y3 - y2) / (x3 - x2)
+    square = (second - first) / (x3 - x1)
+    linear = first - square * (x1 + x2)
+    size = max(abs(y1), abs(y2), abs(y3))
+    terms = (y1 - linear * x1 - square * x1**2, linear, square)
+    reach = (1.0, abs(x1), x1**2)
+    kept = [
+        term if abs(term) * far > _SAME * size else 0.0
+        for term, far in zip(terms, reach, strict=True)
+    ]
+    return kept[0], kept[1], kept[2]
+
+
+def _holds(coefficients: tuple[float, float, float], value: float, follows: float) -> bool:
+    constant, linear, square = coefficients
+    terms = (constant, linear * value, square * value**2)
+    return abs(sum(terms) - follows) <= _SAME * max(map(abs, terms))

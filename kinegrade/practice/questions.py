@@ -1,0 +1,56 @@
+"""A question of a practice sheet, from the papers on which it stands with different numbers."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from fractions import Fraction
+
+from kinegrade.figure.back_ends.svg import to_svg
+from kinegrade.language import Language
+from kinegrade.language.prose.html import write_page_line, write_page_prose
+from kinegrade.practice.document import PracticeDraw, PracticeQuestion
+from kinegrade.practice.drawn import DrawnQuestion
+from kinegrade.practice.follows import FollowTable
+from kinegrade.practice.keys import tabulate_keys
+from kinegrade.practice.patterns import pool_texts
+from kinegrade.practice.sections import split_sections
+from kinegrade.press.html.solution import IN_MATHML, write_blocks
+from kinegrade.press.places import locate_part
+from kinegrade.worked.solution import write_worked_solution
+
+
+def make_question(
+    drawn: Sequence[DrawnQuestion], shares: Mapping[str, Fraction], language: Language
+) -> PracticeQuestion:
+    """The question with these draws; `shares` of the points are the bank's for known mistakes.
+    Raises TypesetError for texts that cannot be shown.
+    """
+    first = drawn[0]
+    asks = tuple(entry.ask.name for entry in first.question.asks)
+    follows = FollowTable(first.question.question.template, asks)
+    pooled = pool_texts([tuple(_list_texts(each, language)) for each in drawn])
+    table = tabulate_keys(drawn, follows.stages, shares)
+    return PracticeQuestion(
+        write_page_line(first.sheet.title, locate_part(first.sheet.template, "title")),
+        table.asks,
+        table.rules,
+        pooled.patterns,
+        tuple(
+            PracticeDraw(texts, keys, follows.write(each.question))
+            for texts, keys, each in zip(pooled.draws, table.draws, drawn, strict=True)
+        ),
+    )
+
+
+def _list_texts(drawn: DrawnQuestion, language: Language) -> Iterator[str]:
+    """The texts of a draw, as `PracticeDraw` lists them."""
+    sheet, question = drawn.sheet, drawn.question
+    yield write_page_prose(sheet.statement, locate_part(sheet.template, "statement"))
+    yield "" if sheet.figure is None else to_svg(sheet.figure)
+    for row in sheet.rows:
+        where = locate_part(sheet.template, "tolerance")
+        yield ", ".join(write_page_line(each, where) for each in row.tolerance)
+    asks = tuple(entry.ask.name for entry in question.asks)
+    blocks = write_worked_solution(question.drawn.solution, asks, language).blocks
+    for section in split_sections(blocks):
+        yield write_blocks(section, language, IN_MATHML)

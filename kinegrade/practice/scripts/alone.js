@@ -1,0 +1,4 @@
+// @ts-check
+// The score stays in the page.
+
+function reportScore() {}

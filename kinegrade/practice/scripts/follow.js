@@ -1,0 +1,137 @@
+// @ts-check
+// Follow-through: answers that follow from the student's own wrong answers to other asks. What
+// follows is baked as a + b x + c x^2 in the student's value x. See judging/follow.py.
+
+const LEAST = 1 / 20;
+const MOST = 60;
+const SMALL = 1 / 2;
+const TINY = 1 / 900;
+const LARGE = 4;
+const SIGN_ALONE = 1 / 100;
+
+/**
+ * @typedef {object} Following what follows for one ask from a value of another
+ * @property {number} from
+ * @property {number} to
+ * @property {[number, number, number] | null} coefficients null where they do not do
+ * @property {boolean} ofItsSign whether they hold for values of the right sign alone
+ */
+
+/** @param {Draw} draw @returns {Following[]} */
+function readFollows(draw) {
+  return draw.follows.map((text) => {
+    const ofItsSign = text.endsWith(" +");
+    const [from, to, ...numbers] = text.replace(" +", "").split(" ").map(Number);
+    const coefficients = numbers.length ? /** @type {[number, number, number]} */ (numbers) : null;
+    return { from, to, coefficients, ofItsSign };
+  });
+}
+
+/** @param {[number, number, number]} coefficients @param {number} value */
+function workOut([constant, linear, square], value) {
+  return constant + linear * value + square * value * value;
+}
+
+/**
+ * The verdicts with those that follow-through improves; an error is charged once.
+ * @param {Question} question
+ * @param {Draw} draw
+ * @param {Key[]} keys
+ * @param {Verdict[]} verdicts
+ * @returns {Verdict[]}
+ */
+function followThrough(question, draw, keys, verdicts) {
+  const improved = [...verdicts];
+  if (verdicts.some((verdict, place) => isAbsurd(verdict, keys[place]))) return improved;
+  const follows = readFollows(draw);
+  /** @type {Map<number, number>} on which wrong answer one that follows rests */
+  const basis = new Map();
+  for (const to of orderByStage(question)) {
+    if (!isOpen(verdicts[to])) continue;
+    const usable = follows.filter(
+      (each) => each.to === to && isOpen(verdicts[each.from]) && !rests(each.from, to, basis),
+    );
+    const found = usable.find((each) => doesFollow(each, keys, verdicts));
+    if (!found) continue;
+    basis.set(to, found.from);
+    improved[to] = { ...verdicts[to], kind: "follow-through", mistakes: [] };
+  }
+  return improved;
+}
+
+/** @param {Question} question the places of its asks: by stage, then by points, then the last */
+function orderByStage({ asks }) {
+  const places = asks.map((_, place) => place);
+  return places.sort(
+    (one, other) =>
+      asks[one].stage - asks[other].stage || asks[other].points - asks[one].points || other - one,
+  );
+}
+
+/** @param {Verdict} verdict whether it is a number that is not right */
+function isOpen({ kind }) {
+  return kind === "wrong" || kind === "mistake";
+}
+
+/** @param {Verdict} verdict @param {Key} key whether nothing sensible follows from it */
+function isAbsurd({ value }, key) {
+  const share = Math.abs(value / key.value);
+  return Boolean(value && key.value) && (share < LEAST || share > MOST);
+}
+
+/** @param {number} place @param {number} other @param {Map<number, number>} basis @returns {boolean} */
+function rests(place, other, basis) {
+  if (place === other) return true;
+  const under = basis.get(place);
+  return under !== undefined && rests(under, other, basis);
+}
+
+/** @param {Following} following @param {Key[]} keys @param {Verdict[]} verdicts */
+function doesFollow({ from, to, coefficients, ofItsSign }, keys, verdicts) {
+  const own = verdicts[from].value;
+  const later = verdicts[to].value;
+  const right = keys[from].value;
+  if (!coefficients || !own || !right || (ofItsSign && own * right < 0)) return false;
+  const fits = (/** @type {number} */ value, factor = 1) =>
+    agrees(later, factor * workOut(coefficients, value), keys[to]);
+  return fits(own) && !isCopied(later, own, keys[to], right) && !isTrivial(own, right, fits);
+}
+
+/** @param {number} later @param {number} own @param {Key} key @param {number} right */
+function isCopied(later, own, key, right) {
+  const sizes = Math.abs(Math.abs(own) - Math.abs(right));
+  const worked = { ...key, value: Math.abs(key.value) };
+  const same = Math.abs(later) === Math.abs(own) && sizes > SIGN_ALONE * Math.abs(right);
+  return same && !agrees(Math.abs(right), worked.value, worked);
+}
+
+/**
+ * Whether what follows cannot be distinguished from leaving terms out, because of the value.
+ * @param {number} own
+ * @param {number} right
+ * @param {(value: number, factor?: number) => boolean} fits
+ */
+function isTrivial(own, right, fits) {
+  const size = Math.abs(own / right);
+  if (size < SMALL) return fits(right * TINY) && !fits(right);
+  const drowns = (/** @type {number} */ power) =>
+    fits(own / 2, 2 ** power) && !fits(right, (own / right) ** power);
+  return size > LARGE && (drowns(1) || drowns(2));
+}
+
+/**
+ * Whether there are wrong answers from which another may follow in a way that is not baked: that
+ * has no such coefficients, or rests on several of them.
+ * @param {Question} question
+ * @param {Draw} draw
+ * @param {Verdict[]} judged
+ */
+function isCutOff(question, draw, judged) {
+  const follows = readFollows(draw);
+  return question.asks.some((_, to) => {
+    if (!isOpen(judged[to])) return false;
+    const open = follows.filter((each) => each.to === to && judged[each.from].kind !== "right");
+    const wrong = open.filter((each) => Number.isFinite(judged[each.from].value));
+    return wrong.some((each) => !each.coefficients) || new Set(wrong.map((each) => each.from)).size > 1;
+  });
+}

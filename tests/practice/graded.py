@@ -1,0 +1,122 @@
+"""What `kinegrade grade` says of answers, beside what the page says of the same texts: an exam with
+the draws of a practice sheet, drawn from the same words.
+"""
+
+from __future__ import annotations
+
+import csv
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from random import Random
+
+import kinegrade
+from kinegrade.language import ENGLISH
+from kinegrade.marks_folder.rows import MarkedAnswer
+from kinegrade.practice.document import PracticeQuestion, PracticeSheet
+from kinegrade.practice.making import make_practice_sheet
+from tests.practice.node import judge_in_node
+from tests.small_class import kinegrade as command
+
+WORDS = "practice"
+
+
+@dataclass(frozen=True)
+class Pair:
+    """A text, what the exam's marks say of it, and what the page says."""
+
+    where: str
+    typed: str
+    marked: str
+    shown: str
+
+
+def compare_verdicts(bank: Path, folder: Path, draws: int, seed: int) -> list[Pair]:
+    """The verdicts on answers to so many draws of a bank; a mistake is named behind its verdict."""
+    sheet = make_practice_sheet(kinegrade.Bank.read(bank).blueprint, draws, WORDS, ENGLISH).sheet
+    random = Random(seed)
+    typed = [
+        [list(_type_answers(question, number, random)) for number in range(len(question.draws))]
+        for question in sheet.questions
+    ]
+    shown = judge_in_node(sheet, typed)
+    marked = {
+        (each.student, each.question, each.ask): each
+        for each in _mark(bank, folder, sheet, typed, draws)
+    }
+    return [
+        Pair(
+            f"{bank.name} draw-{number + 1} q{place + 1}.{ask.name}",
+            typed[place][number][row],
+            _describe(marked[f"draw-{number + 1}", f"q{place + 1}", ask.name]),
+            " ".join((shown[place][number][row]["kind"], *shown[place][number][row]["mistakes"])),
+        )
+        for place, question in enumerate(sheet.questions)
+        for number in range(len(question.draws))
+        for row, ask in enumerate(question.asks)
+    ]
+
+
+def _describe(answer: MarkedAnswer) -> str:
+    """The verdict; that a whole paper is another's is told by no page."""
+    verdict = "follow-through" if answer.judged == "another paper" else answer.judged
+    return " ".join((verdict, *answer.mistakes))
+
+
+def _mark(
+    bank: Path, folder: Path, sheet: PracticeSheet, typed: list[list[list[str]]], draws: int
+) -> Iterator[MarkedAnswer]:
+    """The marks of the answers, by the command line."""
+    names = [f"draw-{number + 1}" for number in range(draws)]
+    roster, answers = folder / "roster.csv", folder / "answers.csv"
+    rows_of = "".join(f"{name},{name}\n" for name in names)
+    roster.write_text(f"student,name\n{rows_of}", encoding="utf-8")
+    with answers.open("w", encoding="utf-8", newline="") as file:
+        rows = csv.writer(file)
+        asked = enumerate(sheet.questions, 1)
+        rows.writerow(["student", *(f"q{q}.{ask.name}" for q, each in asked for ask in each.asks)])
+        for number, name in enumerate(names):
+            rows.writerow([name, *(cell for question in typed for cell in question[number])])
+    exam, marks = folder / "EXAM", folder / "MARKS"
+    made = command("generate", bank, roster, "-o", exam, "--reproducible", WORDS, "--jobs", "1")
+    assert made.exit_code < 2, made.stderr
+    done = command("grade", exam, answers, "-o", marks)
+    assert done.exit_code < 2, done.stderr
+    return iter(kinegrade.open_marks(marks).answers())
+
+
+def _type_answers(question: PracticeQuestion, number: int, random: Random) -> Iterator[str]:
+    """What a student types for a draw: right, rounded, mistaken, carried on, nonsense."""
+    draw, own = question.draws[number], dict[int, float]()
+    for row, ask in enumerate(question.asks):
+        shown, _, ratios = draw.keys[row]
+        right = float(shown)
+        known = [float(ratio) * (right or 1.0) for ratio in ratios.split(" ") if ratio]
+        value = random.choice((
+            right, right, right * 1.004, right * random.uniform(0.4, 1.8), -right,
+            *(random.choice(known) for _ in range(2) if known), *_carry_on(question, number, row, own),
+        ))  # fmt: skip
+        own[row] = value
+        yield _write(value, ask.unit, random)
+
+
+def _carry_on(
+    question: PracticeQuestion, number: int, row: int, own: dict[int, float]
+) -> Iterator[float]:
+    """What follows from the student's own values, as often as other values."""
+    for text in question.draws[number].follows:
+        from_, to, *numbers = text.removesuffix(" +").split(" ")
+        if int(to) == row and int(from_) in own and numbers:
+            constant, linear, square = map(float, numbers)
+            yield constant + linear * own[int(from_)] + square * own[int(from_)] ** 2
+
+
+def _write(value: float, unit: str, random: Random) -> str:
+    """A number as somebody writes it, or something else."""
+    number = f"{value:.5g}"
+    spelled = "" if unit == "1" else f" {unit}"
+    return random.choice((
+        number, number, f"{value:.4g}", f"{number}{spelled}", number.replace("-", "−"),
+        f"{value:.6e}", f"x = {number}{spelled}", f"about {number}", f"{value:.2g}", "", "?",
+        f"{number} kg", f"{number} m s", f"{number} clockwise",
+    ))  # fmt: skip

@@ -1,0 +1,60 @@
+"""Runs the script of practice sheets in node, to compare what it says with what Python says."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import msgspec
+import pytest
+
+from kinegrade.practice.document import PracticeSheet
+from kinegrade.practice.script import JUDGE, READER, read_scripts
+from kinegrade.practice.vocabulary import list_vocabulary
+from tests.tools import complaint, missing_tools
+
+_READ = """
+const { vocabulary, cases } = JSON.parse(require("fs").readFileSync(0, "utf8"));
+const reader = new AnswerReader(vocabulary);
+const read = cases.map(({ typed, ask }) => {
+  const { kind, value, reason } = reader.read(typed, ask);
+  return { kind, value, reason: reason ? reason.key : "" };
+});
+process.stdout.write(JSON.stringify(read));
+"""
+_JUDGE = """
+const { vocabulary, sheet, typed } = JSON.parse(require("fs").readFileSync(0, "utf8"));
+const reader = new AnswerReader(vocabulary);
+const judged = sheet.questions.map((question, place) =>
+  question.draws.map((draw, number) => {
+    const keys = readKeys(question, draw);
+    const verdicts = question.asks.map((ask, row) =>
+      judge(reader.read(typed[place][number][row], ask), keys[row]));
+    return followThrough(question, draw, keys, verdicts);
+  }));
+process.stdout.write(JSON.stringify(judged));
+"""
+Typed = Sequence[Sequence[Sequence[str]]]  # of a question, of a draw, for an ask
+
+
+def read_in_node(cases: Sequence[Mapping[str, Any]]) -> list[dict[str, Any]]:
+    """What the script reads in typed texts: each case has a text and what is asked."""
+    return list(_run(_READ, {"cases": list(cases)}))
+
+
+def judge_in_node(sheet: PracticeSheet, typed: Typed) -> list[list[list[dict[str, Any]]]]:
+    """The script's verdicts on what was typed, in the same order."""
+    return list(_run(_JUDGE, {"sheet": sheet, "typed": typed}))
+
+
+def _run(driver: str, given: Mapping[str, Any]) -> Any:
+    if "node" in missing_tools():
+        pytest.fail(complaint(missing_tools()), pytrace=False)
+    script = read_scripts((*READER, *JUDGE)) + driver
+    told = msgspec.json.encode({"vocabulary": list_vocabulary(), **given}).decode()
+    run = subprocess.run(
+        ["node", "-e", script], input=told, capture_output=True, text=True, check=True
+    )
+    return json.loads(run.stdout)

@@ -1,0 +1,74 @@
+"""A practice sheet as files: how large it is, what it may load, what a SCORM package holds."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+from xml.etree import ElementTree
+from zipfile import ZipFile
+
+import pytest
+
+from kinegrade.practice.patterns import pool_texts
+from tests.small_class import kinegrade
+
+FOUR_OF_TWENTY, FURTHER = 300_000, 2_500
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = tmp_path_factory.mktemp("practice")
+    for draws in ("2", "6"):
+        kinegrade("practice", "demo", "-o", folder / f"{draws}.html", "--draws", draws)
+    return folder
+
+
+def test_a_further_draw_takes_little_room_and_so_do_twenty(folder: Path) -> None:
+    few, more = ((folder / f"{draws}.html").stat().st_size for draws in (2, 6))
+    further = (more - few) / 16
+    assert further <= FURTHER
+    assert few + 72 * further <= FOUR_OF_TWENTY
+
+
+def test_the_policy_of_the_page_forbids_everything_but_its_own_script(folder: Path) -> None:
+    page = (folder / "2.html").read_text(encoding="utf-8")
+    assert "default-src 'none'; script-src 'sha256-" in page
+    assert re.findall(r"""\b(?:src|href)=["'](?!data:)""", page) == []
+    assert re.findall(r"https?://(?!www\.w3\.org)", page) == []
+
+
+def test_the_same_command_gives_the_same_bytes(folder: Path, tmp_path: Path) -> None:
+    kinegrade("practice", "demo", "-o", tmp_path / "again.html", "--draws", "2")
+    assert (tmp_path / "again.html").read_bytes() == (folder / "2.html").read_bytes()
+
+
+def test_a_file_of_another_kind_is_refused(tmp_path: Path) -> None:
+    done = kinegrade("practice", "demo", "-o", tmp_path / "sheet.pdf", "--draws", "1")
+    assert done.exit_code == 2
+    assert "no HTML file - expected" in done.stderr or ".html" in done.stderr
+
+
+def test_a_package_holds_the_page_that_its_manifest_names(tmp_path: Path) -> None:
+    done = kinegrade("practice", "demo", "-o", tmp_path / "p.zip", "--draws", "1", "--scorm")
+    assert done.exit_code == 0, done.stderr
+    with ZipFile(tmp_path / "p.zip") as package:
+        manifest = ElementTree.fromstring(package.read("imsmanifest.xml"))
+        page = package.read("practice.html").decode()
+    names = {"cp": "http://www.imsproject.org/xsd/imscp_rootv1p1p2"}
+    resource = manifest.find("cp:resources/cp:resource", names)
+    assert resource is not None
+    assert resource.get("href") == "practice.html"
+    assert resource.get("{http://www.adlnet.org/xsd/adlcp_rootv1p2}scormtype") == "sco"
+    assert manifest.findtext("cp:metadata/cp:schemaversion", None, names) == "1.2"
+    assert "cmi.core.score.raw" in page
+
+
+def test_draws_that_differ_in_words_have_patterns_of_their_own() -> None:
+    pooled = pool_texts([["a 1\nb 2\n"], ["a 3\nc 2\n"]])
+    assert len(pooled.patterns) == 3
+    filled = [
+        "".join(str(piece) if isinstance(piece, str) else numbers.split()[piece]
+                for pattern, numbers in lines for piece in pooled.patterns[pattern])
+        for (lines,) in pooled.draws
+    ]  # fmt: skip
+    assert filled == ["a 1\nb 2\n", "a 3\nc 2\n"]

@@ -1,0 +1,117 @@
+"""The page in a real browser, opened from a file: it works, asks nothing of anybody, says nothing
+on the console.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from tests.practice.browser import Page, open_page
+from tests.small_class import kinegrade
+
+INPUTS = "document.querySelectorAll('section:first-of-type input[type=text]')"
+SAID = "document.querySelectorAll('section:first-of-type .verdict')"
+
+
+@pytest.fixture(scope="module", params=["en", "zh", "de"])
+def sheet(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    file = tmp_path_factory.mktemp("practice") / "practice.html"
+    done = kinegrade("practice", "demo", "-o", file, "--draws", "3", "--lang", request.param)
+    assert done.exit_code == 0, done.stderr
+    return file
+
+
+@pytest.fixture
+def page(sheet: Path) -> Iterator[Page]:
+    with open_page() as page:
+        page.open(sheet)
+        yield page
+
+
+def find_right_answers(page: Page) -> list[str]:
+    """What is baked for the first question's first draw."""
+    keys = page.run(
+        "unpack(document.querySelector('#baked').textContent)"
+        ".then(({ sheet }) => sheet.questions[0].draws[0].keys.map(([value]) => value))"
+    )
+    return [f"{float(value):.5g}" for value in keys]
+
+
+def test_a_student_types_and_reads_the_verdicts(page: Page) -> None:
+    right = find_right_answers(page)
+    page.run(f"{INPUTS}[0].focus()")
+    page.type(right[0].replace(".", ","))
+    page.press("Tab", 9)
+    page.type("abc")
+    page.press("Enter", 13, "\r")
+    kinds = page.run(f"[...{SAID}].map((each) => each.dataset.kind)")
+    assert kinds == ["right", "unreadable", "blank"]
+    assert '"abc"' in page.run(f"{SAID}[1].textContent")
+    assert page.run(f"{INPUTS}[1].getAttribute('aria-invalid')") == "true"
+    assert re.search(r"\b3\b.*\b34\b", page.run("document.querySelector('#score').textContent"))
+
+
+def test_the_solution_comes_step_by_step_and_then_answers_do_not_count(page: Page) -> None:
+    count = "document.querySelectorAll('section:first-of-type .steps > div').length"
+    page.run("document.querySelector('.hint').click()")
+    assert page.run(count) == 1
+    page.run("document.querySelector('.solution').click()")
+    assert page.run(count) > 2
+    assert page.run("document.querySelector('.hint').disabled")
+    page.run(f"{INPUTS}[0].value = '{find_right_answers(page)[0]}'")
+    page.run("document.querySelector('form').requestSubmit()")
+    assert page.run(f"{SAID}[0].dataset.kind") == "right"
+    assert re.search(r"\b0\b.*\b34\b", page.run("document.querySelector('#score').textContent"))
+
+
+def test_new_numbers_are_another_draw_with_its_own_figure(page: Page) -> None:
+    shown = "document.querySelector('section .statement').textContent"
+    figure = "document.querySelector('section .figure').innerHTML"
+    first, drawn = page.run(shown), page.run(figure)
+    page.run("document.querySelector('.another').click()")
+    assert page.run(shown) != first
+    assert page.run(figure) != drawn
+    page.run("for (let n = 0; n < 2; n += 1) document.querySelector('.another').click()")
+    assert page.run(shown) == first
+
+
+def test_every_draw_is_shown_whole(page: Page) -> None:
+    page.run(
+        "for (let n = 0; n < 3; n += 1) for (const box of document.querySelectorAll('section')) {"
+        " box.querySelector('.solution').click();"
+        " if (/undefined|NaN/.test(box.textContent)) throw new Error(box.textContent);"
+        " box.querySelector('.another').click(); }"
+    )
+
+
+def test_it_fits_a_telephone(page: Page) -> None:
+    page.ask(
+        "Emulation.setDeviceMetricsOverride",
+        width=360,
+        height=740,
+        deviceScaleFactor=1,
+        mobile=True,
+    )
+    page.run("for (const each of document.querySelectorAll('.solution')) each.click()")
+    assert page.run("document.documentElement.scrollWidth") <= 360
+
+
+def test_nothing_is_asked_of_anybody_or_said_on_the_console(page: Page, sheet: Path) -> None:
+    page.run("for (const each of document.querySelectorAll('button')) each.click()")
+    asked = [each["params"]["request"]["url"] for each in page.told if "request" in each["params"]]
+    assert set(asked) == {sheet.as_uri()}
+    assert [each for each in page.told if "request" not in each["params"]] == []
+
+
+def test_every_box_and_button_says_what_it_is(page: Page) -> None:
+    assert page.run(
+        "[...document.querySelectorAll('button, summary')].every((each) => each.textContent.trim())"
+        " && [...document.querySelectorAll('main input')].every((each) => each.labels.length"
+        " || each.getAttribute('aria-label'))"
+    )
+    marked = page.run("[...document.querySelectorAll('[id]')].map((each) => each.id)")
+    assert len(set(marked)) == len(marked)

@@ -1,0 +1,68 @@
+"""The page reads what people type as `kinegrade grade` does."""
+
+from __future__ import annotations
+
+from random import Random
+
+from kinegrade.grading.typed.answers import Reading, read
+from kinegrade.language.message import Message
+from kinegrade.sign_conventions import CONVENTIONS
+from tests.practice.node import read_in_node
+
+UNITS = ("m/s", "rad/s", "m/s^2", "rad/s^2", "deg", "mm", "1")
+# Where doubles and fractions are too large or too small is said in other words
+SIZES = {"beyond", "below", "not-finite"}
+USUAL = (
+    "0.25", "-1,5", "−8．６６×１０⁻¹ m/s", "1 234,5", "1.234,5", "1,234", "12 e3", ".5", "5.", "",
+    "--", "√3/2", "2 sqrt(3)/3", "5π/3", "2½", "1/2√3", "5-3", "(1/2)√3 m/s", "sqrt(-2)", "1/0",
+    "v_B = 3.2 m/s", "ω≈12 rad/s (clockwise)", "clockwise: 5", "↻ 3", "3 ↺", "逆时针 2.5 rad/s",
+    "-3 cw", "+3 to the left", "nach links 4", "ca. 7,25", "about 2 m/s", "30 rpm", "30 r/min",
+    "30 1/min", "2 Hz", "5 m s^-2", "5 ms⁻²", "5 m/s/s", "5 米/秒²", "5 metres per second squared",
+    "5 cm/s", "5 km/h", "5 ft/s", "45°", "45 deg", "π/4 rad", "π/4", "50 %", "3 apples", "3 4", "3;4",
+    "1e200", "3±0.1", "<b>1</b>", "0x10", "１２．５", "½ v_B =", "1.2.3", "1'000.5", "7 (m/s)",
+)  # fmt: skip
+PIECES = (
+    "3", "1,5", "0.25", "1/2", "√3", "sqrt(3)", "π", "*", "/", "+", "-", " ", "m/s", "rad/s", "°",
+    "cm", "cw", "逆时针", "(", ")", "^2", "e-3", "×10^-2", "½", "v_B =", "=", "ca.", "to the left",
+    "rpm", "1 234.5", "nach rechts", "米/秒", "Hz", "per second", "squared", "，", "。", "−", "'",
+    "m s⁻²", "[", "]", "2½", "un", "about ",
+)  # fmt: skip
+
+
+def compare_texts(texts: list[str], seed: int) -> None:
+    """Asserts that the script reads these texts as Python does, for asks chosen by a seed."""
+    random = Random(seed)
+    asked = [(random.choice(UNITS), random.choice((*CONVENTIONS, None))) for _ in texts]
+    cases = [
+        {"typed": text, "ask": {"unit": unit, "convention": convention, "sign": "x"}}
+        for text, (unit, convention) in zip(texts, asked, strict=True)
+    ]
+    for text, (unit, convention), found in zip(texts, asked, read_in_node(cases), strict=True):
+        expected = read(text, unit, convention=convention, sign="x")
+        where = f"{text!r} for {unit}, {convention}"
+        assert found["kind"] == expected.kind, where
+        assert found["reason"] in (name_reason(expected), *SIZES), where
+        if expected.value is not None:
+            assert abs(found["value"] - float(expected.value)) <= 1e-12 * abs(expected.value), where
+
+
+def name_reason(reading: Reading) -> str:
+    """The entry that says why, without its file."""
+    reason = reading.reason
+    return reason.key.partition(".")[2] if isinstance(reason, Message) else ""
+
+
+def compare_made_up(seed: int, count: int) -> None:
+    """The same for so many texts that are made of what people type."""
+    random = Random(seed)
+    texts = ["".join(random.choices(PIECES, k=random.randint(1, 5))) for _ in range(count)]
+    compare_texts(texts, seed)
+
+
+def test_usual_texts_are_read_as_in_a_file() -> None:
+    for seed in range(3):
+        compare_texts(list(USUAL), seed)
+
+
+def test_made_up_texts_are_read_as_in_a_file() -> None:
+    compare_made_up(7, 1000)
