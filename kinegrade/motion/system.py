@@ -20,6 +20,7 @@ from kinegrade.numbers.doubles import Doubles
 from kinegrade.numbers.number import Arithmetic, Number
 
 Row = NDArray[np.float64]
+_VANISHING = 1e-12  # of the greatest coefficient
 _INDEPENDENT = 1e-7  # of a row's length: what is left of it beside the rows before
 
 
@@ -36,7 +37,9 @@ class System:
         units = [self.size / lengths[rate] if rate in lengths else 1.0 for rate in self.rates]
         self.units = np.array([*units, 1.0 if moved.is_angle else self.size])
         self.weights = np.ones(0)
-        self.weights = 1.0 / np.abs(self.evaluate(np.zeros(len(self.units)))[1]).max(axis=1)
+        greatest = np.abs(self.evaluate(np.zeros(len(self.units)))[1]).max(axis=1)
+        # A row of an arm that stands along an axis vanishes at the instant
+        self.weights = 1.0 / np.where(greatest > _VANISHING * greatest.max(), greatest, self.size)
 
     def place(
         self, coordinates: Sequence[Number], moved: Number, arithmetic: Arithmetic

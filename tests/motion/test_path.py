@@ -13,7 +13,7 @@ from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.message import Message
 from kinegrade.mechanics.vector import Vector
 from kinegrade.motion.ends import Closed, Limit, Open
-from kinegrade.motion.path import Still, find_path
+from kinegrade.motion.path import MotionPath, Still, find_path
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.library.library import load_template
 from tests.motion.mechanisms import (
@@ -130,3 +130,13 @@ def test_positions_beyond_the_range_are_refused() -> None:
     assert str(refused.value) == (
         "the input does not reach that displacement: choose one from 0 to 6.283"
     )
+
+
+@pytest.mark.parametrize("at", ["0", "90", "180", "270"])
+def test_an_arm_along_an_axis_moves_like_any_other(at: str) -> None:
+    """One row of its vector equation vanishes at the instant."""
+    template = load_template("planetary-gear-external-rim-velocities")
+    path = find_path(solve_template(template, {"phi": at, "r1": "0.15", "r2": "0.2"}).motion)
+    assert isinstance(path, MotionPath)
+    assert path.end == Closed(pytest.approx(4 * math.tau, abs=1e-12), 4)
+    assert path.place(path.spread(101)).greatest <= 1e-12 * path.size
