@@ -17,6 +17,7 @@ SEEN_BY_OTHERS = {
     "legend": "the layout of the class report reads it",
     "more_complaints": "the layout of the class report reads it",
     "number_of_complaints": "the layout of the class report reads it",
+    "riders": "the script of a practice sheet reads it",
     "font": "openpyxl reads it",
     "StartElementHandler": "expat calls it",
     "EndElementHandler": "expat calls it",

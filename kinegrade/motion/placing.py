@@ -29,10 +29,10 @@ def place_mechanism(frames: Frames, at: Displacement) -> Mechanism:
     """The mechanism of frames of the instant at a displacement: its points, and the lines of its
     joints.
     """
-    return _Placing(frames, at).place_mechanism()
+    return Placing(frames, at).place_mechanism()
 
 
-class _Placing:
+class Placing:
     """Where the points and lines of each body are."""
 
     def __init__(self, frames: Frames, at: Displacement) -> None:
@@ -40,7 +40,7 @@ class _Placing:
         self.shifts = {name: at.move_chain(base.chain).shift for name, base in frames.bases.items()}
 
     def place(self, body: str, point: Vector) -> Vector:
-        """Where a place of a body is now."""
+        """Where a place of a body, given by where it is at the instant, is now."""
         if body == GROUND:
             return point
         start = self.mechanism.points[self.bases[body].point]

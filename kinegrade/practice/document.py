@@ -9,6 +9,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from kinegrade.practice.patterns import Line, Pattern
+from kinegrade.practice.poses import PracticeMotion
+from kinegrade.practice.skeleton import PracticeSkeleton
 from kinegrade.sign_conventions import Convention
 
 
@@ -55,23 +57,28 @@ class PracticeDraw:
     """The instance of a question with one set of numbers; `texts` are the statement, the figure,
     for each ask how far it may be off, and the parts of the worked solution. `follows` has the
     places of two asks, and what follows for the second from a value of the first: the coefficients
-    of its powers 0, 1 and 2.
+    of its powers 0, 1 and 2. `motion` is None for what cannot move.
     """
 
     texts: tuple[tuple[Line, ...], ...]
     keys: tuple[PracticeKey, ...]
     follows: tuple[str, ...]
+    motion: PracticeMotion | None
 
 
 @dataclass(frozen=True)
 class PracticeQuestion:
-    """A question with all its draws; `title` is HTML."""
+    """A question with all its draws; `title` is HTML. `skeleton` is that of their motions, None
+    where nothing moves; `followed` are the places of the asks that these have curves of.
+    """
 
     title: str
     asks: tuple[PracticeAsk, ...]
     rules: tuple[PracticeRule, ...]
     patterns: tuple[Pattern, ...]
     draws: tuple[PracticeDraw, ...]
+    skeleton: PracticeSkeleton | None
+    followed: tuple[int, ...]
 
 
 @dataclass(frozen=True)

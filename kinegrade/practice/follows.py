@@ -26,7 +26,7 @@ from kinegrade.students.mistaking.mistakes import convert_parameter
 _TRIED, _PROVED = (1.3, -0.7, 1.9), (0.6, 2.7, -1.6)
 _OF_ITS_SIGN = (1.3, 0.7, 1.9), (0.6, 2.7, 1.6)  # where magnitudes are taken of what follows
 _SAME = 1e-8
-_DIGITS = 11
+_DIGITS = 9
 Points = Sequence[tuple[float, float]]
 Shares = tuple[tuple[float, ...], tuple[float, ...]]
 

@@ -21,7 +21,7 @@ from kinegrade.problem.template.translated import Translated
 from kinegrade.stated_marking import find_identifier
 
 _DIGITS = 12  # of right answers
-_RATIO_DIGITS = 8
+_RATIO_DIGITS = 7
 _ZERO = 1e-12
 
 

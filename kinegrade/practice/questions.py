@@ -4,18 +4,27 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
+from typing import assert_never
 
+from kinegrade.cycles.curves import find_followed
+from kinegrade.cycles.graphs import name_input
+from kinegrade.exam.setting.setting import SetQuestion
 from kinegrade.figure.back_ends.svg import to_svg
 from kinegrade.language import Language
+from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.prose.html import write_page_line, write_page_prose
+from kinegrade.motion.path import MotionPath, Still, find_path
 from kinegrade.practice.document import PracticeDraw, PracticeQuestion
 from kinegrade.practice.drawn import DrawnQuestion
 from kinegrade.practice.follows import FollowTable
 from kinegrade.practice.keys import tabulate_keys
 from kinegrade.practice.patterns import pool_texts
+from kinegrade.practice.poses import PracticeMotion, write_motion
 from kinegrade.practice.sections import split_sections
+from kinegrade.practice.skeleton import PracticeSkeleton, make_skeleton
 from kinegrade.press.html.solution import IN_MATHML, write_blocks
 from kinegrade.press.places import locate_part
+from kinegrade.problem.template.template import Template
 from kinegrade.worked.solution import write_worked_solution
 
 
@@ -26,20 +35,53 @@ def make_question(
     Raises TypesetError for texts that cannot be shown.
     """
     first = drawn[0]
+    template = first.question.question.template
     asks = tuple(entry.ask.name for entry in first.question.asks)
-    follows = FollowTable(first.question.question.template, asks)
+    follows = FollowTable(template, asks)
+    movable = find_followed(template)
+    followed = tuple(place for place, name in enumerate(asks) if name in movable)
     pooled = pool_texts([tuple(_list_texts(each, language)) for each in drawn])
     table = tabulate_keys(drawn, follows.stages, shares)
+    paths = [find_path(each.question.drawn.solution.motion) for each in drawn]
+    curves = tuple(asks[place] for place in followed)
     return PracticeQuestion(
         write_page_line(first.sheet.title, locate_part(first.sheet.template, "title")),
         table.asks,
         table.rules,
         pooled.patterns,
         tuple(
-            PracticeDraw(texts, keys, follows.write(each.question))
-            for texts, keys, each in zip(pooled.draws, table.draws, drawn, strict=True)
+            PracticeDraw(
+                texts, keys, follows.write(each.question), _move(path, each.question, curves)
+            )
+            for texts, keys, each, path in zip(pooled.draws, table.draws, drawn, paths, strict=True)
         ),
+        _find_skeleton(paths, template, language),
+        followed,
     )
+
+
+def _move(
+    path: MotionPath | Still, question: SetQuestion, curves: tuple[str, ...]
+) -> PracticeMotion | None:
+    match path:
+        case MotionPath():
+            return write_motion(path, question.drawn.solution, curves)
+        case Still():
+            return None
+        case _:
+            assert_never(path)
+
+
+def _find_skeleton(
+    paths: Sequence[MotionPath | Still], template: Template, language: Language
+) -> PracticeSkeleton | None:
+    """What all draws that move have in common."""
+    path = next((each for each in paths if isinstance(each, MotionPath)), None)
+    if path is None:
+        return None
+    moves = open_catalogue(language).write(name_input(path))
+    unit = "°" if path.input.is_angle else "m"
+    return make_skeleton(path.motion.frames.mechanism, template.figure, moves, unit)
 
 
 def _list_texts(drawn: DrawnQuestion, language: Language) -> Iterator[str]:

@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 from functools import cache
 from importlib.resources import files
 
+_FOR_READERS = re.compile(
+    r"^ *(?://[^\n]*|/\*\*(?:(?!\*/).)*\*/) *\n|^ +", re.MULTILINE | re.DOTALL
+)
 READER = ("keyboard", "number", "formula", "unit", "sense", "answer")
 JUDGE = ("judge", "guess", "unpack", "follow")
-PAGE = ("words", "explain", "score", "question")
+MOTION = ("poses", "drawing", "graph", "motion")
+PAGE = ("words", "explain", "score", *MOTION, "question")
 
 
 @cache
@@ -19,7 +24,7 @@ def join_scripts(*, scorm: bool = False) -> str:
 
 
 def read_scripts(names: Iterable[str]) -> str:
-    """The files of these names, one after the other, without the comments for checkers."""
+    """The files of these names, one after the other, without comments and indentation."""
     folder = files("kinegrade.practice") / "scripts"
     texts = ((folder / f"{name}.js").read_text(encoding="utf-8") for name in names)
-    return "\n" + "\n".join(text.removeprefix("// @ts-check\n") for text in texts)
+    return "\n" + "".join(_FOR_READERS.sub("", text) for text in texts)

@@ -31,6 +31,7 @@ class PracticeWording:
 def collect_wording(language: Language) -> PracticeWording:
     """What the script says; of what is said on reading, all but the spellings that are read."""
     catalogue = open_catalogue(language)
+    motion = catalogue.raw("motion")
     practice, feedback = catalogue.raw("practice"), catalogue.raw("feedback")
     entries = read_entries(language, "typing").entries
     nouns = [key.partition(".")[2] for key, entry in entries.items() if NOUN in entry.flags]
@@ -43,6 +44,7 @@ def collect_wording(language: Language) -> PracticeWording:
         {
             **reading,
             **{key: feedback[key] for key in _GUESSES},
+            **{key: motion[key] for key in ("play", "stop")},
             **{key: practice[key] for key in _PRACTICE},
         },
         tuple(nouns),

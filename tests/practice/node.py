@@ -11,7 +11,8 @@ import msgspec
 import pytest
 
 from kinegrade.practice.document import PracticeSheet
-from kinegrade.practice.script import JUDGE, READER, read_scripts
+from kinegrade.practice.poses import PracticeMotion
+from kinegrade.practice.script import JUDGE, MOTION, READER, read_scripts
 from kinegrade.practice.vocabulary import list_vocabulary
 from tests.tools import complaint, missing_tools
 
@@ -36,6 +37,18 @@ const judged = sheet.questions.map((question, place) =>
   }));
 process.stdout.write(JSON.stringify(judged));
 """
+_MOVE = """
+const { motions, shares } = JSON.parse(require("fs").readFileSync(0, "utf8"));
+const shown = motions.map((motion) => {
+  const poses = new Poses(motion);
+  return shares.map((share) => {
+    const place = share * poses.last;
+    const rates = poses.rates(place);
+    return { input: poses.inputAt(place), points: poses.at(place), ...rates };
+  });
+});
+process.stdout.write(JSON.stringify({ shown, instants: motions.map((each) => new Poses(each).instant) }));
+"""
 Typed = Sequence[Sequence[Sequence[str]]]  # of a question, of a draw, for an ask
 
 
@@ -49,10 +62,15 @@ def judge_in_node(sheet: PracticeSheet, typed: Typed) -> list[list[list[dict[str
     return list(_run(_JUDGE, {"sheet": sheet, "typed": typed}))
 
 
+def move_in_node(motions: Sequence[PracticeMotion], shares: Sequence[float]) -> dict[str, Any]:
+    """For each motion what the script shows at shares of its cycle, and the place of its instant."""
+    return dict(_run(_MOVE, {"motions": motions, "shares": shares}))
+
+
 def _run(driver: str, given: Mapping[str, Any]) -> Any:
     if "node" in missing_tools():
         pytest.fail(complaint(missing_tools()), pytrace=False)
-    script = read_scripts((*READER, *JUDGE)) + driver
+    script = read_scripts((*READER, *JUDGE, *MOTION)) + driver
     told = msgspec.json.encode({"vocabulary": list_vocabulary(), **given}).decode()
     run = subprocess.run(
         ["node", "-e", script], input=told, capture_output=True, text=True, check=True

@@ -83,6 +83,7 @@ def test_every_draw_is_shown_whole(page: Page) -> None:
     page.run(
         "for (let n = 0; n < 3; n += 1) for (const box of document.querySelectorAll('section')) {"
         " box.querySelector('.solution').click();"
+        " box.querySelector('.motion').open = true;"
         " if (/undefined|NaN/.test(box.textContent)) throw new Error(box.textContent);"
         " box.querySelector('.another').click(); }"
     )
@@ -115,3 +116,55 @@ def test_every_box_and_button_says_what_it_is(page: Page) -> None:
     )
     marked = page.run("[...document.querySelectorAll('[id]')].map((each) => each.id)")
     assert len(set(marked)) == len(marked)
+
+
+SLIDER = "document.querySelector('.motion input[type=range]')"
+SHOWN = "document.querySelector('.motion output').textContent"
+
+
+def test_the_mechanism_moves_when_it_is_played_dragged_or_moved_by_a_key(page: Page) -> None:
+    page.run("document.querySelector('.motion').open = true")
+    page.run("new Promise((done) => setTimeout(done, 100))")
+    start = page.run(SHOWN)
+    assert start == "0°"
+    page.run("document.querySelector('.play').click()")
+    page.run("new Promise((done) => setTimeout(done, 400))")
+    page.run("document.querySelector('.play').click()")
+    played = page.run(SHOWN)
+    assert played != start
+    page.run(f"{SLIDER}.focus()")
+    page.press("ArrowRight", 39)
+    keyed = page.run(SHOWN)
+    assert keyed != played
+    place = page.run(
+        "(() => { const stage = document.querySelector('.stage svg');"
+        " stage.scrollIntoView();"
+        " const all = [...stage.querySelectorAll('.joint')].map((each) => each.getBoundingClientRect());"
+        " return { x: all[1].x + all[1].width / 2, y: all[1].y + all[1].height / 2 }; })()"
+    )
+    mouse = {"button": "left", "buttons": 1, "pointerType": "mouse"}
+    page.ask("Input.dispatchMouseEvent", type="mousePressed", clickCount=1, **place, **mouse)
+    page.ask(
+        "Input.dispatchMouseEvent", type="mouseMoved", x=place["x"] + 40, y=place["y"] + 40, **mouse
+    )
+    page.ask("Input.dispatchMouseEvent", type="mouseReleased", clickCount=1, **place, **mouse)
+    assert page.run(SHOWN) != keyed
+
+
+def test_nothing_moves_by_itself(page: Page) -> None:
+    page.run("for (const each of document.querySelectorAll('.motion')) each.open = true")
+    page.run("new Promise((done) => setTimeout(done, 300))")
+    assert page.run(SHOWN) == "0°"
+    assert page.run("document.getAnimations().length") == 0
+
+
+def test_arrows_and_curves_are_drawn(page: Page) -> None:
+    page.run("document.querySelector('.motion').open = true")
+    page.run("new Promise((done) => setTimeout(done, 100))")
+    arrows = "[...document.querySelectorAll('.stage .{}')].filter((each) => each.getAttribute('d'))"
+    assert page.run(f"{arrows.format('velocity')}.length") > 0
+    assert page.run(f"{arrows.format('acceleration')}.length") == 0
+    page.run("document.querySelector('.accelerations').click()")
+    assert page.run(f"{arrows.format('acceleration')}.length") > 0
+    assert page.run("document.querySelectorAll('section:first-of-type .graph .curve').length") == 3
+    assert not page.run("/NaN|undefined/.test(document.querySelector('.motion').innerHTML)")

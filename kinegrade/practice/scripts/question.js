@@ -23,6 +23,7 @@ class QuestionView {
     this.told = 0;
     this.spoilt = false;
     find(box, "h2").innerHTML = `${place + 1}. ${question.title}`;
+    this.motion = new MotionView(find(box, ".motion"), question, setting.words);
     this.rows = question.asks.map((ask, row) => this.addRow(ask, row));
     this.listen(".another", "click", () => this.show((this.number + 1) % question.draws.length));
     this.listen(".hint", "click", () => this.tellNext());
@@ -70,6 +71,7 @@ class QuestionView {
     this.sections = rest.slice(this.rows.length);
     find(this.box, ".statement").innerHTML = statement;
     showFigure(find(this.box, ".figure"), figure);
+    this.motion.take(this.draw);
     this.keys = readKeys(this.question, this.draw);
     this.rows.forEach((row, place) => {
       /** @type {HTMLInputElement} */ (find(row, "input")).value = "";

@@ -23,7 +23,7 @@
  * @property {Line[][]} texts
  * @property {[value: string, rule: number, ratios: string][]} keys
  * @property {string[]} follows
- * @property {string} motion
+ * @property {Motion | null} motion
  */
 
 /**
@@ -33,6 +33,8 @@
  * @property {Rule[]} rules
  * @property {(string | number)[][]} patterns
  * @property {Draw[]} draws
+ * @property {Skeleton | null} skeleton
+ * @property {number[]} followed the asks that have curves
  */
 
 /**

@@ -42,9 +42,9 @@ class Words {
     return String(part);
   }
 
-  /** @param {number} value @returns {string} six significant digits, with the language's mark */
-  writeNumber(value) {
-    const [mantissa, power] = value.toPrecision(6).split("e");
+  /** @param {number} value @param {number} [digits] @returns {string} with the language's mark */
+  writeNumber(value, digits = 6) {
+    const [mantissa, power] = value.toPrecision(digits).split("e");
     const plain = mantissa.includes(".") ? mantissa.replace(/\.?0+$/, "") : mantissa;
     const signed = plain.replace("-", "−").replace(".", this.wording.mark);
     return power ? `${signed}·10^${Number(power)}` : signed;

@@ -1,0 +1,148 @@
+"""The positions of a mechanism over its cycle, as few and as short numbers as show them truly: the
+script of a practice sheet interpolates between them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from kinegrade.cycles.curves import trace_curves
+from kinegrade.cycles.graphs import convert_displacements
+from kinegrade.motion.path import Array, MotionPath, Placement
+from kinegrade.practice.sampling import PoseTable, choose_poses
+from kinegrade.practice.skeleton import list_circles
+from kinegrade.problem.solution import Solution
+
+WIDTH, HEIGHT, MARGIN = 110.0, 84.0, 13.0  # millimetres
+FINE = 400  # steps of a millimetre
+CURVE_STEPS = 1000  # between the least and the greatest value of a curve
+_MOVED_STEPS = 200_000  # of the whole way of the input
+_ORDER = 4  # of the differences by which positions are written
+_NOTHING = 1e-9  # of a curve's greatest value
+
+
+@dataclass(frozen=True)
+class PracticeMotion:
+    """The positions of a draw: for each point x and y, then two points for each guide, rounded to
+    the `FINE`th part of a millimetre, y downwards, each a text of its differences; a coordinate
+    that stays is one number.
+
+    `moved` is how far the input has gone, in parts of `low` to `high`, `speed` and `acceleration`
+    those given; `radii` are in mm. `curves` are for some asks the least and greatest value and the
+    parts between, "" where there is none.
+    """
+
+    closed: bool
+    width: float
+    height: float
+    low: float
+    high: float
+    moved: str
+    speed: float
+    acceleration: float
+    radii: tuple[float, ...]
+    coordinates: tuple[str, ...]
+    curves: tuple[tuple[float, float, str], ...]
+
+
+@dataclass(frozen=True)
+class _Window:
+    """The part of the plane that is drawn, in m, and its scale."""
+
+    left: float
+    right: float
+    bottom: float
+    top: float
+
+    @property
+    def scale(self) -> float:
+        """Millimetres of a metre."""
+        across, upward = max(self.right - self.left, 1e-9), max(self.top - self.bottom, 1e-9)
+        return min((WIDTH - 2 * MARGIN) / across, (HEIGHT - 2 * MARGIN) / upward)
+
+    @property
+    def size(self) -> tuple[float, float]:
+        """Width and height of the drawing, mm."""
+        across = (self.right - self.left) * self.scale + 2 * MARGIN
+        return round(across, 2), round((self.top - self.bottom) * self.scale + 2 * MARGIN, 2)
+
+    def project(self, places: Array) -> Array:
+        """Rows of x and y in mm, y downwards."""
+        across = (places[0::2] - self.left) * self.scale + MARGIN
+        down = (self.top - places[1::2]) * self.scale + MARGIN
+        return np.stack([across, down], axis=1).reshape(places.shape)
+
+
+def write_motion(path: MotionPath, solution: Solution, asks: tuple[str, ...]) -> PracticeMotion:
+    """The motion of a draw, with the curves of these asks."""
+    table, window = frame_poses(path)
+    low, high = float(table.moved.min()), float(table.moved.max())
+    shown = convert_displacements(path, np.array([low, high, *_find_given_rates(path)]))
+    width, height = window.size
+    circles = list_circles(path.motion.frames.mechanism)
+    return PracticeMotion(
+        closed=path.is_closed,
+        width=width,
+        height=height,
+        low=float(shown[0]),
+        high=float(shown[1]),
+        moved=_write_differences((table.moved - low) / (high - low) * _MOVED_STEPS),
+        speed=float(shown[2]),
+        acceleration=float(shown[3]),
+        radii=tuple(round(float(each.radius) * window.scale, 2) for each in circles),
+        coordinates=tuple(_write_differences(row * FINE) for row in window.project(table.places)),
+        curves=tuple(_write_curves(solution, table.placement, asks)),
+    )
+
+
+def frame_poses(path: MotionPath) -> tuple[PoseTable, _Window]:
+    """The positions that are baked, and the window that holds all of them."""
+    table = choose_poses(path)
+    mechanism = path.motion.frames.mechanism
+    order = {name: 2 * place for place, name in enumerate(mechanism.points)}
+    across, upward = [table.places[0::2].ravel()], [table.places[1::2].ravel()]
+    for circle in list_circles(mechanism):
+        row, radius = order[circle.centre], float(circle.radius)
+        across += [table.places[row] - radius, table.places[row] + radius]
+        upward += [table.places[row + 1] - radius, table.places[row + 1] + radius]
+    x, y = np.concatenate(across), np.concatenate(upward)
+    return table, _Window(float(x.min()), float(x.max()), float(y.min()), float(y.max()))
+
+
+def _find_given_rates(path: MotionPath) -> tuple[float, float]:
+    """The velocity and the acceleration that are given for the leading driver."""
+    drivers = path.motion.frames.mechanism.drivers
+    stated = path.motion.frames.relations[-len(drivers) :][drivers.index(path.input.leading)]
+    return float(stated.velocity), float(stated.acceleration)
+
+
+def _write_curves(
+    solution: Solution, placement: Placement, asks: tuple[str, ...]
+) -> Iterator[tuple[float, float, str]]:
+    """The curves; what grows beyond bounds is cut off."""
+    for curve in trace_curves(solution, placement, asks):
+        low, high = curve.usual
+        known = np.nan_to_num(curve.values, nan=high)
+        values = np.clip(known, 2 * low - high, 2 * high - low)
+        least, most = float(values.min()), float(values.max())
+        width, size = most - least, max(abs(least), abs(most))
+        steps = (values - least) / width if width > _NOTHING * size else np.zeros(len(values))
+        low, high = (0.0 if abs(end) <= _NOTHING * size else end for end in (least, most))
+        yield float(f"{low:.4g}"), float(f"{high:.4g}"), _write_differences(steps * CURVE_STEPS)
+
+
+def _write_differences(values: Array) -> str:
+    """The first value and the first differences of each order below the last, then all of that
+    order, which are small where values change smoothly; a single number where they are all equal.
+    """
+    rest = np.rint(values).astype(int)
+    if not np.ptp(rest):
+        return str(rest[0])
+    first: list[int] = []
+    for _ in range(min(_ORDER, len(rest) - 1)):
+        first.append(int(rest[0]))
+        rest = np.diff(rest)
+    return " ".join(map(str, (*first, *rest.tolist())))

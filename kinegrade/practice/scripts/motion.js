@@ -1,0 +1,145 @@
+// @ts-check
+// The moving mechanism of a question: it is played, or its input is moved by hand.
+
+const CYCLE_SECONDS = 6;
+
+/** Shows the motions of a question's draws; `box` is the part of the page for them. */
+class MotionView {
+  /** @param {Element} box @param {Question} question @param {Words} words */
+  constructor(box, question, words) {
+    this.box = box;
+    this.question = question;
+    this.words = words;
+    this.place = 0;
+    this.sense = 1;
+    this.playing = 0;
+    /** @type {Poses | null} */
+    this.poses = null;
+    this.slider = /** @type {HTMLInputElement} */ (find(box, "input[type=range]"));
+    this.button = find(box, ".play");
+    this.stage = /** @type {SVGElement} */ (find(box, ".stage svg"));
+    this.slider.setAttribute("aria-label", question.skeleton?.input ?? "");
+    this.button.addEventListener("click", () => (this.playing ? this.stop() : this.play()));
+    this.slider.addEventListener("input", () => {
+      this.stop();
+      this.show(Number(this.slider.value));
+    });
+    for (const each of box.querySelectorAll("input[type=checkbox]")) {
+      each.addEventListener("change", () => this.show(this.place));
+    }
+    this.stage.addEventListener("pointerdown", (event) => this.grab(event));
+    box.addEventListener("toggle", () => this.open());
+  }
+
+  /** @param {Draw} draw the draw that is shown from now on */
+  take(draw) {
+    this.stop();
+    this.draw = draw;
+    this.poses = null;
+    this.box.toggleAttribute("hidden", !draw.motion);
+    this.open();
+  }
+
+  /** Draws what was not drawn as long as this part of the page was closed. */
+  open() {
+    const { draw, question } = this;
+    if (!this.box.hasAttribute("open")) this.stop();
+    if (!this.box.hasAttribute("open") || this.poses || !draw?.motion || !question.skeleton) return;
+    const poses = new Poses(draw.motion);
+    this.poses = poses;
+    this.drawing = new Drawing(this.stage, question.skeleton, poses);
+    const graphs = find(this.box, ".graphs");
+    graphs.replaceChildren();
+    this.graphs = question.followed.map(
+      (row, number) => new Graph(graphs, question.asks[row], draw.motion.curves[number], poses, this.words),
+    );
+    this.slider.max = String(poses.last);
+    this.sense = Math.sign(draw.motion.speed) || 1;
+    this.show(poses.instant);
+  }
+
+  /** @param {number} place */
+  show(place) {
+    if (!this.poses || !this.drawing) return;
+    this.place = place;
+    this.slider.value = String(place);
+    const wants = (/** @type {string} */ name) =>
+      /** @type {HTMLInputElement} */ (find(this.box, `.${name}`)).checked;
+    this.drawing.show(place, { velocities: wants("velocities"), accelerations: wants("accelerations") });
+    for (const graph of this.graphs ?? []) graph.show(place);
+    const { unit } = /** @type {Skeleton} */ (this.question.skeleton);
+    const moved = this.poses.inputAt(place);
+    const said = unit === "m" ? `${this.words.writeNumber(moved, 3)} m` : `${Math.round(moved)}°`;
+    find(this.box, "output").textContent = said;
+    this.slider.setAttribute("aria-valuetext", said);
+  }
+
+  play() {
+    this.button.textContent = this.words.say("stop");
+    let before = 0;
+    const advance = (/** @type {number} */ time) => {
+      if (before) this.advance((time - before) / 1000);
+      before = time;
+      this.playing = requestAnimationFrame(advance);
+    };
+    this.playing = requestAnimationFrame(advance);
+  }
+
+  stop() {
+    cancelAnimationFrame(this.playing);
+    this.playing = 0;
+    this.button.textContent = this.words.say("play");
+  }
+
+  /** @param {number} seconds forward, and back where the input cannot go on */
+  advance(seconds) {
+    if (!this.poses) return;
+    const { last, motion } = this.poses;
+    const next = this.place + (this.sense * last * seconds) / CYCLE_SECONDS;
+    if (motion.closed) this.show(((next % last) + last) % last);
+    else if (next < 0 || next > last) {
+      this.sense = -this.sense;
+      this.show(Math.min(Math.max(next, 0), last));
+    } else this.show(next);
+  }
+
+  /** @param {PointerEvent} event takes the nearest moving point along until it is let go */
+  grab(event) {
+    if (!this.poses || !this.drawing) return;
+    this.stop();
+    const here = this.locate(event);
+    const points = this.poses.at(this.place);
+    const distance = (/** @type {number} */ row) =>
+      Math.hypot(points[row][0] - here[0], points[row][1] - here[1]);
+    const [held] = this.drawing.listMoving().sort((one, other) => distance(one) - distance(other));
+    if (held === undefined) return;
+    const pull = (/** @type {PointerEvent} */ moved) => this.pull(held, this.locate(moved));
+    this.stage.setPointerCapture(event.pointerId);
+    this.stage.addEventListener("pointermove", pull);
+    const release = () => this.stage.removeEventListener("pointermove", pull);
+    this.stage.addEventListener("pointerup", release, { once: true });
+    this.stage.addEventListener("pointercancel", release, { once: true });
+  }
+
+  /** @param {number} row @param {[number, number]} to shows the nearest place not far from here */
+  pull(row, [x, y]) {
+    const poses = /** @type {Poses} */ (this.poses);
+    const { last, motion } = poses;
+    let [best, least] = [this.place, Infinity];
+    for (let shift = -last / 5; shift <= last / 5; shift += last / 400) {
+      const moved = this.place + shift;
+      const place = motion.closed ? ((moved % last) + last) % last : Math.min(Math.max(moved, 0), last);
+      const [left, top] = poses.at(place)[row];
+      const distance = Math.hypot(left - x, top - y) + (1e-3 * Math.abs(shift)) / last;
+      if (distance < least) [best, least] = [place, distance];
+    }
+    this.show(best);
+  }
+
+  /** @param {PointerEvent} event @returns {[number, number]} where it is in the drawing, in mm */
+  locate(event) {
+    const box = this.stage.getBoundingClientRect();
+    const scale = /** @type {Poses} */ (this.poses).motion.width / box.width;
+    return [(event.clientX - box.left) * scale, (event.clientY - box.top) * scale];
+  }
+}

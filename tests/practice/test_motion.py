@@ -1,0 +1,88 @@
+"""The moving mechanism of a page is where the engine says, and as fast."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from kinegrade.motion.path import MotionPath, find_path
+from kinegrade.motion.placing import find_carriers
+from kinegrade.practice.poses import frame_poses, write_motion
+from kinegrade.practice.skeleton import make_skeleton
+from kinegrade.problem.solving import solve_template
+from kinegrade.problem.template.library.library import find_template_names, load_template
+from tests.practice.node import move_in_node
+
+DRIVEN = [name for name in find_template_names() if load_template(name).scheme.drivers]
+SHARES = [0.013, 0.21, 0.377, 0.5, 0.642, 0.871, 0.97]
+PIXEL = 0.2  # millimetres: the page shows five pixels for each
+FEW = ("slider-crank", "four-bar-parallel-coupler", "bar-through-swivelling-sleeve")
+
+
+def find_motion(name: str) -> MotionPath:
+    path = find_path(solve_template(load_template(name), {}).motion)
+    assert isinstance(path, MotionPath)
+    return path
+
+
+@pytest.mark.parametrize("name", DRIVEN[::4])
+def test_positions_between_those_that_are_baked_are_the_engines(name: str) -> None:
+    solution = solve_template(load_template(name), {})
+    path = find_motion(name)
+    motion = write_motion(path, solution, ())
+    _, window = frame_poses(path)
+    (shown,) = move_in_node([motion], SHARES)["shown"]
+    inputs = np.array([each["input"] for each in shown])
+    places = path.place(np.radians(inputs) if path.input.is_angle else inputs)
+    points = places.frames.mechanism.points.values()
+    rows = np.array([np.broadcast_to(part, inputs.shape) for point in points for part in point])
+    expected = window.project(rows)
+    found = np.array([np.ravel(each["points"])[: len(expected)] for each in shown]).T
+    assert np.abs(found - expected).max() <= PIXEL
+
+
+@pytest.mark.parametrize("name", FEW)
+def test_arrows_are_the_velocities_and_accelerations_of_the_engine(name: str) -> None:
+    solution = solve_template(load_template(name), {})
+    path = find_motion(name)
+    table, window = frame_poses(path)
+    (shown,) = move_in_node([write_motion(path, solution, ())], SHARES[1:-1])["shown"]
+    inputs = np.array([each["input"] for each in shown])
+    moving = path.place(np.radians(inputs) if path.input.is_angle else inputs).motion
+    order = list(moving.points)
+    unit = window.scale * table.extent  # what is next to nothing beside v^2 / r
+    for point, body in find_carriers(path.motion.frames.mechanism).items():
+        for rate, read in (("velocities", moving.velocity), ("accelerations", moving.acceleration)):
+            vector = read(point, body) if body in moving.frames.bases else None
+            if vector is None:
+                continue
+            across, upward = (np.broadcast_to(part, inputs.shape) * window.scale for part in vector)
+            found = np.array([each[rate][order.index(point)] for each in shown])
+            size = np.hypot(across, upward)
+            missed = np.hypot(found[:, 0] - across, found[:, 1] + upward)
+            assert np.all(missed <= 0.02 * size.max() + 0.02 * unit), (point, rate)
+
+
+@pytest.mark.parametrize("name", FEW)
+def test_the_cycle_begins_at_the_instant(name: str) -> None:
+    solution = solve_template(load_template(name), {})
+    path = find_motion(name)
+    motion = write_motion(path, solution, ())
+    (place,) = move_in_node([motion], [0.0])["instants"]
+    last = motion.moved.count(" ")
+    (shown,) = move_in_node([motion], [place / (last + 1 if motion.closed else last)])["shown"]
+    assert shown[0]["input"] == pytest.approx(0.0, abs=0.1)
+
+
+def test_a_skeleton_has_what_moves() -> None:
+    template = load_template("slider-crank")
+    mechanism = find_motion("slider-crank").motion.frames.mechanism
+    skeleton = make_skeleton(mechanism, template.figure, "angle", "°")
+    order = list(mechanism.points)
+    assert {tuple(order[corner] for corner in bar) for bar in skeleton.bars} == {
+        ("O", "A"),
+        ("A", "B"),
+    }
+    assert [order[pivot] for pivot in skeleton.pivots] == ["O"]
+    assert [order[rider] for rider in skeleton.riders] == ["B"]
+    assert skeleton.blocks == (True,)
