@@ -23,17 +23,30 @@ WORDS = "practice"
 
 @dataclass(frozen=True)
 class Pair:
-    """A text, what the exam's marks say of it, and what the page says."""
+    """A text, what the exam's marks say of it, and what the page says; `is_cut_off` where the page
+    says that it cannot tell what follows.
+    """
 
     where: str
     typed: str
     marked: str
     shown: str
+    is_cut_off: bool
+
+    @property
+    def agrees(self) -> bool:
+        """Whether both say the same, but for what the page says it cannot tell."""
+        untold = self.is_cut_off and "follow-through" in (self.marked, self.shown)
+        return self.marked == self.shown or untold
 
 
 def compare_verdicts(bank: Path, folder: Path, draws: int, seed: int) -> list[Pair]:
     """The verdicts on answers to so many draws of a bank; a mistake is named behind its verdict."""
-    sheet = make_practice_sheet(kinegrade.Bank.read(bank).blueprint, draws, WORDS, ENGLISH).sheet
+    blueprint = kinegrade.Bank.read(bank).blueprint
+    sheet = make_practice_sheet(blueprint, draws, WORDS, ENGLISH).sheet
+    fewest = min(len(question.draws) for question in sheet.questions)
+    if fewest < draws:
+        return compare_verdicts(bank, folder, fewest, seed)
     random = Random(seed)
     typed = [
         [list(_type_answers(question, number, random)) for number in range(len(question.draws))]
@@ -50,6 +63,7 @@ def compare_verdicts(bank: Path, folder: Path, draws: int, seed: int) -> list[Pa
             typed[place][number][row],
             _describe(marked[f"draw-{number + 1}", f"q{place + 1}", ask.name]),
             " ".join((shown[place][number][row]["kind"], *shown[place][number][row]["mistakes"])),
+            shown[place][number][row]["cutOff"],
         )
         for place, question in enumerate(sheet.questions)
         for number in range(len(question.draws))

@@ -33,7 +33,9 @@ const judged = sheet.questions.map((question, place) =>
     const keys = readKeys(question, draw);
     const verdicts = question.asks.map((ask, row) =>
       judge(reader.read(typed[place][number][row], ask), keys[row]));
-    return followThrough(question, draw, keys, verdicts);
+    const judged = followThrough(question, draw, keys, verdicts);
+    const cutOff = isCutOff(question, draw, judged);
+    return judged.map((verdict) => ({ ...verdict, cutOff }));
   }));
 process.stdout.write(JSON.stringify(judged));
 """

@@ -7,6 +7,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from pathlib import Path
+from zipfile import ZipFile
 
 import pytest
 
@@ -168,3 +169,35 @@ def test_arrows_and_curves_are_drawn(page: Page) -> None:
     assert page.run(f"{arrows.format('acceleration')}.length") > 0
     assert page.run("document.querySelectorAll('section:first-of-type .graph .curve').length") == 3
     assert not page.run("/NaN|undefined/.test(document.querySelector('.motion').innerHTML)")
+
+
+RECORDING = (
+    "window.told = {}; window.API = { LMSInitialize: () => 'true', LMSCommit: () => 'true',"
+    " LMSFinish: () => 'true', LMSGetValue: () => PREVIOUS, LMSSetValue: (name, value) => { told[name] = value; return 'true'; } };"
+)
+
+
+@pytest.fixture(scope="module")
+def package(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = tmp_path_factory.mktemp("scorm")
+    done = kinegrade("practice", "demo", "-o", folder / "p.zip", "--draws", "1", "--scorm")
+    assert done.exit_code == 0, done.stderr
+    with ZipFile(folder / "p.zip") as package:
+        package.extract("practice.html", folder)
+    return folder / "practice.html"
+
+
+@pytest.mark.parametrize(("previous", "told"), [("", "9"), ("50", None)])
+def test_a_package_tells_the_score_unless_an_earlier_one_was_better(
+    package: Path, previous: str, told: str | None
+) -> None:
+    with open_page() as page:
+        source = RECORDING.replace("PREVIOUS", f"'{previous}'")
+        page.ask("Page.addScriptToEvaluateOnNewDocument", source=source)
+        page.open(package)
+        page.run(f"{INPUTS}[0].value = '{find_right_answers(page)[0]}'")
+        page.run("document.querySelector('form').requestSubmit()")
+        assert page.run("told['cmi.core.score.raw']") == told
+        if told is not None:
+            assert page.run("told['cmi.core.lesson_status']") == "incomplete"
+            assert page.run("told['cmi.core.score.max']") == "100"

@@ -44,17 +44,18 @@ class MotionView {
   open() {
     const { draw, question } = this;
     if (!this.box.hasAttribute("open")) this.stop();
-    if (!this.box.hasAttribute("open") || this.poses || !draw?.motion || !question.skeleton) return;
-    const poses = new Poses(draw.motion);
+    const motion = draw?.motion;
+    if (!this.box.hasAttribute("open") || this.poses || !motion || !question.skeleton) return;
+    const poses = new Poses(motion);
     this.poses = poses;
     this.drawing = new Drawing(this.stage, question.skeleton, poses);
     const graphs = find(this.box, ".graphs");
     graphs.replaceChildren();
     this.graphs = question.followed.map(
-      (row, number) => new Graph(graphs, question.asks[row], draw.motion.curves[number], poses, this.words),
+      (row, number) => new Graph(graphs, question.asks[row], motion.curves[number], poses, this.words),
     );
     this.slider.max = String(poses.last);
-    this.sense = Math.sign(draw.motion.speed) || 1;
+    this.sense = Math.sign(motion.speed) || 1;
     this.show(poses.instant);
   }
 

@@ -22,6 +22,10 @@ class QuestionView {
     this.number = 0;
     this.told = 0;
     this.spoilt = false;
+    /** @type {string[]} */
+    this.sections = [];
+    /** @type {Key[]} */
+    this.keys = [];
     find(box, "h2").innerHTML = `${place + 1}. ${question.title}`;
     this.motion = new MotionView(find(box, ".motion"), question, setting.words);
     this.rows = question.asks.map((ask, row) => this.addRow(ask, row));

@@ -4,6 +4,7 @@
 /**
  * @typedef {object} ScormApi
  * @property {(empty: "") => string} LMSInitialize
+ * @property {(name: string) => string} LMSGetValue
  * @property {(name: string, value: string) => string} LMSSetValue
  * @property {(empty: "") => string} LMSCommit
  * @property {(empty: "") => string} LMSFinish
@@ -23,18 +24,22 @@ function findScorm() {
 }
 
 const scorm = findScorm();
+let reported = 0; // per cent, perhaps of an earlier visit
 if (scorm) {
   scorm.LMSInitialize("");
+  reported = Number(scorm.LMSGetValue("cmi.core.score.raw")) || 0;
   addEventListener("pagehide", () => scorm.LMSFinish(""), { once: true });
 }
 
 /** @param {number} earned @param {number} points */
 function reportScore(earned, points) {
-  if (!scorm) return;
   const share = points ? earned / points : 0;
+  const score = Math.round(100 * share);
+  if (!scorm || score < reported) return;
+  reported = score;
   scorm.LMSSetValue("cmi.core.score.min", "0");
   scorm.LMSSetValue("cmi.core.score.max", "100");
-  scorm.LMSSetValue("cmi.core.score.raw", String(Math.round(100 * share)));
+  scorm.LMSSetValue("cmi.core.score.raw", String(score));
   scorm.LMSSetValue("cmi.core.lesson_status", share === 1 ? "completed" : "incomplete");
   scorm.LMSCommit("");
 }

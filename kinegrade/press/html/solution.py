@@ -41,16 +41,21 @@ _WHERE = Message("typesetting.place-worked-solution")
 
 @dataclass(frozen=True)
 class MathSetting:
-    """How formulas are written: in a row, on lines of their own, in a line of prose, in prose."""
+    """How formulas are written: in a row, on lines of their own, in a line of prose, in prose; and
+    the elements of the titles of chapters and steps.
+    """
 
     row: Callable[[Row], str]
     display: Callable[[Row], str]
     line: Callable[[str, Location], str]
     prose: Callable[[str, Location], str]
+    titles: tuple[str, str] = ("h4", "h5")
 
 
 FOR_MATHJAX = MathSetting(write_row_html, write_display_html, write_line, write_prose)
-IN_MATHML = MathSetting(write_mathml_row, write_mathml_row, write_page_line, write_page_prose)
+IN_MATHML = MathSetting(
+    write_mathml_row, write_mathml_row, write_page_line, write_page_prose, ("h3", "h4")
+)
 
 
 def write_blocks(
@@ -66,7 +71,7 @@ def write_blocks(
 def _write_block(block: Block, words: Catalogue, setting: MathSetting) -> str:
     match block:
         case Heading():
-            tag = "h4" if block.level == 1 else "h5"
+            tag = setting.titles[block.level - 1]
             return f"<{tag}>{setting.line(block.text, _WHERE)}</{tag}>\n"
         case Prose():
             return setting.prose(block.text, _WHERE)
@@ -102,11 +107,7 @@ def _write_terms(terms: Sequence[Term], words: Catalogue, setting: MathSetting) 
         (words.text("solution.layout.direction"), directions),
     ]
     written = "".join(
-        (
-            f'<tr><th scope="row">{write_plain_html(head)}</th>'
-            f"{''.join(map(_write_entry, cells))}</tr>\n"
-        )
-        for head, cells in rows
+        f"<tr>{_write_head(head)}{''.join(map(_write_entry, cells))}</tr>\n" for head, cells in rows
     )
     return f"<table><tbody>\n{written}</tbody></table>\n"
 
@@ -114,6 +115,11 @@ def _write_terms(terms: Sequence[Term], words: Catalogue, setting: MathSetting) 
 def _print_sign(term: Term) -> Row:
     """The sign of a term, with the room that it has between two terms."""
     return (Sign(term.sign), Group(())) if term.sign else ()
+
+
+def _write_head(head: str) -> str:
+    """What a row has, nothing for the row of the symbols."""
+    return f'<th scope="row">{write_plain_html(head)}</th>' if head else "<td></td>"
 
 
 def _write_entry(cell: str) -> str:

@@ -63,4 +63,5 @@ def test_the_blocks_one_by_one() -> None:
 
 def row(head: str, *cells: str) -> str:
     entries = (f'<td style="padding:0 .5em;text-align:center">{cell}</td>' for cell in cells)
-    return f'<tr><th scope="row">{head}</th>{"".join(entries)}</tr>'
+    first = f'<th scope="row">{head}</th>' if head else "<td></td>"
+    return f"<tr>{first}{''.join(entries)}</tr>"
