@@ -12,6 +12,7 @@ from kinegrade.exam.setting.setting import SetQuestion
 from kinegrade.figure.back_ends.svg import to_svg
 from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
+from kinegrade.language.decimal_mark import write_decimals_of_prose
 from kinegrade.language.prose.html import write_page_line, write_page_prose
 from kinegrade.motion.path import MotionPath, Still, find_path
 from kinegrade.practice.document import PracticeDraw, PracticeQuestion
@@ -91,7 +92,8 @@ def _list_texts(drawn: DrawnQuestion, language: Language) -> Iterator[str]:
     yield "" if sheet.figure is None else to_svg(sheet.figure)
     for row in sheet.rows:
         where = locate_part(sheet.template, "tolerance")
-        yield ", ".join(write_page_line(each, where) for each in row.tolerance)
+        lines = (write_decimals_of_prose(each, language) for each in row.tolerance)
+        yield ", ".join(write_page_line(each, where) for each in lines)
     asks = tuple(entry.ask.name for entry in question.asks)
     blocks = write_worked_solution(question.drawn.solution, asks, language).blocks
     for section in split_sections(blocks):

@@ -9,6 +9,9 @@ from zipfile import ZipFile
 
 import pytest
 
+import kinegrade as api
+from kinegrade.language import Language
+from kinegrade.practice.making import make_practice_sheet
 from kinegrade.practice.patterns import pool_texts
 from tests.small_class import kinegrade
 
@@ -72,3 +75,11 @@ def test_draws_that_differ_in_words_have_patterns_of_their_own() -> None:
         for (lines,) in pooled.draws
     ]  # fmt: skip
     assert filled == ["a 1\nb 2\n", "a 3\nc 2\n"]
+
+
+def test_numbers_have_the_decimal_mark_of_the_language() -> None:
+    blueprint = api.Bank.read("demo").blueprint
+    sheet = make_practice_sheet(blueprint, 1, "practice", Language("de")).sheet
+    patterns = [str(piece) for each in sheet.questions for line in each.patterns for piece in line]
+    written = "".join(patterns)
+    assert re.findall(r"<mn>[0-9]+\.[0-9]", written) == []
