@@ -19,6 +19,7 @@ from benchmarks.simulated_class import FIGURES, Answer, SimulatedClass
 from kinegrade.errors import KinegradeError
 from kinegrade.numbers.doubles import convert_number
 from kinegrade.numbers.elimination import Singular
+from kinegrade.numbers.floats import Floats
 from kinegrade.numbers.tolerance import USUAL_CARRY
 from kinegrade.problem.quantities.functions import needs_configurations
 from kinegrade.problem.solution import Solution
@@ -75,7 +76,7 @@ def write_givens(template: Template, values: Mapping[str, Any], jotting: Jotting
 
 def in_unit(value: float, ask: Ask) -> float:
     """A value of SI in the unit of an ask."""
-    return degrees(value) if ask.unit.degrees else value / convert_number(ask.unit.factor)
+    return degrees(value) if ask.unit.degrees else value / Floats().scale(ask.unit.scale)
 
 
 def mistaken_students(simulated: SimulatedClass, *, rounded: bool) -> Iterator[Answers]:

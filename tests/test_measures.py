@@ -57,7 +57,7 @@ FAR = {
     "syntax nodes": 589_688,
     "lines of code": 62_558,
     "syntax nodes a line": 9.43,
-    "modules of more than 250 lines": 14,
+    "modules of more than 250 lines": 15,
 }
 COPIED = """
 def total(rows, key):

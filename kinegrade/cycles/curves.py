@@ -16,6 +16,7 @@ from kinegrade.mechanics.geometry import make_constructions
 from kinegrade.motion.arrays import Arrays
 from kinegrade.motion.path import Array, Placement
 from kinegrade.numbers.doubles import convert_number
+from kinegrade.numbers.floats import Floats
 from kinegrade.problem.quantities.functions import make_quantities, needs_configurations
 from kinegrade.problem.quantities.reader import find_body_names
 from kinegrade.problem.solution import Solution
@@ -110,7 +111,7 @@ def _read_values(ask: Ask, solution: Solution, placement: Placement) -> Array:
     found = np.broadcast_to(np.asarray(number, dtype=float), shape)
     if ask.unit.degrees:
         return np.asarray(np.degrees(np.unwrap(found)))
-    return np.asarray(found / float(ask.unit.factor))
+    return np.asarray(found / Floats().scale(ask.unit.scale))
 
 
 def _list_fixed_values(values: Mapping[str, Any]) -> Iterator[tuple[str, Any]]:

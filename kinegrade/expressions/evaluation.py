@@ -23,8 +23,9 @@ from kinegrade.expressions.tree import (
     is_literal_zero,
 )
 from kinegrade.language.message import Message, Quoted
-from kinegrade.numbers.angle import Inexact
 from kinegrade.numbers.number import Arithmetic
+from kinegrade.numbers.pi_multiple import PiMultiple
+from kinegrade.numbers.refusals import Inexact
 from kinegrade.numbers.surd import MAX_HEIGHT, Surd, height
 
 _MAX_POWER = 16
@@ -94,7 +95,7 @@ def _raise_power(base: Any, exponent: Expression, arithmetic: Arithmetic) -> Any
     """
     power = read_whole_power(exponent)
     negative, size = power < 0, abs(power)
-    if isinstance(base, (fmpq, Surd)) and height(base) * size > MAX_HEIGHT:
+    if isinstance(base, (fmpq, Surd, PiMultiple)) and height(base) * size > MAX_HEIGHT:
         raise Inexact  # a power of too many digits
     try:
         raised = base**size

@@ -12,6 +12,8 @@ from typing import Any, Protocol
 
 from flint import arb, fmpq
 
+from kinegrade.numbers.pi_multiple import multiply_by_pi
+from kinegrade.numbers.refusals import Inexact
 from kinegrade.numbers.surd import Real, enclose_at_precision
 
 Direction = tuple[Real, Real]
@@ -25,10 +27,6 @@ class RootField(Protocol):
 
     def sign(self, number: Real) -> int:
         """-1, 0 or 1."""
-
-
-class Inexact(Exception):
-    """A value lies in no small exact field and has to be worked out with balls instead."""
 
 
 @dataclass(frozen=True)
@@ -50,7 +48,7 @@ class Angle:
     __radd__ = __add__
 
     def __neg__(self) -> Angle:
-        return self * fmpq(-1)
+        return self._times(fmpq(-1))
 
     def __sub__(self, other: Any) -> Angle:
         return self.__add__(-other)
@@ -58,14 +56,17 @@ class Angle:
     def __rsub__(self, other: Any) -> Angle:
         return (-self).__add__(other)
 
-    def __mul__(self, factor: Any) -> Angle:
+    def __mul__(self, factor: Any) -> Any:
         if not isinstance(factor, (int, fmpq)):
-            raise Inexact  # an angle times an irrational number
-        return Angle(
-            self.half_turns * factor, _merge(tuple((k * factor, v) for k, v in self.parts))
-        )
+            return self.as_number() * factor
+        return self._times(factor)
 
     __rmul__ = __mul__
+
+    def _times(self, factor: Any) -> Angle:
+        """The angle times a rational number."""
+        parts = tuple((share * factor, vector) for share, vector in self.parts)
+        return Angle(self.half_turns * factor, _merge(parts))
 
     def __truediv__(self, divisor: Any) -> Any:
         if not isinstance(divisor, Angle):
@@ -75,7 +76,18 @@ class Angle:
         return self.half_turns / divisor.half_turns
 
     def __rtruediv__(self, number: Any) -> Any:
-        raise Inexact  # a number over an angle
+        return number / self.as_number()
+
+    def __pow__(self, exponent: int) -> Any:
+        return self.as_number() ** exponent
+
+    def as_number(self) -> Any:
+        """A rational part of a turn as a multiple of pi, which is no angle any more. Raises Inexact
+        for an arctangent.
+        """
+        if self.parts:
+            raise Inexact  # an angle times an irrational number
+        return multiply_by_pi(self.half_turns, 1)
 
     def direction(self, field: RootField) -> Direction:
         """(cosine, sine) in `field`; raises Inexact where they lie in no small field."""

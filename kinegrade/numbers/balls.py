@@ -11,9 +11,11 @@ from typing import Any
 from flint import arb, ctx, fmpq
 
 from kinegrade.numbers.elimination import Contradiction, eliminate
-from kinegrade.numbers.magnitude import Magnitude
+from kinegrade.numbers.number import Magnitude
+from kinegrade.numbers.pi_multiple import PiMultiple
 from kinegrade.numbers.refusals import NegativeRoot, NoDirection
 from kinegrade.numbers.surd import Surd, enclose_at_precision
+from kinegrade.numbers.units import Scale
 
 PRECISIONS = (
     256,
@@ -50,7 +52,12 @@ class Balls(Magnitude):
 
     def number(self, rational: Any) -> Any:
         """An enclosure of a rational number or of an exact surd."""
-        return enclose_at_precision(rational) if isinstance(rational, Surd) else arb(fmpq(rational))
+        exact = rational if isinstance(rational, (Surd, PiMultiple)) else fmpq(rational)
+        return enclose_at_precision(exact)
+
+    def scale(self, scale: Scale) -> Any:
+        """An enclosure of what a unit is in SI."""
+        return arb(scale.rational) * arb.pi() ** scale.power
 
     def turns(self, half_turns: Any) -> Any:
         """The angle of `half_turns` times pi, in radians."""

@@ -13,11 +13,13 @@ from typing import Any
 
 from flint import arb, fmpq, fmpz
 
-from kinegrade.numbers.angle import Angle, Inexact
+from kinegrade.numbers.angle import Angle
 from kinegrade.numbers.elimination import Contradiction, eliminate
-from kinegrade.numbers.magnitude import Magnitude
-from kinegrade.numbers.refusals import NegativeRoot, NoDirection
+from kinegrade.numbers.number import Magnitude
+from kinegrade.numbers.pi_multiple import PiMultiple, multiply_by_pi, split_pi
+from kinegrade.numbers.refusals import Inexact, NegativeRoot, NoDirection
 from kinegrade.numbers.surd import MAX_HEIGHT, Real, Root, Surd, enclose, height, make_surd, sign
+from kinegrade.numbers.units import Scale
 
 MAX_LEVEL = 5  # degree 32: beyond it balls are faster (0.3 ms at level 2, 8 ms at level 5)
 _TRIAL_PRIMES = [p for p in range(2, 1000) if all(p % q for q in range(2, int(p**0.5) + 1))]
@@ -53,6 +55,10 @@ class Field(Magnitude):
         """A rational number."""
         return fmpq(rational)
 
+    def scale(self, scale: Scale) -> Real:
+        """What a unit is in SI, a rational times a power of pi."""
+        return multiply_by_pi(scale.rational, scale.power)
+
     def turns(self, half_turns: Any) -> Angle:
         """The angle of `half_turns` times pi. Raises Inexact for an irrational number of half
         turns.
@@ -80,6 +86,8 @@ class Field(Magnitude):
         """
         if sign(number) < 0:
             raise NegativeRoot
+        if isinstance(number, PiMultiple):
+            return multiply_by_pi(self.sqrt(number.coefficient), _halve_power(number.power))
         root = _square_root(number, self.roots)
         if root is None:
             root = self._adjoin(number)
@@ -123,6 +131,8 @@ class Field(Magnitude):
                 value.half_turns,
                 tuple((k, (self.embed(x), self.embed(y))) for k, (x, y) in value.parts),
             )
+        if isinstance(value, PiMultiple):
+            return PiMultiple(self.embed(value.coefficient), value.power)
         if not isinstance(value, Surd):
             return value
         return self.embed(value.a) + self.embed(value.b) * self.sqrt(
@@ -145,6 +155,7 @@ class Field(Magnitude):
         """
         if x == 0 and y == 0:
             raise NoDirection
+        y, x = _cancel_pi(y, x)
         nice = _recognise_angle(self, y, x)
         return nice if nice is not None else Angle(fmpq(0), ((fmpq(1), (x, y)),))
 
@@ -176,11 +187,28 @@ def _as_angle(value: Any) -> Angle:
     """An Angle unchanged; the number 0 as the zero angle; any other number has no exact sine."""
     if isinstance(value, Angle):
         return value
-    if not isinstance(value, (Surd, fmpq, int)):
+    if not isinstance(value, (PiMultiple, Surd, fmpq, int)):
         raise TypeError("an angle is a number or an Angle")
     if value == 0:
         return Angle(fmpq(0))
     raise Inexact  # the sine of a number of radians
+
+
+def _halve_power(power: int) -> int:
+    """The power of pi in a square root. Raises Inexact for an odd one under the root."""
+    if power % 2:
+        raise Inexact  # the root of pi
+    return power // 2
+
+
+def _cancel_pi(y: Real, x: Real) -> tuple[Real, Real]:
+    """The components of a vector without the power of pi that they share. Raises Inexact for
+    different ones.
+    """
+    (y, high), (x, wide) = split_pi(y), split_pi(x)
+    if y != 0 and x != 0 and high != wide:
+        raise Inexact  # a direction with pi in it
+    return y, x
 
 
 def _recognise_angle(field: Field, y: Real, x: Real) -> Angle | None:

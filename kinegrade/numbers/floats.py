@@ -10,8 +10,10 @@ from typing import Any
 import numpy as np
 
 from kinegrade.numbers.elimination import Singular
-from kinegrade.numbers.magnitude import Magnitude
+from kinegrade.numbers.number import Magnitude
+from kinegrade.numbers.pi_multiple import PiMultiple
 from kinegrade.numbers.surd import Surd
+from kinegrade.numbers.units import Scale
 
 # Rows of unit and metre mixed have condition numbers to 1e6; dependent ones leave about 1e-16
 DEPENDENT = 1e-13
@@ -41,7 +43,13 @@ class Floats(Magnitude):
         """A rational or exact number as a double; arrays stay arrays."""
         if isinstance(rational, (np.ndarray, int, float)):
             return rational
-        return float(rational) if isinstance(rational, Surd) else int(rational.p) / int(rational.q)
+        if isinstance(rational, (Surd, PiMultiple)):
+            return float(rational)
+        return int(rational.p) / int(rational.q)
+
+    def scale(self, scale: Scale) -> float:
+        """What a unit is in SI as a double."""
+        return float(self.number(scale.rational)) * np.pi**scale.power
 
     def turns(self, half_turns: Any) -> Any:
         """The angle of `half_turns` times pi, in radians."""

@@ -11,6 +11,8 @@ from collections.abc import Sequence
 from contextlib import AbstractContextManager
 from typing import Any, Protocol
 
+from kinegrade.numbers.units import Scale
+
 
 class Number(Protocol):
     """A number of any arithmetic, or an array of them.
@@ -69,6 +71,18 @@ class Rooted(Protocol):
         """The positive square root. Raises ValueError below zero, or gives NaN."""
 
 
+class Magnitude:
+    """Gives an arithmetic its `magnitude`."""
+
+    def magnitude(self: Rooted, x: Any, y: Any) -> Number:
+        """The length of the vector (x, y); along an axis without a root, which the field might not
+        have.
+        """
+        if self.is_zero(x):
+            return abs(y)  # type: ignore[no-any-return]
+        return abs(x) if self.is_zero(y) else self.sqrt(x * x + y * y)
+
+
 class Arithmetic(Solver, Rooted, Protocol):
     """All that is done with numbers of one kind beside adding, multiplying and dividing.
 
@@ -89,6 +103,9 @@ class Arithmetic(Solver, Rooted, Protocol):
 
     def number(self, rational: Any) -> Any:
         """A rational number as one of this arithmetic."""
+
+    def scale(self, scale: Scale) -> Any:
+        """What a unit is in SI, as one of this arithmetic."""
 
     def turns(self, half_turns: Any) -> Any:
         """The angle of `half_turns` times pi."""

@@ -9,3 +9,7 @@ class NegativeRoot(ValueError):
 
 class NoDirection(ValueError):
     """The direction of a zero vector."""
+
+
+class Inexact(Exception):
+    """A value lies in no small exact field and has to be worked out with balls instead."""

@@ -17,7 +17,7 @@ from typing import Any
 
 from flint import arb, ctx, fmpq
 
-Real = Any  # flint.fmpq or Surd: flint ships no types
+Real = Any  # flint.fmpq, Surd or PiMultiple: flint ships no types
 _MAX_SIGN_PRECISION = 1 << 16
 # Bits of a coefficient: some 5,000 digits; beyond it balls serve better, and hostile powers end
 MAX_HEIGHT = 1 << 14
@@ -93,7 +93,9 @@ class Surd:
     def __truediv__(self, other: Real) -> Real:
         if isinstance(other, Surd):
             return self * other.inverse()
-        return Surd(self.root, self.a / other, self.b / other)
+        if isinstance(other, (fmpq, int)):
+            return Surd(self.root, self.a / other, self.b / other)
+        return NotImplemented
 
     def __rtruediv__(self, other: Real) -> Real:
         return self.inverse() * other
@@ -132,6 +134,27 @@ class Surd:
     def __float__(self) -> float:
         return float(enclose(self, 96))
 
+    def ball(self) -> Any:
+        """The number as an enclosure at the working precision."""
+        root = enclose_at_precision(self.root.radicand).sqrt()
+        return enclose_at_precision(self.a) + enclose_at_precision(self.b) * root
+
+    def sign(self) -> int:
+        """-1 or 1. Exact: a form that is not zero is separated from zero by raising the
+        precision.
+        """
+        precision = 64
+        while precision <= _MAX_SIGN_PRECISION:
+            value = enclose(self, precision)
+            if 0 not in value:
+                return 1 if value > 0 else -1
+            precision *= 2
+        raise ArithmeticError("the sign of an exact number could not be separated from zero")
+
+    def height(self) -> int:
+        """The bits of the longest numerator or denominator among the rational coefficients."""
+        return max(height(self.a), height(self.b))
+
     def __repr__(self) -> str:
         return f"Surd({self.a} + {self.b}*sqrt({self.root.radicand}))"
 
@@ -143,9 +166,9 @@ def make_surd(root: Root, a: Real, b: Real) -> Real:
 
 def height(number: Real) -> int:
     """The bits of the longest numerator or denominator among the number's rational coefficients."""
-    if isinstance(number, Surd):
-        return max(height(number.a), height(number.b))
-    return max(int(number.p).bit_length(), int(number.q).bit_length())
+    if isinstance(number, fmpq):
+        return max(int(number.p).bit_length(), int(number.q).bit_length())
+    return int(number.height())
 
 
 def _require_same_tower(first: Surd, second: Surd) -> None:
@@ -156,12 +179,7 @@ def _require_same_tower(first: Surd, second: Surd) -> None:
 
 def enclose_at_precision(number: Real) -> Any:
     """An enclosure of `number` as a `flint.arb` at the working precision."""
-    if isinstance(number, Surd):
-        return (
-            enclose_at_precision(number.a)
-            + enclose_at_precision(number.b) * enclose_at_precision(number.root.radicand).sqrt()
-        )
-    return arb(number)
+    return arb(number) if isinstance(number, (fmpq, int)) else number.ball()
 
 
 def enclose(number: Real, precision: int) -> Any:
@@ -171,17 +189,7 @@ def enclose(number: Real, precision: int) -> Any:
 
 
 def sign(number: Real) -> int:
-    """-1, 0 or 1. Exact: a form that is not zero is separated from zero by raising the
-    precision.
-    """
-    if not isinstance(number, Surd):
+    """-1, 0 or 1, decided exactly."""
+    if isinstance(number, (fmpq, int)):
         return int(number > 0) - int(number < 0)
-    precision = 64
-    while precision <= _MAX_SIGN_PRECISION:
-        value = enclose(number, precision)
-        if value > 0:
-            return 1
-        if value < 0:
-            return -1
-        precision *= 2
-    raise ArithmeticError("the sign of an exact number could not be separated from zero")
+    return int(number.sign())

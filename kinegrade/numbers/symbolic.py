@@ -12,6 +12,7 @@ from flint import arb, fmpq
 from sympy import Expr, Float, Integer, Rational, atan2, expand, oo, pi, sqrt
 
 from kinegrade.numbers.angle import Angle
+from kinegrade.numbers.pi_multiple import PiMultiple
 from kinegrade.numbers.surd import Surd
 
 SympyExpression: TypeAlias = Expr
@@ -40,6 +41,8 @@ def convert_to_sympy(number: Any, *, degrees: bool = False) -> SympyExpression:
 
 
 def _convert_surd(number: Any) -> Expr:
+    if isinstance(number, PiMultiple):
+        return _convert_surd(number.coefficient) * pi**number.power
     if isinstance(number, Surd):
         root = sqrt(_convert_surd(number.root.radicand))
         return _convert_surd(number.a) + _convert_surd(number.b) * root

@@ -12,6 +12,7 @@ from flint import arb, ctx, fmpq
 
 from kinegrade.numbers.angle import Angle
 from kinegrade.numbers.field import split_square
+from kinegrade.numbers.pi_multiple import split_pi
 from kinegrade.numbers.surd import Real, Root, Surd, enclose_at_precision, sign
 
 
@@ -23,11 +24,31 @@ class Form:
     product: str
     fraction: str
     pi: str
+    power: str
     arctangent: str
+    bracket: str
+
+    def write_pi(self, power: int) -> str:
+        """A positive power of pi."""
+        return self.pi if power == 1 else self.power.format(self.pi, power)
+
+    def divide(self, above: str, below: list[str]) -> str:
+        """A product over the product of `below`."""
+        product = self.product.join(below)
+        single = len(below) == 1
+        return self.fraction.format(above, product if single else self.bracket.format(product))
 
 
-_PLAIN = Form("sqrt({})", "*", "{}/{}", "pi", "atan({})")
-LATEX = Form(r"\sqrt{{{}}}", " ", r"\frac{{{}}}{{{}}}", r"\pi", r"\arctan\left({}\right)")
+_PLAIN = Form("sqrt({})", "*", "{}/{}", "pi", "{}**{}", "atan({})", "({})")
+LATEX = Form(
+    r"\sqrt{{{}}}",
+    " ",
+    r"\frac{{{}}}{{{}}}",
+    r"\pi",
+    "{}^{{{}}}",
+    r"\arctan\left({}\right)",
+    "{}",
+)
 
 
 def write_exact(number: Real, form: Form = _PLAIN) -> str:
@@ -37,13 +58,8 @@ def write_exact(number: Real, form: Form = _PLAIN) -> str:
     >>> write_exact(2 / Field().sqrt(fmpq(3)))
     '2*sqrt(3)/3'
     """
-    parts = [
-        _write_signed_term(factor, free, nested, form)
-        for factor, free, _, nested in expand_radicals(number)
-    ]
-    if not parts:
-        return "0"
-    return _join_terms(parts)
+    parts = [_write_signed_term(term, form) for term in expand_radicals(number)]
+    return _join_terms(parts) if parts else "0"
 
 
 def _join_terms(parts: list[tuple[bool, str]]) -> str:
@@ -55,10 +71,21 @@ def _join_terms(parts: list[tuple[bool, str]]) -> str:
     return text
 
 
-def expand_radicals(number: Real) -> list[tuple[Any, int, tuple[str, ...], tuple[Root, ...]]]:
-    """The number as a sum: (rational factor, integer under one root, keys of nested roots, the
-    nested roots), in the order in which it is written.
+@dataclass(frozen=True)
+class Term:
+    """factor * sqrt(free) * the nested roots * pi**power: a rational factor and an integer `free`,
+    1 where there is no plain root.
     """
+
+    factor: Any
+    free: int
+    nested: tuple[Root, ...]
+    power: int
+
+
+def expand_radicals(number: Real) -> list[Term]:
+    """The number as a sum, in the order in which it is written."""
+    number, power = split_pi(number)
     collected: dict[tuple[int, tuple[Root, ...]], Any] = {}
     for factor, roots in _expand_products(number):
         plain = 1
@@ -69,11 +96,16 @@ def expand_radicals(number: Real) -> list[tuple[Any, int, tuple[str, ...], tuple
         key = (free, nested)
         collected[key] = collected.get(key, fmpq(0)) + factor * square
     terms = (
-        (factor, free, tuple(write_exact(r.radicand) for r in nested), nested)
+        Term(factor, free, nested, power)
         for (free, nested), factor in collected.items()
         if factor != 0
     )
-    return sorted(terms, key=lambda term: (term[0] < 0, term[2], term[1]))
+    return sorted(terms, key=_order_term)
+
+
+def _order_term(term: Term) -> tuple[bool, tuple[str, ...], int]:
+    """Positive terms first, then by their roots."""
+    return term.factor < 0, tuple(write_exact(root.radicand) for root in term.nested), term.free
 
 
 def _expand_products(
@@ -87,16 +119,16 @@ def _expand_products(
         yield number, roots
 
 
-def _write_signed_term(
-    factor: Any, free: int, nested: tuple[Root, ...], form: Form
-) -> tuple[bool, str]:
+def _write_signed_term(term: Term, form: Form) -> tuple[bool, str]:
     """(negative, text of the absolute value) of one term."""
-    radicals = [form.root.format(free)] if free != 1 else []
-    radicals += [form.root.format(write_exact(root.radicand, form)) for root in nested]
-    size = abs(factor)
-    above = ([str(size.p)] if size.p != 1 or not radicals else []) + radicals
-    text = form.product.join(above)
-    return factor < 0, text if size.q == 1 else form.fraction.format(text, size.q)
+    factors = [form.root.format(term.free)] if term.free != 1 else []
+    factors += [form.root.format(write_exact(root.radicand, form)) for root in term.nested]
+    factors += [form.write_pi(term.power)] if term.power > 0 else []
+    size = abs(term.factor)
+    above = form.product.join(([str(size.p)] if size.p != 1 or not factors else []) + factors)
+    below = [str(size.q)] if size.q != 1 else []
+    below += [form.write_pi(-term.power)] if term.power < 0 else []
+    return term.factor < 0, form.divide(above, below) if below else above
 
 
 def write_angle(angle: Angle, degrees: bool, form: Form = _PLAIN) -> str:

@@ -1,14 +1,14 @@
 """Units as textbooks write them: factors to SI, and how they print.
 
-Internally, everything is in SI with angles in radians; degrees and millimetres are used only for
-input and output. A unit is a product of powers, `m/s^2`, `rad/s`, `1`; hertz is not radians per
-second and is not known here.
+Internally, everything is in SI with angles in radians; degrees, revolutions and millimetres are
+used only for input and output. A unit is a product of powers, `m/s^2`, `rad/s`, `r/min`, `1`; hertz
+is not radians per second and is not known here.
 """
 
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from flint import fmpq
@@ -16,36 +16,61 @@ from flint import fmpq
 from kinegrade.errors import ExpressionError, find_nearest
 from kinegrade.language.message import Fault, Message, Quoted, list_choices, list_plainly
 
-FACTORS: dict[str, tuple[Any, str]] = {
-    "m": (fmpq(1), "length"),
-    "cm": (fmpq(1, 100), "length"),
-    "mm": (fmpq(1, 1000), "length"),
-    "km": (fmpq(1000), "length"),
-    "in": (fmpq(127, 5000), "length"),
-    "ft": (fmpq(381, 1250), "length"),
-    "s": (fmpq(1), "time"),
-    "min": (fmpq(60), "time"),
-    "h": (fmpq(3600), "time"),
-    "rad": (fmpq(1), "angle"),
-    "deg": (fmpq(1), "angle"),
-    "1": (fmpq(1), "number"),
+
+@dataclass(frozen=True)
+class Scale:
+    """What a unit is in SI: rational * pi**power, exactly."""
+
+    rational: Any
+    power: int = 0
+
+    def __mul__(self, other: Scale) -> Scale:
+        return Scale(self.rational * other.rational, self.power + other.power)
+
+    def __truediv__(self, other: Scale) -> Scale:
+        return Scale(self.rational / other.rational, self.power - other.power)
+
+    def __pow__(self, exponent: int) -> Scale:
+        return Scale(self.rational**exponent, self.power * exponent)
+
+
+ONE = Scale(fmpq(1))
+SCALES: dict[str, tuple[Scale, str]] = {
+    "m": (ONE, "length"),
+    "cm": (Scale(fmpq(1, 100)), "length"),
+    "mm": (Scale(fmpq(1, 1000)), "length"),
+    "km": (Scale(fmpq(1000)), "length"),
+    "in": (Scale(fmpq(127, 5000)), "length"),
+    "ft": (Scale(fmpq(381, 1250)), "length"),
+    "s": (ONE, "time"),
+    "min": (Scale(fmpq(60)), "time"),
+    "h": (Scale(fmpq(3600)), "time"),
+    "rad": (ONE, "angle"),
+    "deg": (Scale(fmpq(1, 180), 1), "angle"),
+    "r": (Scale(fmpq(2), 1), "angle"),
+    "1": (ONE, "number"),
 }
-HALF_TURNS: dict[str, Any] = {
-    "deg": fmpq(1, 180),
-    "turn": fmpq(2),
-}  # angles as exact parts of pi radians
+TYPED: dict[str, tuple[Scale, str]] = {
+    **SCALES,
+    "turn": SCALES["r"],
+    "dm": (Scale(fmpq(1, 10)), "length"),
+    "%": (Scale(fmpq(1, 100)), "number"),
+}  # with those that are read behind answers alone
+SHORT = {"rpm": "r/min"}  # units with a name of their own
+_TURNING = ("deg", "r")  # angles that stand for themselves or in rates
 _PART = re.compile(r"(?P<mark>[*/]?)(?P<name>[a-z]+|1)(?:\^(?P<power>-?[1-4]))?", re.ASCII)
 
 
 @dataclass(frozen=True)
 class Unit:
-    """A unit: its text, its factor to SI (degrees excepted: see `degrees`), and its dimension.
+    """A unit: its text, its scale to SI, and its dimension. An angle in degrees, though, enters and
+    leaves as an `Angle`: see `degrees`.
 
     `length` and `time` are exponents; `angle` distinguishes radians from plain numbers.
     """
 
     text: str
-    factor: Any
+    scale: Scale
     length: int
     time: int
     angle: int
@@ -54,6 +79,11 @@ class Unit:
     def degrees(self) -> bool:
         """Whether this is the degree, which enters and leaves as an angle and not by a factor."""
         return self.text == "deg"
+
+    @property
+    def is_si(self) -> bool:
+        """Whether its numbers are those of SI; degrees count, as angles have no other numbers."""
+        return self.scale == ONE or self.degrees
 
     @property
     def is_length(self) -> bool:
@@ -79,8 +109,8 @@ class Unit:
 def _explain_unknown(text: str, name: str) -> ExpressionError:
     """The error for a unit that has a part that is none."""
     what = Message("expression.unit", unit=Quoted(text))
-    expected = Message("expression.unit-like", units=list_plainly(sorted(FACTORS)))
-    near = find_nearest(name, FACTORS)
+    expected = Message("expression.unit-like", units=list_plainly(sorted((*SCALES, *SHORT))))
+    near = find_nearest(name, (*SCALES, *SHORT))
     names = list_choices(map(Quoted, near))
     do = Message("grammar.did-you-mean", names=names) if near else ""
     return ExpressionError(Fault("", what, expected, do))
@@ -89,18 +119,28 @@ def _explain_unknown(text: str, name: str) -> ExpressionError:
 def read_unit(text: str) -> Unit:
     """The unit written as `text`. Raises ExpressionError for an unknown unit.
 
-    >>> read_unit("mm/s^2").factor, read_unit("rad/s").angle
-    (1/1000, 1)
+    >>> read_unit("mm/s^2").scale, read_unit("r/min").scale
+    (Scale(rational=1/1000, power=0), Scale(rational=1/30, power=1))
     """
-    factor, exponents, place = fmpq(1), {"length": 0, "time": 0, "angle": 0, "number": 0}, 0
+    if text in SHORT:
+        return replace(read_unit(SHORT[text]), text=text)
+    scale, place, turning = ONE, 0, False
+    exponents = {"length": 0, "time": 0, "angle": 0, "number": 0}
     while place < len(text) or not place:
         match = _PART.match(text, place)
-        if match is None or match["name"] not in FACTORS or (place > 0) != bool(match["mark"]):
+        if match is None or match["name"] not in SCALES or (place > 0) != bool(match["mark"]):
             raise _explain_unknown(text, match["name"] if match else text[place:])
-        size, dimension = FACTORS[match["name"]]
+        size, dimension = SCALES[match["name"]]
         power = int(match["power"] or 1) * (-1 if match["mark"] == "/" else 1)
-        factor, place = factor * size**power, match.end()
+        scale, place = scale * size**power, match.end()
         exponents[dimension] += power
-    if "deg" in text and text != "deg":
+        turning = turning or match["name"] in _TURNING
+    unit = Unit(text, scale, exponents["length"], exponents["time"], exponents["angle"])
+    if turning and not (unit.degrees or _is_rate(unit)):
         raise ExpressionError(Message("expression.degrees-alone", unit=Quoted(text)))
-    return Unit(text, factor, exponents["length"], exponents["time"], exponents["angle"])
+    return unit
+
+
+def _is_rate(unit: Unit) -> bool:
+    """Whether a unit is one of angular velocities or accelerations."""
+    return (unit.length, unit.angle) == (0, 1) and unit.time in (-1, -2)

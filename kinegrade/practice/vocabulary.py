@@ -7,10 +7,10 @@ from __future__ import annotations
 from typing import Any
 
 from kinegrade.grading.typed.sense import SENSE_WORDS
-from kinegrade.grading.typed.unit_spelling import SHORT_UNITS, find_size, list_unit_names
+from kinegrade.grading.typed.unit_spelling import SHORT_UNITS, list_unit_names
 from kinegrade.language.message import Message
 from kinegrade.language.spellings import is_written_apart, list_spellings
-from kinegrade.numbers.units import HALF_TURNS
+from kinegrade.numbers.units import TYPED
 
 _WORDS = {
     "about": Message("marking.about"),
@@ -38,5 +38,5 @@ def list_vocabulary() -> dict[str, Any]:
 
 
 def _describe_unit(name: str) -> tuple[str, tuple[float, int, str]]:
-    size, dimension = find_size(name)
-    return name, (float(size), int(name in HALF_TURNS), dimension)
+    scale, dimension = TYPED[name]
+    return name, (float(scale.rational), scale.power, dimension)

@@ -24,8 +24,10 @@ from kinegrade.mechanics.joints import Circle, Joint, Line
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.sentence import DriverParts, JointParts
 from kinegrade.mechanics.vector import Vector
-from kinegrade.numbers.angle import Angle, Inexact
+from kinegrade.numbers.angle import Angle
 from kinegrade.numbers.number import Arithmetic
+from kinegrade.numbers.pi_multiple import PiMultiple
+from kinegrade.numbers.refusals import Inexact
 from kinegrade.numbers.surd import MAX_HEIGHT, Surd, height
 from kinegrade.problem.template.sentences import DriverSentence, JointSentence
 from kinegrade.problem.template.template import Parameter, Template
@@ -58,7 +60,7 @@ def read_parameter(parameter: Parameter, tree: Expression, arithmetic: Arithmeti
         raise ExpressionError(Message("template.number-expected"))
     if isinstance(value, Angle):
         raise Inexact  # a number with pi in it
-    return value * arithmetic.number(parameter.unit.factor)
+    return value * arithmetic.scale(parameter.unit.scale)
 
 
 def _read_radians(value: Any) -> Any:
@@ -124,7 +126,7 @@ def _measure_point(place: Vector) -> Vector:
 
 def _require_bounded(value: Any) -> Any:
     """A value, unchanged. Raises Inexact for an exact number with far too many digits."""
-    if isinstance(value, (fmpq, Surd)) and height(value) > MAX_HEIGHT:
+    if isinstance(value, (fmpq, Surd, PiMultiple)) and height(value) > MAX_HEIGHT:
         raise Inexact  # a number of too many digits
     return value
 

@@ -17,9 +17,9 @@ from kinegrade.expressions.reading import read_expression
 from kinegrade.expressions.tree import Expression
 from kinegrade.language.lines import show_in_one_line
 from kinegrade.language.message import Fault, Message, Quoted
-from kinegrade.numbers.angle import Inexact
 from kinegrade.numbers.field import Field
 from kinegrade.numbers.number import Arithmetic
+from kinegrade.numbers.refusals import Inexact
 from kinegrade.problem.assemble import read_parameter
 from kinegrade.problem.template.template import Template
 

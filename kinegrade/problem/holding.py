@@ -10,8 +10,9 @@ from typing import Any, assert_never
 from kinegrade.errors import ExpressionError
 from kinegrade.expressions.evaluation import evaluate, make_elementary_functions
 from kinegrade.expressions.tree import Operation
-from kinegrade.numbers.angle import Angle, Inexact
+from kinegrade.numbers.angle import Angle
 from kinegrade.numbers.number import Arithmetic
+from kinegrade.numbers.refusals import Inexact
 from kinegrade.problem.given_values import find_parameter_values, read_values
 from kinegrade.problem.solving import solve_certified
 from kinegrade.problem.template.template import Condition, Relation, Template, Wording

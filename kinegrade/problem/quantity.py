@@ -11,6 +11,7 @@ from flint import arb, fmpq
 
 from kinegrade.language.math.latex import MATHJAX, write_latex_math
 from kinegrade.numbers.angle import Angle
+from kinegrade.numbers.pi_multiple import multiply_by_pi
 from kinegrade.numbers.text import LATEX, write_angle, write_decimal, write_exact
 from kinegrade.numbers.units import Unit
 
@@ -212,4 +213,12 @@ def express_in_unit(name: str, number: Any, unit: Unit) -> Quantity:
         return Quantity(name, number, unit)
     if isinstance(number, int):
         number = fmpq(number)
-    return Quantity(name, number / unit.factor, unit)
+    return Quantity(name, number / _find_scale(unit, number), unit)
+
+
+def _find_scale(unit: Unit, number: Any) -> Any:
+    """What a unit is in SI, enclosed for an enclosure."""
+    scale = unit.scale
+    if isinstance(number, arb):
+        return arb(scale.rational) * arb.pi() ** scale.power
+    return multiply_by_pi(scale.rational, scale.power)

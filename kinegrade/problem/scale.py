@@ -13,6 +13,7 @@ from typing import Any
 from kinegrade.mechanics.motion import Motion
 from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.doubles import convert_number
+from kinegrade.numbers.floats import Floats
 from kinegrade.numbers.units import Unit
 
 
@@ -27,13 +28,14 @@ def list_sizes(motion: Motion, unit: Unit) -> Iterator[Any]:
     """The sizes of all quantities of that dimension in the mechanism, in `unit`; arrays for a
     motion in arrays.
     """
+    size = Floats().scale(unit.scale)
     if unit.time == 0 and unit.length == 0:
         yield 57.3 if unit.degrees else 1.0
     elif unit.time == 0:
-        yield from (length / float(unit.factor) for length in _list_lengths(motion))
+        yield from (length / size for length in _list_lengths(motion))
     else:
         found = _list_moving(motion, unit.time) if unit.length else _list_turning(motion, unit.time)
-        yield from (rate / float(unit.factor) for rate in found)
+        yield from (rate / size for rate in found)
 
 
 def _list_lengths(motion: Motion) -> Iterator[Any]:

@@ -21,10 +21,12 @@ from kinegrade.expressions.tree import Expression
 from kinegrade.language.message import Fault, Message
 from kinegrade.mechanics.motion import Motion, pose_mechanism, solve_motion
 from kinegrade.mechanics.plan import Plan
-from kinegrade.numbers.angle import Angle, Inexact
+from kinegrade.numbers.angle import Angle
 from kinegrade.numbers.balls import PRECISIONS, Balls, Undecided
 from kinegrade.numbers.field import Field
 from kinegrade.numbers.number import Arithmetic
+from kinegrade.numbers.pi_multiple import PiMultiple
+from kinegrade.numbers.refusals import Inexact
 from kinegrade.numbers.surd import Surd
 from kinegrade.problem.assemble import Assembly, assemble
 from kinegrade.problem.centrode import Centrodes
@@ -149,7 +151,7 @@ def _require_number(number: Any, ask: Ask) -> None:
     """Raises ExpressionError for a quantity that is no number (a vector, a point), or no angle
     where one is due.
     """
-    if not isinstance(number, (int, fmpq, Surd, arb, Angle)):
+    if not isinstance(number, (int, fmpq, Surd, PiMultiple, arb, Angle)):
         raise ExpressionError(Message("template.number-of-a-vector"))
     if ask.unit.degrees and not isinstance(number, (Angle, arb)):
         raise ExpressionError(Message("template.angle-expected"))

@@ -18,7 +18,7 @@ from kinegrade.language.message import Message
 from kinegrade.mechanics.branches import BRANCHES
 from kinegrade.mechanics.drivers import DRIVERS, Driver
 from kinegrade.mechanics.joints import JOINTS, Joint
-from kinegrade.numbers.units import FACTORS
+from kinegrade.numbers.units import SCALES, SHORT
 from kinegrade.problem.kinds.signatures import CONSTRUCTIONS, ELEMENTARY, Signature
 from kinegrade.problem.quantities.functions import QUANTITIES
 from kinegrade.problem.quantities.measures import MEASURES
@@ -94,7 +94,7 @@ def list_sections(group: Group) -> tuple[Section, ...]:
         case "figure":
             return _list_marks()
         case "units":
-            return (_keys("units", "unit", tuple(FACTORS)),)
+            return (_keys("units", "unit", (*SCALES, *SHORT)),)
         case "tags":
             tags = tuple(Word(tag, Message(f"choosing.tag-{tag}")) for tag in TAGS)
             return (Section(Message("words.title-tags"), tags),)

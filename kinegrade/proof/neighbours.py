@@ -51,7 +51,8 @@ def _write_size(template: Template, name: str, text: str) -> str:
 
     def decimal(arithmetic: Any) -> str:
         value = find_parameter_values(template, trees, arithmetic)[name]
-        number = value if parameter.unit.degrees else value / parameter.unit.factor
+        scale = arithmetic.scale(parameter.unit.scale)
+        number = value if parameter.unit.degrees else value / scale
         if parameter.unit.degrees and not arithmetic.exact:
             number = number * 180 / arithmetic.turns(1)
         return write_decimal(number, 15, parameter.unit.degrees)

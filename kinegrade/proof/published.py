@@ -12,8 +12,9 @@ from kinegrade.errors import ExpressionError, KinegradeError, Problem
 from kinegrade.expressions.angular import is_angle
 from kinegrade.expressions.evaluation import evaluate, make_elementary_functions
 from kinegrade.language.message import Fault, Message
-from kinegrade.numbers.angle import Angle, Inexact
+from kinegrade.numbers.angle import Angle
 from kinegrade.numbers.balls import Undecided
+from kinegrade.numbers.refusals import Inexact
 from kinegrade.problem.quantity import Quantity
 from kinegrade.problem.solution import Solution
 from kinegrade.problem.solving import solve_template
@@ -165,13 +166,15 @@ def _quote_given(name: str, solution: Solution) -> Any:
     given = solution.parameters[name]
     if solution.arithmetic.exact:
         return given.number
-    value = solution.assembly.values[name]
-    return value if given.measure.degrees else value / given.measure.factor
+    value, unit = solution.assembly.values[name], given.measure
+    return value if unit.degrees else value / solution.arithmetic.scale(unit.scale)
 
 
 def _is_equal(expected: Any, answer: Any, ask: Ask, field_: Any) -> bool:
     """Exact equality within one field; angles are equal when they point the same way."""
     number = field_.embed(answer)
+    if isinstance(expected, Angle) and ask.unit.time:
+        expected = expected.as_number()  # a rate with pi in it, no angle
     if isinstance(number, Angle) or isinstance(expected, Angle):
         if not isinstance(expected, Angle):
             expected = field_.turns(expected / 180) if ask.unit.degrees else field_.turns(expected)

@@ -12,10 +12,10 @@ from mpmath import atan2, cos, mp, mpf, pi, sin
 
 from kinegrade.expressions.evaluation import evaluate, make_elementary_functions
 from kinegrade.expressions.reading import read_expression
-from kinegrade.numbers.angle import Angle, Inexact
+from kinegrade.numbers.angle import Angle
 from kinegrade.numbers.balls import Balls
 from kinegrade.numbers.field import Field
-from kinegrade.numbers.refusals import NoDirection
+from kinegrade.numbers.refusals import Inexact, NoDirection
 from kinegrade.numbers.text import LATEX, write_angle
 from tests.numbers.numbers import digits
 
@@ -145,10 +145,10 @@ def test_a_quarter_turn_less_an_angle_swaps_sine_and_cosine() -> None:
     "make",
     [
         pytest.param(lambda f: f.cos(f.turns(Q(37, 180))), id="cosine-of-37-degrees"),
-        pytest.param(lambda f: f.turns(Q(1)) * f.turns(Q(1)), id="angle-times-angle"),
-        pytest.param(lambda f: f.turns(Q(1)) * f.sqrt(Q(2)), id="angle-times-root"),
+        pytest.param(lambda f: f.arctangent(Q(1), Q(3)) * f.turns(Q(1)), id="angle-times-angle"),
+        pytest.param(lambda f: f.arctangent(Q(1), Q(3)) * f.sqrt(Q(2)), id="angle-times-root"),
         pytest.param(lambda f: f.arctangent(Q(1), Q(3)) / f.turns(Q(1)), id="ratio-of-angles"),
-        pytest.param(lambda f: Q(1) / f.turns(Q(1)), id="number-over-an-angle"),
+        pytest.param(lambda f: Q(1) / f.arctangent(Q(1), Q(3)), id="number-over-an-angle"),
         pytest.param(lambda f: f.cos(f.arctangent(Q(1), Q(3)) / 3), id="third-of-an-angle"),
     ],
 )

@@ -13,10 +13,9 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 from mpmath import mp, mpf
 
-from kinegrade.numbers.angle import Inexact
 from kinegrade.numbers.elimination import Contradiction
 from kinegrade.numbers.field import MAX_LEVEL, Field, split_radicand, split_square
-from kinegrade.numbers.refusals import NegativeRoot
+from kinegrade.numbers.refusals import Inexact, NegativeRoot
 from kinegrade.numbers.surd import Surd, height
 from kinegrade.numbers.surd import sign as surd_sign
 from kinegrade.numbers.text import write_exact

@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kinegrade.errors import ExpressionError
-from kinegrade.numbers.units import FACTORS, HALF_TURNS, read_unit
+from kinegrade.numbers.units import SCALES, Scale, read_unit
 
 Q = fmpq
 
@@ -26,7 +26,6 @@ Q = fmpq
         ("m/min", Q(1, 60), (1, -1, 0)),
         ("rad/s", Q(1), (0, -1, 1)),
         ("rad/s^2", Q(1), (0, -2, 1)),
-        ("deg", Q(1), (0, 0, 1)),
         ("rad", Q(1), (0, 0, 1)),
         ("1", Q(1), (0, 0, 0)),
         ("1/s", Q(1), (0, -1, 0)),
@@ -38,7 +37,7 @@ Q = fmpq
 )
 def test_factors_and_dimensions(text: str, factor: Any, dimension: tuple[int, int, int]) -> None:
     unit = read_unit(text)
-    assert unit.factor == factor
+    assert unit.scale == Scale(factor)
     assert (unit.length, unit.time, unit.angle) == dimension
     assert unit.text == text
 
@@ -59,7 +58,7 @@ def test_factors_and_dimensions(text: str, factor: Any, dimension: tuple[int, in
         "m^",
         "m^-",
         "M",
-        "rpm",
+        "Rpm",
         "m/s²",
         "m1",
         "m;s",
@@ -73,7 +72,7 @@ def test_factors_and_dimensions(text: str, factor: Any, dimension: tuple[int, in
 def test_what_is_no_unit_is_told_with_what_is_known(text: str) -> None:
     with pytest.raises(ExpressionError) as refusal:
         read_unit(text)
-    known = "1, cm, deg, ft, h, in, km, m, min, mm, rad, s"
+    known = "1, cm, deg, ft, h, in, km, m, min, mm, r, rad, rpm, s"
     expected = f'unit "{text}" - expected a product or quotient like m/s^2 of {known}'
     assert str(refusal.value).startswith(expected)
 
@@ -87,19 +86,33 @@ def test_a_misspelt_unit_is_told_with_the_nearest() -> None:
     ("text", "metres"), [("in", "127/5000"), ("ft", "381/1250"), ("ft/s^2", "381/1250")]
 )
 def test_inches_and_feet_are_exact(text: str, metres: str) -> None:
-    assert str(read_unit(text).factor) == metres
+    assert str(read_unit(text).scale.rational) == metres
 
 
-def test_degrees_and_turns_are_exact_parts_of_pi() -> None:
-    assert {name: 1 / share for name, share in HALF_TURNS.items()} == {
-        "deg": Q(180),
-        "turn": Q(1, 2),
-    }
+@pytest.mark.parametrize(
+    ("text", "scale", "dimension"),
+    [
+        ("deg", Scale(Q(1, 180), 1), (0, 0, 1)),
+        ("deg/s", Scale(Q(1, 180), 1), (0, -1, 1)),
+        ("deg/s^2", Scale(Q(1, 180), 1), (0, -2, 1)),
+        ("r/min", Scale(Q(1, 30), 1), (0, -1, 1)),
+        ("rpm", Scale(Q(1, 30), 1), (0, -1, 1)),
+        ("r/s", Scale(Q(2), 1), (0, -1, 1)),
+        ("r/min^2", Scale(Q(1, 1800), 1), (0, -2, 1)),
+        ("r/min/s", Scale(Q(1, 30), 1), (0, -2, 1)),
+    ],
+)
+def test_degrees_and_revolutions_are_exact_multiples_of_pi(
+    text: str, scale: Scale, dimension: tuple[int, int, int]
+) -> None:
+    unit = read_unit(text)
+    assert (unit.text, unit.scale) == (text, scale)
+    assert (unit.length, unit.time, unit.angle) == dimension
 
 
-@pytest.mark.parametrize("text", ["deg/s", "deg^2", "deg*m", "m/deg"])
-def test_degrees_stand_alone(text: str) -> None:
-    with pytest.raises(ExpressionError, match="degrees stand alone: use rad for rates"):
+@pytest.mark.parametrize("text", ["deg^2", "deg*m", "m/deg", "r", "r*m/s", "deg*s", "r/s^3"])
+def test_degrees_and_revolutions_stand_in_angles_and_rates_alone(text: str) -> None:
+    with pytest.raises(ExpressionError, match="deg and r count in rates: deg/s, r/min, r/min"):
         read_unit(text)
 
 
@@ -115,7 +128,7 @@ def test_any_text_is_a_unit_or_refused_in_one_line(text: str) -> None:
 
 @given(
     st.lists(
-        st.tuples(st.sampled_from(sorted(set(FACTORS) - {"deg"})), st.integers(1, 4)),
+        st.tuples(st.sampled_from(sorted(set(SCALES) - {"deg", "r"})), st.integers(1, 4)),
         min_size=1,
         max_size=4,
     )
@@ -124,8 +137,8 @@ def test_a_product_has_the_product_of_the_factors(parts: list[tuple[str, int]]) 
     unit = read_unit("*".join(f"{name}^{power}" for name, power in parts))
     factor = Q(1)
     for name, power in parts:
-        factor *= FACTORS[name][0] ** power
-    assert unit.factor == factor
+        factor *= SCALES[name][0].rational ** power
+    assert unit.scale == Scale(factor)
 
 
 @pytest.mark.parametrize(

@@ -299,7 +299,7 @@ def test_an_exam_that_keeps_such_a_template_can_still_be_read() -> None:
 def test_one_unreadable_unit_is_one_fault() -> None:
     assert faults(('r     = { unit = "m"', 'r     = { unit = "furlong"')) == [
         'crank.toml:14: parameters.r.unit: unit "furlong" - expected a product or quotient like m/s^2 of '
-        "1, cm, deg, ft, h, in, km, m, min, mm, rad, s"
+        "1, cm, deg, ft, h, in, km, m, min, mm, r, rad, rpm, s"
     ]
 
 

@@ -33,7 +33,7 @@ FAULTS = [
     'crank.toml:5: inputs[1].motion: "OA spins": no such input - did you mean "OA turns", "A of W circles O" or "AB turns relative to OA"? (all of them: kinegrade words inputs)',
     'crank.toml:6: conditions[1]: "r = 2" - expected "left < right", with one of <, <=, >, >=, ==',
     'crank.toml:7: title: a table of no language - expected a text, or texts by language like { en = "..." }',
-    'crank.toml:11: parameters.r.unit: unit "fathom" - expected a product or quotient like m/s^2 of 1, cm, deg, ft, h, in, km, m, min, mm, rad, s',
+    'crank.toml:11: parameters.r.unit: unit "fathom" - expected a product or quotient like m/s^2 of 1, cm, deg, ft, h, in, km, m, min, mm, r, rad, rpm, s',
     'crank.toml:12: parameters.phi.draw: "0 .. 90 step 0" - expected a step above zero, the last value not before the first, and at most 2000 values',
     'crank.toml:13: parameters.omega.draw: missing - expected a list, or a range like "0.1 .. 0.5 step 0.05"',
     'crank.toml:16: lengths.half: "r/", character 3: found the end, expected a number, a name or a bracket',

@@ -17,7 +17,7 @@ from kinegrade.language.known import known_languages
 from kinegrade.mechanics.branches import BRANCHES
 from kinegrade.mechanics.drivers import DRIVERS
 from kinegrade.mechanics.joints import JOINTS
-from kinegrade.numbers.units import FACTORS
+from kinegrade.numbers.units import SCALES, SHORT
 from kinegrade.problem.quantities.functions import QUANTITIES
 from kinegrade.problem.template.hints import SHAPES
 from kinegrade.problem.template.sections import keys
@@ -105,7 +105,7 @@ def test_every_word_of_the_tables_is_listed() -> None:
     known = {word for table in tables if isinstance(table, tuple) for word in table}
     assert keys.FIGURE_EXAMPLES.keys() == set(keys.FIGURE)
     functions = {each.usage(name) for name, each in QUANTITIES.items()}
-    known |= {*functions, *BRANCHES, *SHAPES, *FACTORS, *TAGS, *CONVENTIONS}
+    known |= {*functions, *BRANCHES, *SHAPES, *SCALES, *SHORT, *TAGS, *CONVENTIONS}
     known |= {kind.FORM for kind in (*JOINTS, *DRIVERS)}
     assert known - list_words() == set()
 

@@ -13,6 +13,7 @@ import pytest
 from benchmarks.jotting import Jotting, plain
 from kinegrade.draws.deck import make_deck
 from kinegrade.mechanics.plan import Plan
+from kinegrade.numbers.floats import Floats
 from kinegrade.numbers.units import Unit
 from kinegrade.problem.template.library.library import find_template_names, load_template
 from kinegrade.problem.template.template import Template
@@ -52,7 +53,7 @@ def work_at_random(
 
 
 def convert(value: object, unit: Unit) -> object:
-    return np.degrees(plain(value)) if unit.degrees else plain(value) / float(unit.factor)
+    return np.degrees(plain(value)) if unit.degrees else plain(value) / Floats().scale(unit.scale)
 
 
 @pytest.mark.parametrize("figures", [3, 4])

@@ -18,8 +18,9 @@ from kinegrade.draws.draw_filter import DrawFilter
 from kinegrade.draws.examining import Examined, Refused
 from kinegrade.errors import MechanismError
 from kinegrade.language import Language
-from kinegrade.numbers.angle import Angle, Inexact
+from kinegrade.numbers.angle import Angle
 from kinegrade.numbers.doubles import convert_number
+from kinegrade.numbers.refusals import Inexact
 from kinegrade.numbers.tolerance import ONE_PER_CENT
 from kinegrade.problem.given_values import find_parameter_values, read_values
 from kinegrade.problem.solving import solve_certified, solve_template

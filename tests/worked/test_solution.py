@@ -7,7 +7,6 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from dataclasses import replace
-from fractions import Fraction
 from functools import lru_cache
 from math import cos, hypot, radians, sin
 
@@ -21,6 +20,7 @@ from kinegrade.language.prose.typst import write_prose
 from kinegrade.mechanics.plan import Plan
 from kinegrade.mechanics.relations import Relation, add_vectors
 from kinegrade.mechanics.vector_equation import Level
+from kinegrade.numbers.floats import Floats
 from kinegrade.problem.quantity import Quantity
 from kinegrade.problem.solution import Solution
 from kinegrade.problem.solving import solve_template
@@ -99,7 +99,7 @@ def know_nothing(symbol: str) -> Amount:
 
 def measure_in_si(answer: Quantity) -> float:
     """The value of an answer, angles in radians."""
-    factor = radians(1) if answer.measure.degrees else float(Fraction(str(answer.measure.factor)))
+    factor = radians(1) if answer.measure.degrees else Floats().scale(answer.measure.scale)
     return float(answer.decimal(12)) * factor
 
 

@@ -19,8 +19,8 @@ from kinegrade.files.fields.digits import Digits
 from kinegrade.files.fields.table import Table
 from kinegrade.files.fields.values import found
 from kinegrade.language.message import Listing, Message, list_plainly
-from kinegrade.numbers.angle import Inexact
 from kinegrade.numbers.field import Field
+from kinegrade.numbers.refusals import Inexact
 from kinegrade.problem.assemble import read_parameter
 from kinegrade.problem.template.domain import read_choices
 from kinegrade.problem.template.template import Parameter, Template

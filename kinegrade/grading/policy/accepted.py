@@ -25,9 +25,10 @@ from kinegrade.grading.typed.amount import PRECISION, Amount, convert, make_rati
 from kinegrade.grading.typed.number_text import Unreadable
 from kinegrade.grading.typed.unit_spelling import WrittenUnit, read_unit
 from kinegrade.language.message import Fault, Message, Part, Quoted
-from kinegrade.numbers.angle import Angle, Inexact
+from kinegrade.numbers.angle import Angle
 from kinegrade.numbers.balls import Balls, Undecided
 from kinegrade.numbers.field import Field
+from kinegrade.numbers.refusals import Inexact
 
 _PURE = WrittenUnit(Fraction(1), 0, 0, 0, 0)
 

@@ -15,9 +15,10 @@ from kinegrade.expressions.reading import read_rational
 from kinegrade.grading.typed.number_text import LARGEST_EXPONENT, Unreadable
 from kinegrade.grading.typed.value import Formula
 from kinegrade.language.message import Message, list_plainly
-from kinegrade.numbers.angle import Angle, Inexact
+from kinegrade.numbers.angle import Angle
 from kinegrade.numbers.balls import Balls
 from kinegrade.numbers.field import Field
+from kinegrade.numbers.refusals import Inexact
 from kinegrade.numbers.surd import Surd
 from kinegrade.numbers.text import find_bounds
 

@@ -16,7 +16,7 @@ from unicodedata import normalize
 from kinegrade.grading.typed.keyboard import fold
 from kinegrade.language.message import Message, Part
 from kinegrade.language.spellings import is_written_apart, list_spellings, match_spellings
-from kinegrade.numbers.units import FACTORS, HALF_TURNS
+from kinegrade.numbers.units import ONE, SCALES, TYPED
 
 _WORDS = {
     "m": Message("typing.unit-m"),
@@ -173,27 +173,16 @@ def list_unit_names() -> Mapping[str, str]:
         for name, words in _WORDS.items()
         for spelling in list_spellings(words)
     }
-    return {**spelled, **_SYMBOLS, **{name: name for name in (*FACTORS, *SHORT_UNITS)}}
+    return {**spelled, **_SYMBOLS, **{name: name for name in (*SCALES, *SHORT_UNITS)}}
 
 
 def _find_worth(powers: Counter[str]) -> WrittenUnit:
-    factor, pi = Fraction(1), 0
+    scale = ONE
     exponents = Counter[str]()
     for name, power in powers.items():
-        size, dimension = find_size(name)
-        factor *= size**power
-        pi += power * (name in HALF_TURNS)
+        size, dimension = TYPED[name]
+        scale = scale * size**power
         exponents[dimension] += power
-    return WrittenUnit(factor, pi, exponents["length"], exponents["time"], exponents["angle"])
-
-
-def find_size(name: str) -> tuple[Fraction, str]:
-    """The size of a unit of that name in SI units, a part of pi for those of `HALF_TURNS`, and
-    what it measures.
-    """
-    if name == "%":
-        return Fraction(1, 100), "number"
-    if name == "dm":
-        return Fraction(1, 10), "length"
-    size, dimension = (HALF_TURNS[name], "angle") if name in HALF_TURNS else FACTORS[name]
-    return Fraction(int(size.p), int(size.q)), dimension
+    factor = Fraction(int(scale.rational.p), int(scale.rational.q))
+    lengths, times, angles = (exponents[name] for name in ("length", "time", "angle"))
+    return WrittenUnit(factor, scale.power, lengths, times, angles)

@@ -43,6 +43,7 @@ from kinegrade.language.math.units import raise_exponents, write_unit
 from kinegrade.language.message import Location
 
 _CONTROL_WORD = re.compile(r"\\[A-Za-z]+\Z")
+_DEGREES, _RING = re.compile(r"\bdeg\b"), r"{}^{\\circ}"
 _PLAIN_UNIT = re.compile(r"[A-Za-z0-9/*^{}\-]+")
 _AFTER_LINE_BREAK = frozenset("[*")  # these would be taken for its options
 _OBEYED = re.compile(r"([\\$%])")
@@ -77,7 +78,7 @@ def _write_upright_unit(unit: str) -> str:
     if not _PLAIN_UNIT.fullmatch(unit):
         return _write_unread_text(write_unit(unit))
     raised = raise_exponents(unit, write_raised=lambda exponent: f"^{{{exponent}}}")
-    return rf"\mathrm{{{raised.replace('·', _DOT)}}}"
+    return rf"\mathrm{{{_DEGREES.sub(_RING, raised).replace('·', _DOT)}}}"
 
 
 TEX = LatexDialect(

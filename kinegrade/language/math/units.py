@@ -6,6 +6,7 @@ import re
 from collections.abc import Callable
 
 DASH = "–"  # stands for the unit of a pure number in a table
+_DEGREES = re.compile(r"\bdeg\b")
 _EXPONENT = re.compile(r"\^\{?([-\u2212]?[0-9]+)\}?")
 _SUPERSCRIPTS = str.maketrans("-\u22120123456789", "⁻⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
@@ -44,6 +45,8 @@ def write_unit(
 
     >>> write_unit("rad/s^2"), write_unit("deg"), write_unit("1"), write_unit("1", pure="")
     ('rad/s²', '°', '–', '')
+    >>> write_unit("deg/s"), write_unit("r/min")
+    ('°/s', 'r/min')
     """
     match unit:
         case "1":
@@ -51,4 +54,4 @@ def write_unit(
         case "deg":
             return "°"
         case _:
-            return write_symbols(unit)
+            return write_symbols(_DEGREES.sub("°", unit))

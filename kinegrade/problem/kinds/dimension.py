@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from kinegrade.language.message import Message
-from kinegrade.numbers.units import Unit
+from kinegrade.numbers.units import Unit, read_unit
 
 
 @dataclass(frozen=True)
@@ -57,6 +57,15 @@ def _make_dimension(length: int, time: int) -> Dimension:
 def find_dimension(unit: Unit) -> Dimension:
     """The dimension of a unit; radians and degrees are pure numbers."""
     return _make_dimension(unit.length, unit.time)
+
+
+def find_si_unit(unit: Unit) -> Unit:
+    """The unit in SI of the same kind of quantity; degrees stay.
+
+    >>> find_si_unit(read_unit("km/h")).text, find_si_unit(read_unit("rpm")).text
+    ('m/s', 'rad/s')
+    """
+    return unit if unit.is_si else read_unit(find_dimension(unit).unit)
 
 
 NUMBER = _make_dimension(0, 0)

@@ -193,10 +193,7 @@ class Follower:
     @cached_property
     def factors(self) -> Mapping[str, float]:
         """The units of the asks in SI."""
-        return {
-            name: float(Doubles().number(ask.unit.factor))
-            for name, ask in self.template.asks.items()
-        }
+        return {name: Doubles().scale(ask.unit.scale) for name, ask in self.template.asks.items()}
 
     @cached_property
     def fixed(self) -> Mapping[str, Callable[..., Any]]:

@@ -66,7 +66,7 @@ class StepFollower:
 
 def _count_unit(ask: Ask) -> float:
     """The unit of an ask in SI, in radians."""
-    return pi / 180 if ask.unit.degrees else float(Doubles().number(ask.unit.factor))
+    return pi / 180 if ask.unit.degrees else Doubles().scale(ask.unit.scale)
 
 
 def _is_same(value: float, right: float | None) -> bool:

@@ -12,8 +12,9 @@ from typing import Any
 from flint import arb, fmpq
 
 from kinegrade.expressions.tree import Name
-from kinegrade.numbers.angle import Angle, Inexact
+from kinegrade.numbers.angle import Angle
 from kinegrade.numbers.number import Arithmetic
+from kinegrade.numbers.refusals import Inexact
 from kinegrade.problem.template.template import Template
 
 Givens = Mapping[str, Any]  # parameters in SI
@@ -58,7 +59,7 @@ def take_plain_rates(template: Template, values: Givens, arithmetic: Arithmetic)
     return {
         **values,
         **{
-            name: values[name] / arithmetic.number(template.parameters[name].unit.factor)
+            name: values[name] / arithmetic.scale(template.parameters[name].unit.scale)
             for name in find_unconverted_rates(template)
         },
     }
@@ -69,7 +70,7 @@ def take_plain_lengths(template: Template, values: Givens, arithmetic: Arithmeti
     return {
         **values,
         **{
-            name: value / arithmetic.number(template.parameters[name].unit.factor)
+            name: value / arithmetic.scale(template.parameters[name].unit.scale)
             for name, value in values.items()
             if template.parameters[name].unit.length
         },
@@ -100,5 +101,5 @@ def find_unconverted_rates(template: Template) -> list[str]:
     return [
         name
         for name, parameter in template.parameters.items()
-        if parameter.unit.angle and parameter.unit.time < 0 and parameter.unit.factor != 1
+        if parameter.unit.angle and parameter.unit.time < 0 and not parameter.unit.is_si
     ]

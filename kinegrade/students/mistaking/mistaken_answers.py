@@ -140,7 +140,7 @@ class _Reader:
         if ask.unit.degrees:
             return number * 180 / (arb.pi() if isinstance(number, arb) else np.pi)
         number = fmpq(number) if isinstance(number, int) and arithmetic.certified else number
-        converted = number / arithmetic.number(ask.unit.factor)
+        converted = number / arithmetic.scale(ask.unit.scale)
         return (
             arithmetic.choose(self.plain_lengths, number, converted)
             if ask.unit.length

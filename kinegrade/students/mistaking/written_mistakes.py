@@ -32,7 +32,7 @@ def _is_counted(ask: Ask) -> bool:
 
 def _is_angular_rate(ask: Ask) -> bool:
     """Whether an angular velocity or acceleration is asked for, in radians and seconds."""
-    return ask.unit.angle == 1 and ask.unit.time < 0 and ask.unit.factor == 1
+    return ask.unit.angle == 1 and ask.unit.time < 0 and ask.unit.is_si
 
 
 def _is_angular_velocity(ask: Ask) -> bool:

@@ -15,8 +15,8 @@ import numpy as np
 
 from kinegrade.errors import KinegradeError
 from kinegrade.mechanics.plan import Plan
-from kinegrade.numbers.doubles import convert_number
 from kinegrade.numbers.elimination import Singular
+from kinegrade.numbers.floats import Floats
 from kinegrade.numbers.noting import Noting
 from kinegrade.numbers.pad import DEGREE, Doubles, Noted, Pad
 from kinegrade.problem.template.template import Ask, Template
@@ -67,5 +67,5 @@ def _is_sum(ask: Ask) -> bool:
 
 def _convert(error: Doubles, ask: Ask) -> Doubles:
     """An error in SI in the unit of an ask; infinite where there is none."""
-    size = DEGREE if ask.unit.degrees else convert_number(ask.unit.factor)
+    size = DEGREE if ask.unit.degrees else Floats().scale(ask.unit.scale)
     return np.where(np.isfinite(error), error / size, np.inf)

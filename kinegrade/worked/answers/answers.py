@@ -109,7 +109,7 @@ def state_value(ask: Ask, case: Case) -> tuple[Link, ...]:
     centimetres or feet.
     """
     answer, unit = case.solution.answers[ask.name], ask.unit
-    if answer.at_infinity or answer.is_zero or unit.factor == 1 or unit.angle:
+    if answer.at_infinity or answer.is_zero or unit.is_si:
         return state_quantity(answer)
     base = state_number(find_value(ask.quantity, case), find_dimension(unit).unit)
     *_, prefixed = state_quantity(answer)

@@ -12,7 +12,7 @@ from kinegrade.expressions.tree import Call, Expression, Name, Number, Operation
 from kinegrade.language.message import Message
 from kinegrade.numbers.angle import Angle
 from kinegrade.numbers.units import Unit, read_unit
-from kinegrade.problem.kinds.dimension import find_dimension
+from kinegrade.problem.kinds.dimension import find_si_unit
 from kinegrade.problem.needs import find_needed_steps
 from kinegrade.problem.template.template import Ask
 from kinegrade.worked.answers.answers import state_value
@@ -51,10 +51,10 @@ def _convert_givens(case: Case) -> Iterator[Equation]:
     """The givens whose unit is not that of SI, angles aside, as they are given and in SI."""
     for name, quantity in case.solution.parameters.items():
         parameter = case.template.parameters[name]
-        if parameter.unit.factor != 1:
+        if not parameter.unit.is_si:
             value = case.solution.assembly.values[name]
             given = state_quantity(quantity)
-            links = (*given, *state_number(value, _find_si(parameter.unit).text))
+            links = (*given, *state_number(value, find_si_unit(parameter.unit).text))
             yield Equation(read_symbol(parameter.symbol), links)
 
 
@@ -102,15 +102,10 @@ def _find_unit(name: str, case: Case) -> Unit:
     """The unit in which the value of a given or a step is put into formulas."""
     given = case.template.parameters.get(name)
     if given is not None:
-        return _find_si(given.unit)
+        return find_si_unit(given.unit)
     ask, value = case.template.asks.get(name), case.solution.assembly.values[name]
-    if ask is not None and ask.unit.factor == 1:
+    if ask is not None and ask.unit.is_si:
         return ask.unit
     unit, tree = find_unit(Name(name), case.template), case.template.scheme.steps[name]
     angular = isinstance(value, Angle) or is_angle(tree, case.template.angles)
     return read_unit("deg" if unit == "1" and angular else unit)
-
-
-def _find_si(unit: Unit) -> Unit:
-    """The unit in SI of a quantity given in a unit; degrees stay."""
-    return unit if unit.factor == 1 else read_unit(find_dimension(unit).unit)

@@ -115,11 +115,11 @@ def _state_in_both_units(answer: Quantity, instance: Instance) -> tuple[Link, ..
     also in degrees.
     """
     value, unit = state_quantity(answer), answer.measure
-    prefixed = unit.length == 1 and unit.factor != METRE.factor
+    prefixed = unit.length == 1 and not unit.is_si
     if answer.is_zero or not (unit.text == "rad" or prefixed):
         return value
     other = DEGREE if unit.text == "rad" else METRE
-    *_, first = state_quantity(instance.quantity(answer.number * unit.factor, other))
+    *_, first = state_quantity(instance.quantity(answer.number * unit.scale.rational, other))
     if first.relation == "=":
         return (first, *value)
     return (*value[:-1], first, Link(r"\approx", value[-1].right))

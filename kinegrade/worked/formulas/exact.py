@@ -6,7 +6,7 @@ from typing import Any
 
 from kinegrade.numbers.angle import Angle
 from kinegrade.numbers.surd import Real
-from kinegrade.numbers.text import count_turns_beside, expand_radicals
+from kinegrade.numbers.text import Term, count_turns_beside, expand_radicals
 from kinegrade.worked.formulas.atoms import Number, add_terms, multiply_factors
 from kinegrade.worked.formulas.formula import Formula, Function, Root
 from kinegrade.worked.formulas.symbols import PI
@@ -20,22 +20,30 @@ def make_exact(number: Real) -> Formula:
     Negative(inner=Root(radicand=Number(digits='3')))
     """
     return add_terms(
-        _make_multiple(factor, _list_roots(free, nested))
-        for factor, free, _, nested in expand_radicals(number)
+        _make_multiple(term.factor, _list_roots(term), term.power)
+        for term in expand_radicals(number)
     )
 
 
-def _list_roots(free: int, nested: tuple[Any, ...]) -> tuple[Formula, ...]:
-    plain = (Root(Number(str(free))),) if free != 1 else ()
-    return (*plain, *(Root(make_exact(root.radicand)) for root in nested))
+def _list_roots(term: Term) -> tuple[Formula, ...]:
+    plain = (Root(Number(str(term.free))),) if term.free != 1 else ()
+    return (*plain, *(Root(make_exact(root.radicand)) for root in term.nested))
 
 
-def _make_multiple(factor: Any, parts: tuple[Formula, ...]) -> Formula:
-    """A rational multiple of a product, which may be empty."""
+def _raise_pi(power: int) -> Formula:
+    """A positive power of pi."""
+    return PI if power == 1 else PI ** Number(str(power))
+
+
+def _make_multiple(factor: Any, roots: tuple[Formula, ...], power: int = 0) -> Formula:
+    """A rational multiple of a product, which may be empty, and of a power of pi."""
     size = abs(factor)
+    parts = (*roots, _raise_pi(power)) if power > 0 else roots
     count = (Number(str(size.p)),) if size.p != 1 or not parts else ()
     above = multiply_factors((*count, *parts))
-    formula = above if size.q == 1 else above / Number(str(size.q))
+    under = (Number(str(size.q)),) if size.q != 1 else ()
+    below = (*under, _raise_pi(-power)) if power < 0 else under
+    formula = above / multiply_factors(below) if below else above
     return -formula if factor < 0 else formula
 
 

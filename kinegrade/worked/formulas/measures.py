@@ -6,8 +6,8 @@ from math import atan2, degrees, hypot
 from typing import Any
 
 from kinegrade.mechanics.vector import Vector
-from kinegrade.numbers.angle import Inexact
 from kinegrade.numbers.balls import Undecided
+from kinegrade.numbers.refusals import Inexact
 
 NEGLIGIBLE = 1e-12  # in SI: less than this is what rounding leaves of zero
 

@@ -155,8 +155,8 @@ def substitute(value: Any, unit: Unit) -> Formula:
 def _is_part_of_root(number: Any) -> bool:
     """Whether an exact number has roots and fractions."""
     terms = expand_radicals(number)
-    rooted = any(free != 1 or nested for _, free, _, nested in terms)
-    return rooted and any(factor.q != 1 for factor, *_ in terms)
+    rooted = any(term.free != 1 or term.nested for term in terms)
+    return rooted and any(term.factor.q != 1 for term in terms)
 
 
 def count_digits(decimal: str) -> int:

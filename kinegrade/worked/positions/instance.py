@@ -6,7 +6,6 @@ x_{A} &= r \\cos\\varphi = 0.25 \\cos 60^\\circ = 0.125\\,\\unit{m}
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
@@ -17,12 +16,13 @@ from kinegrade.language.math.tree import Row
 from kinegrade.language.message import Message
 from kinegrade.mechanics.geometry import make_constructions
 from kinegrade.mechanics.vector import Vector
-from kinegrade.numbers.angle import Angle, Inexact
+from kinegrade.numbers.angle import Angle
 from kinegrade.numbers.balls import PRECISIONS, Balls
+from kinegrade.numbers.refusals import Inexact
 from kinegrade.numbers.text import write_decimal
 from kinegrade.numbers.units import Unit, read_unit
+from kinegrade.problem.kinds.dimension import find_si_unit
 from kinegrade.problem.quantity import Quantity, express_in_unit
-from kinegrade.problem.template.template import Parameter
 from kinegrade.worked.case import Case
 from kinegrade.worked.document import Prose
 from kinegrade.worked.formulas.atoms import Symbol
@@ -48,7 +48,6 @@ from kinegrade.worked.positions.construction_steps import Step, list_steps
 
 METRE, RADIAN, DEGREE, PURE = read_unit("m"), read_unit("rad"), read_unit("deg"), read_unit("1")
 AREA = read_unit("m^2")
-_PREFIX = re.compile(r"\b[cmk]m\b")
 
 
 @dataclass(frozen=True)
@@ -194,14 +193,9 @@ def make_instance(case: Case) -> Instance:
         collect_symbols(case.template),
         dict(case.solution.assembly.values),
         case.arithmetic.fork(),
-        {name: _find_unit(one) for name, one in case.template.parameters.items()},
+        {name: find_si_unit(one.unit) for name, one in case.template.parameters.items()},
     )
     return add_steps(instance, list_steps(case.template))
-
-
-def _find_unit(parameter: Parameter) -> Unit:
-    """The SI unit of a given."""
-    return PURE if parameter.unit.text == "1" else read_unit(_PREFIX.sub("m", parameter.unit.text))
 
 
 def add_steps(instance: Instance, more: Iterable[Step]) -> Instance:

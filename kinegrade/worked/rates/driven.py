@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any, assert_never
 
-from kinegrade.expressions.tree import Number, find_names
+from kinegrade.expressions.tree import Expression, Number, find_names
 from kinegrade.language.math.tree import Row, Scripts
 from kinegrade.language.message import Message
 from kinegrade.mechanics.ground import GROUND
@@ -13,11 +13,14 @@ from kinegrade.mechanics.laws import Imposed, ImposedCircling, ImposedMotion, Im
 from kinegrade.mechanics.relations import Relation
 from kinegrade.mechanics.shares import RIGHT
 from kinegrade.mechanics.vector_equation import Level
+from kinegrade.numbers.balls import PRECISIONS, Balls
+from kinegrade.problem.kinds.dimension import find_si_unit
+from kinegrade.problem.quantity import express_in_unit
 from kinegrade.worked.case import Case
 from kinegrade.worked.formulas.equation import Equation, Link, drop_repetition, equate
 from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.measures import double
-from kinegrade.worked.formulas.numbers import state_number
+from kinegrade.worked.formulas.numbers import state_number, state_quantity
 from kinegrade.worked.formulas.symbols import collect_symbols
 from kinegrade.worked.rates.speeds import Statement, name_relative_rotation, state_expression
 from kinegrade.worked.senses import (
@@ -37,7 +40,8 @@ def state_imposed(law: Imposed, relation: Relation, case: Case, level: Level) ->
     unit = UNITS[level, bool(law.list_factors(RIGHT))]
     sign = find_given_sign(law, relation, case, level)
     expression = _state_expression(law, left, sign, case, level)
-    links = drop_repetition(expression, state_number(value * sign, unit))
+    as_given = _state_as_given(_find_tree(law, case, level), value * sign, unit, case)
+    links = drop_repetition(expression, (*as_given, *state_number(value * sign, unit)))
     equation = Equation(left, links, _state_sense(law, value, case))
     return Statement(Message("solution.title-given"), _state_given(law, case, level), equation)
 
@@ -82,6 +86,18 @@ def _state_way(law: ImposedMotion, value: float, case: Case) -> Row:
     )
 
 
+def _state_as_given(tree: Expression, value: Any, unit: str, case: Case) -> tuple[Link, ...]:
+    """The value in the unit of the parameter it comes from, where that is not of SI: 100 r/min."""
+    parameters = case.template.parameters
+    units = {parameters[name].unit for name in find_names(tree) if name in parameters}
+    given = units.pop() if len(units) == 1 else None
+    if given is None or given.is_si or find_si_unit(given).text != unit:
+        return ()
+    with Balls(PRECISIONS[0]).context():
+        stated = state_quantity(express_in_unit("", value, given))
+    return stated if [link.relation for link in stated] == ["="] else ()
+
+
 def _find_driven_value(relation: Relation, level: Level) -> Any:
     """The velocity or acceleration that a driver imposes."""
     match level:
@@ -99,13 +115,18 @@ def _state_expression(
     """The template's expression for a driver's value, or its opposite; nothing for a number, nor
     where the paper's parameter has the same letters as the algebraic value.
     """
-    sentence = case.template.scheme.drivers[law.driver]
-    tree = {"velocity": sentence.velocity, "acceleration": sentence.acceleration}[level]
+    tree = _find_tree(law, case, level)
     symbols = collect_symbols(case.template)
     letters = {_drop_upper(symbols[name].row) for name in find_names(tree) if name in symbols}
     if isinstance(tree, Number) or _drop_upper(left.print()) in letters:
         return ()
     return equate(state_expression(tree, case).signed(sign))
+
+
+def _find_tree(law: Imposed, case: Case, level: Level) -> Expression:
+    """The template's expression for a driver's velocity or acceleration."""
+    sentence = case.template.scheme.drivers[law.driver]
+    return {"velocity": sentence.velocity, "acceleration": sentence.acceleration}[level]
 
 
 def _drop_upper(row: Row) -> Row:
