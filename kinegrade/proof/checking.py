@@ -155,12 +155,7 @@ def _note_assemblies(report: Report) -> None:
 
 def _weigh(report: Report) -> None:
     """Too few instances are a fault, and answers with points that need not be worked out."""
-    if not report.instances:
-        report.faults.append(Message("template.no-acceptable-instance"))
-    elif report.distinct < _FEWEST:
-        report.faults.append(
-            Message("template.too-few-instances", number=report.distinct, least=_FEWEST)
-        )
+    _weigh_number(report)
     for name, spread in report.spreads.items():
         if spread.constant:
             report.faults.append(Message("template.same-answer", ask=name))
@@ -170,6 +165,21 @@ def _weigh(report: Report) -> None:
             )
     report.remarks += _find_uneven_remarks(report)
     report.remarks += _find_rounding_remarks(report)
+
+
+def _weigh_number(report: Report) -> None:
+    """Too few instances are a fault; a remark where the sample is too small to tell."""
+    if report.distinct >= _FEWEST:
+        return
+    if report.possible >= _FEWEST:
+        numbers = {"accepted": report.instances, "examined": report.examined, "least": _FEWEST}
+        report.remarks.append(Message("template.sample-too-small", **numbers))
+    elif report.instances:
+        report.faults.append(
+            Message("template.too-few-instances", number=report.distinct, least=_FEWEST)
+        )
+    else:
+        report.faults.append(Message("template.no-acceptable-instance"))
 
 
 def _find_uneven_remarks(report: Report) -> Iterator[Message]:

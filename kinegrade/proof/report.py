@@ -15,6 +15,7 @@ from kinegrade.problem.template.template import Template
 from kinegrade.proof.spread import Spread
 from kinegrade.students.near_mistakes import NearMistakes
 
+_HIDDEN = 3
 SECRET = "check"  # the instances looked at are the same every time
 
 
@@ -54,5 +55,19 @@ class Report:
         """How many distinct instances there are: all combinations, less the share that the sample
         refused.
         """
-        examined = self.instances + sum(self.refused.values())
-        return self.template.combinations * self.instances // examined if examined else 0
+        return self.template.combinations * self.instances // self.examined if self.examined else 0
+
+    @property
+    def possible(self) -> int:
+        """How many distinct instances the sample leaves possible: where it has not all
+        combinations, chance may have hidden three good ones (19 in 20 samples hide no more).
+        """
+        combinations = self.template.combinations
+        if self.examined == combinations:
+            return self.instances
+        return combinations * (self.instances + _HIDDEN) // max(self.examined, 1)
+
+    @property
+    def examined(self) -> int:
+        """How many draws were looked at, with those that were refused."""
+        return self.instances + sum(self.refused.values())

@@ -31,7 +31,7 @@ def write_findings(report: Report) -> Iterator[Message]:
     yield Message(
         "template.report-examined",
         combinations=report.template.combinations,
-        examined=report.instances + sum(report.refused.values()),
+        examined=report.examined,
         accepted=report.instances,
         refused=count_reasons(dict(sorted(report.refused.items()))),
     )

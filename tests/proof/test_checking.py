@@ -192,6 +192,15 @@ def test_no_acceptable_instance_is_a_fault() -> None:
     assert "no acceptable instance was found: widen the domains or relax the conditions" in faults
 
 
+def test_a_sample_too_small_to_tell_is_no_fault() -> None:
+    report = check(load_template("slider-crank"), sample=1, secret="c")  # its draw is refused
+    assert (report.instances, report.faults) == (0, [])
+    assert all_said(report.remarks) == [
+        "accepted 0 of 1: too few draws to tell whether there are 500 distinct instances: "
+        "examine more with --sample"
+    ]
+
+
 def test_the_report_says_what_was_found() -> None:
     report = check(crank(), sample=200)
     lines = [said(write_verdict(report)), *map(said, write_findings(report))]
