@@ -1,7 +1,7 @@
 """All proofs: how much of each `make prove` and `make test` run.
 
 In full they take about 6,000 seconds of processor time, 50 minutes on two free cores. "fair marks"
-looks at 160 papers of each of the fifty-one templates; `make fairness` at 1,000.
+looks at 160 papers of every template; `make fairness` at 1,000.
 """
 
 from __future__ import annotations

@@ -1,0 +1,106 @@
+"""An epicyclic train, the Geneva drive and the scotch yoke, worked out by hand: positions at the time t
+from the loop of the mechanism, differentiated.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+
+import pytest
+from mpmath import acos, arg, cos, diff, exp, mp, mpc, mpf, pi, radians, sqrt
+
+import kinegrade
+
+Given = Mapping[str, mpf]
+MINUTE = mpf(60)
+
+
+def turn_epicyclic_train(given: Given) -> dict[str, mpf]:
+    """Arcs that roll off each other: on the annular gear at rest, and on C seen from the arm."""
+    tooth = given["l"] / 1000 / (given["z_A"] + given["z_C"])  # of the radius, by two
+    annular, sun = 2 * tooth * given["z_A"], 2 * tooth * given["z_C"]
+    planet = (annular - sun) / 2
+
+    def arm(t: mpf) -> mpf:
+        return 2 * pi * given["n"] / MINUTE * t
+
+    def roll(t: mpf) -> mpf:
+        return arm(t) - annular / planet * arm(t)
+
+    def sun_turned(t: mpf) -> mpf:
+        return arm(t) - planet / sun * (roll(t) - arm(t))
+
+    def centre(t: mpf) -> mpc:
+        return (sun + planet) * exp(1j * arm(t))
+
+    return {
+        "n_B": diff(roll, 0) * MINUTE / (2 * pi),
+        "n_C": diff(sun_turned, 0) * MINUTE / (2 * pi),
+        "v_P": abs(diff(centre, 0)),
+    }
+
+
+def index_geneva_wheel(given: Given) -> dict[str, mpf]:
+    """The slot points from C to the pin."""
+    crank = given["a"] / sqrt(mpf(2))
+
+    def pin(t: mpf) -> mpc:
+        """The pin seen from C."""
+        turned = radians(given["phi"]) + 2 * pi * given["n"] / MINUTE * t
+        return crank * exp(1j * turned) - given["a"]
+
+    def wheel(t: mpf) -> mpf:
+        return arg(-pin(t))
+
+    return {
+        "v_r": -diff(lambda t: abs(pin(t)), 0),
+        "omega_C": diff(wheel, 0),
+        "alpha_C": diff(wheel, 0, 2),
+    }
+
+
+def push_yoke(given: Given) -> dict[str, mpf]:
+    """The pin stays above the point B of the yoke, at the distance r from O."""
+    start = given["r"] * cos(radians(given["phi"]))
+
+    def slot(t: mpf) -> mpf:
+        return start + given["v"] * t + given["a"] * t**2 / 2
+
+    def crank(t: mpf) -> mpf:
+        return acos(slot(t) / given["r"])
+
+    return {
+        "omega_OA": diff(crank, 0) * MINUTE / (2 * pi),
+        "v_r": diff(lambda t: sqrt(given["r"] ** 2 - slot(t) ** 2), 0),
+        "alpha_OA": diff(crank, 0, 2),
+    }
+
+
+CASES: tuple[tuple[str, Callable[[Given], dict[str, mpf]], dict[str, str | int]], ...] = (
+    (
+        "epicyclic-train-by-tooth-counts",
+        turn_epicyclic_train,
+        {"z_A": 72, "z_C": 32, "l": 200, "phi": 60, "n": 18},
+    ),
+    (
+        "epicyclic-train-by-tooth-counts",
+        turn_epicyclic_train,
+        {"z_A": 96, "z_C": 28, "l": 140, "phi": 135, "n": 42},
+    ),
+    ("geneva-drive", index_geneva_wheel, {"a": 10, "phi": 30, "n": 60}),
+    ("geneva-drive", index_geneva_wheel, {"a": 14, "phi": -20, "n": 105}),
+    ("scotch-yoke-driven-by-guide", push_yoke, {"r": 180, "phi": 150, "v": 100, "a": -300}),
+    ("scotch-yoke-driven-by-guide", push_yoke, {"r": 120, "phi": 35, "v": -400, "a": -900}),
+)
+
+
+@pytest.mark.parametrize(("name", "work_out", "given"), CASES)
+def test_answers_are_those_of_positions(
+    name: str, work_out: Callable[[Given], dict[str, mpf]], given: dict[str, str | int]
+) -> None:
+    answers = kinegrade.template(name).solve(**given)
+    with mp.workdps(40):
+        expected = work_out({letter: mpf(value) for letter, value in given.items()})
+        assert set(expected) == set(answers)
+        for ask, value in expected.items():
+            assert answers[ask].value == pytest.approx(float(value), rel=1e-12, abs=1e-12), ask
