@@ -1,4 +1,4 @@
-"""An epicyclic train, the Geneva drive and the scotch yoke, worked out by hand: positions at the time t
+"""An epicyclic train, a spool, the Geneva drive and the scotch yoke, worked out by hand: positions at the time t
 from the loop of the mechanism, differentiated.
 """
 
@@ -37,6 +37,28 @@ def turn_epicyclic_train(given: Given) -> dict[str, mpf]:
         "n_B": diff(roll, 0) * MINUTE / (2 * pi),
         "n_C": diff(sun_turned, 0) * MINUTE / (2 * pi),
         "v_P": abs(diff(centre, 0)),
+    }
+
+
+def pull_spool(given: Given) -> dict[str, mpf]:
+    """The rim rolls off the floor, the hub off the cord, whose end has moved by u t + w t^2/2."""
+    rim, hub = given["R"], given["r"]
+
+    def turned(t: mpf) -> mpf:
+        return -(given["u"] * t + given["w"] * t**2 / 2) / (rim - hub)
+
+    def centre(t: mpf) -> mpf:
+        return -rim * turned(t)
+
+    def highest(t: mpf) -> mpc:
+        return centre(t) + 1j * rim * exp(1j * turned(t))
+
+    return {
+        "omega": diff(turned, 0),
+        "v_C": diff(centre, 0),
+        "v_E": diff(highest, 0).real,
+        "a_C": diff(centre, 0, 2),
+        "a_E": abs(diff(highest, 0, 2)),
     }
 
 
@@ -87,6 +109,8 @@ CASES: tuple[tuple[str, Callable[[Given], dict[str, mpf]], dict[str, str | int]]
         turn_epicyclic_train,
         {"z_A": 96, "z_C": 28, "l": 140, "phi": 135, "n": 42},
     ),
+    ("spool-pulled-by-cord", pull_spool, {"R": 50, "r": 30, "u": 25, "w": 10}),
+    ("spool-pulled-by-cord", pull_spool, {"R": 40, "r": 12, "u": 35, "w": -20}),
     ("geneva-drive", index_geneva_wheel, {"a": 10, "phi": 30, "n": 60}),
     ("geneva-drive", index_geneva_wheel, {"a": 14, "phi": -20, "n": 105}),
     ("scotch-yoke-driven-by-guide", push_yoke, {"r": 180, "phi": 150, "v": 100, "a": -300}),

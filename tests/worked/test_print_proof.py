@@ -10,7 +10,8 @@ from kinegrade.figure.vectors.polygon import Arrow, draw_polygon
 from kinegrade.language import Language
 from kinegrade.language.math.reading import read_math
 from kinegrade.mechanics.vector import Vector
-from kinegrade.problem.template.library.library import find_template_names
+from kinegrade.problem.template.library.library import find_template_names, load_template
+from kinegrade.problem.template.texts import find_languages
 from kinegrade.worked.document import Block, Display, Picture, Pictures, Prose
 from tests.worked.draws import drawn, kept
 from tests.worked.reader.known import KNOWN
@@ -38,7 +39,9 @@ def test_a_solution_obeys_the_laws_of_print_and_is_not_excused_without_need(name
 @pytest.mark.parametrize("language", ["zh", "de"])
 @pytest.mark.parametrize("name", find_template_names()[3::10])
 def test_it_does_so_in_every_language(name: str, language: Language) -> None:
-    assert set(_broken(name, language)) == set(_broken(name))
+    known = find_languages(load_template(name))
+    untold = set() if language in known else {"symbol"}  # what an ask tells in other words alone
+    assert set(_broken(name, language)) - untold == set(_broken(name)) - untold
 
 
 def test_only_shipped_templates_are_excused() -> None:

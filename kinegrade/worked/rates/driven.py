@@ -94,8 +94,10 @@ def _state_as_given(tree: Expression, value: Any, unit: str, case: Case) -> tupl
     if given is None or given.is_si or find_si_unit(given).text != unit:
         return ()
     with Balls(PRECISIONS[0]).context():
-        stated = state_quantity(express_in_unit("", value, given))
-    return stated if [link.relation for link in stated] == ["="] else ()
+        quantity = express_in_unit("", value, given)
+        stated = state_quantity(quantity)
+    settled = [link.relation for link in stated] == ["="] and not quantity.is_zero
+    return stated if settled else ()
 
 
 def _find_driven_value(relation: Relation, level: Level) -> Any:

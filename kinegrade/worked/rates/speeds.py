@@ -98,9 +98,10 @@ def find_rotation_value(body: str, case: Case, level: Level) -> Any:
 
 
 def name_relative_rotation(body: str, of: str, case: Case, level: Level) -> Formula:
-    """The rotation of one body relative to another."""
+    """The rotation of one body relative to another, which says nothing if it does not turn."""
     rotation = name_rotation(body, case, level)
-    return rotation if of == GROUND else rotation - name_rotation(of, case, level)
+    still = of == GROUND or of in case.motion.frames.mechanism.find_translating()
+    return rotation if still else rotation - name_rotation(of, case, level)
 
 
 def state_expression(tree: Expression, case: Case) -> Formula:

@@ -142,13 +142,18 @@ def _find_core_projections(
     if len(unshared) == 1:
         yield _project_normal_to(equation, unshared[0])
     elif not unshared:
-        shared = equation.unknowns
-        yield _project_normal_to(equation, shared[0])
+        first, *others = equation.unknowns
+        across = [rate for rate in others if not _are_parallel(equation, first, rate)]
+        yield _project_normal_to(equation, first)
         yield (
-            _project_normal_to(equation, shared[1])
-            if len(shared) > 1
-            else _project_along(equation, shared[0])
+            _project_normal_to(equation, across[0]) if across else _project_along(equation, first)
         )
+
+
+def _are_parallel(equation: VectorEquation, first: Rate, second: Rate) -> bool:
+    """Whether two unknowns of an equation lie along one line, as of a wheel between two tracks."""
+    one, other = (_make_floats(equation.coefficient(rate)) for rate in (first, second))
+    return bool(abs(one.cross(other)) <= PARALLEL * size(one) * size(other))
 
 
 def _select_enough(
