@@ -147,6 +147,10 @@ class WorkerError(KinegradeError):
     """A worker process was ended from outside."""
 
 
+class InstallationError(KinegradeError):
+    """A package that a command needs is not installed."""
+
+
 class ExportError(KinegradeError):
     """A quiz, or grades, cannot be expressed in the format of another system."""
 

@@ -57,7 +57,8 @@ FLOORS = {
     "reports": 12,
     "lms": 13,
     "public": 14,
-    "cli": 15,
+    "preview": 15,
+    "cli": 16,
 }
 # Messages are below the errors that hold them, all else in language/ is above these
 INSIDE = {"kinegrade.errors": "kinegrade.language.errors"}

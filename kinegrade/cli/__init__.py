@@ -23,6 +23,7 @@ from kinegrade.cli.practice import practice
 from kinegrade.cli.printing import paper, papers, reprint_exam, sample, solutions
 from kinegrade.cli.problems.choosing import list_templates, show
 from kinegrade.cli.problems.cycle import cycle
+from kinegrade.cli.problems.preview import preview
 from kinegrade.cli.problems.solve import solve
 from kinegrade.cli.problems.starters import new
 from kinegrade.cli.problems.templates import check, gallery
@@ -50,6 +51,7 @@ for command in (
     solve,
     cycle,
     check,
+    preview,
     new,
     words,
     gallery,

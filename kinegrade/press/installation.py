@@ -31,7 +31,7 @@ class Found:
 
 def examine_installation() -> Iterator[Found]:
     """Everything in turn: the program, the typesetters, what papers in other kinds of files take,
-    and room on the disk.
+    what shows files in the browser, and room on the disk.
     """
     yield _find("kinegrade", __version__)
     yield _find("python", platform.python_version())
@@ -39,6 +39,7 @@ def examine_installation() -> Iterator[Found]:
     yield _find("fonts", _find_chinese_font())
     yield _find("latex", _find_programs("xelatex", "xdvipdfmx"), needed=False)
     yield _find("pandoc", _try_pandoc(), needed=False)
+    yield _find("preview", _find_version("uvicorn", "starlette", "watchfiles"), needed=False)
     yield _find("room", _measure_room())
 
 
@@ -55,12 +56,10 @@ def _find(name: str, state: Text | None, *, needed: bool = True) -> Found:
 def _try_typesetting() -> str | None:
     """The version of the embedded typesetter that could typeset a page."""
     try:
-        from importlib.metadata import version  # noqa: PLC0415
-
         from kinegrade.press.typst.press import TypstPress  # noqa: PLC0415
 
         TypstPress().require_printable("A", "")
-        return version("typst")
+        return _find_version("typst")
     except (ImportError, TypesetError):
         return None
 
@@ -79,6 +78,17 @@ def _find_programs(*names: str) -> str | None:
     """Where the first of some programs is, if all are there."""
     found = [shutil.which(name) for name in names]
     return found[0] if all(found) else None
+
+
+def _find_version(*packages: str) -> str | None:
+    """The version of the first of some packages, if all are there."""
+    from importlib.metadata import PackageNotFoundError, version  # noqa: PLC0415
+
+    try:
+        first, *_ = [version(package) for package in packages]
+    except PackageNotFoundError:
+        return None
+    return first
 
 
 def _try_pandoc() -> str | None:

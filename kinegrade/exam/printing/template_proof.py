@@ -10,6 +10,7 @@ from functools import partial
 from kinegrade.exam.printing.printable import find_printing_faults
 from kinegrade.language.message import Message
 from kinegrade.problem.template.library.library import load_template
+from kinegrade.problem.template.template import Template
 from kinegrade.processes.executor import map_in_order
 from kinegrade.proof.checking import check
 from kinegrade.proof.reporting import write_findings, write_verdict
@@ -34,8 +35,13 @@ def prove_templates(
     return map_in_order(workers, partial(_prove, sample), names)
 
 
-def _prove(sample: int, name: str) -> TemplateProof:
-    report = check(load_template(name), sample)
+def prove_template(template: Template, sample: int) -> TemplateProof:
+    """The proof of a template, by a sample of its draws."""
+    report = check(template, sample)
     report.faults += find_printing_faults(report.template)
     findings = tuple(write_findings(report))
     return TemplateProof(write_verdict(report), findings, not report.faults)
+
+
+def _prove(sample: int, name: str) -> TemplateProof:
+    return prove_template(load_template(name), sample)

@@ -1,15 +1,16 @@
 r"""A worked solution as HTML: with math between `\(` and `\)` for a learning management system to
 show after the quiz, with MathML for pages of our own.
 
-It has the texts, equations and tables of the printed one, which alone has the pictures.
+It has the texts, equations and tables of the printed one; pictures where the page has room.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import assert_never
 
+from kinegrade.figure.back_ends.svg import to_svg
 from kinegrade.language import Language
 from kinegrade.language.catalogue import Catalogue, open_catalogue
 from kinegrade.language.html_text import (
@@ -30,6 +31,7 @@ from kinegrade.worked.document import (
     Block,
     Display,
     Heading,
+    Picture,
     Pictures,
     Prose,
     Term,
@@ -41,8 +43,8 @@ _WHERE = Message("typesetting.place-worked-solution")
 
 @dataclass(frozen=True)
 class MathSetting:
-    """How formulas are written: in a row, on lines of their own, in a line of prose, in prose; and
-    the elements of the titles of chapters and steps.
+    """How formulas are written: in a row, on lines of their own, in a line of prose, in prose; the
+    elements of the titles of chapters and steps; and whether pictures are shown.
     """
 
     row: Callable[[Row], str]
@@ -50,20 +52,20 @@ class MathSetting:
     line: Callable[[str, Location], str]
     prose: Callable[[str, Location], str]
     titles: tuple[str, str] = ("h4", "h5")
+    pictures: bool = False
 
 
 FOR_MATHJAX = MathSetting(write_row_html, write_display_html, write_line, write_prose)
 IN_MATHML = MathSetting(
     write_mathml_row, write_mathml_row, write_page_line, write_page_prose, ("h3", "h4")
 )
+WITH_PICTURES = replace(IN_MATHML, pictures=True)
 
 
 def write_blocks(
     blocks: Sequence[Block], language: Language, setting: MathSetting = FOR_MATHJAX
 ) -> str:
-    """The blocks of a worked solution one after the other; pictures are left out. Raises
-    TypesetError.
-    """
+    """The blocks of a worked solution one after the other. Raises TypesetError."""
     words = open_catalogue(language)
     return "".join(_write_block(block, words, setting) for block in blocks)
 
@@ -80,7 +82,7 @@ def _write_block(block: Block, words: Catalogue, setting: MathSetting) -> str:
         case TermTable():
             return _write_terms(block.terms, words, setting)
         case Pictures():
-            return ""
+            return "".join(map(_draw, block.pictures)) if setting.pictures else ""
         case _:
             assert_never(block)
 
@@ -124,3 +126,9 @@ def _write_head(head: str) -> str:
 
 def _write_entry(cell: str) -> str:
     return f'<td style="padding:0 .5em;text-align:center">{cell}</td>'
+
+
+def _draw(picture: Picture) -> str:
+    """A picture inside the page, over its caption."""
+    caption = write_page_line(picture.caption, _WHERE)
+    return f"<figure>{to_svg(picture.scene)}<figcaption>{caption}</figcaption></figure>\n"

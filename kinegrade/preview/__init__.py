@@ -1,0 +1,3 @@
+"""`kinegrade preview`: a page in the browser that follows a template or a bank while it is
+written.
+"""
