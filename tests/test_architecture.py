@@ -38,6 +38,7 @@ FLOORS = {
     "numbers": 0,
     "processes": 0,
     "question_numbers": 0,
+    "round_numbers": 0,
     "sign_conventions": 0,
     "stated_marking": 0,
     "mechanics": 1,

@@ -4,6 +4,9 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from fractions import Fraction
+
+from kinegrade.round_numbers import round_up
 
 _TURNS = (1, 2, 5, 10, 15, 30, 45, 60, 90, 180, 360, 720, 1800, 3600)  # degrees
 
@@ -52,6 +55,5 @@ def make_turn_axis(low: float, high: float, most: int) -> Axis:
 
 
 def _choose_step(least: float) -> float:
-    """The smallest of 1, 2 and 5 times powers of ten that is not below `least`."""
-    power = 10.0 ** math.floor(math.log10(least))
-    return next(factor * power for factor in (1, 2, 5, 10) if factor * power >= least * (1 - 1e-9))
+    """The smallest round number that is not below `least`, as far as doubles tell."""
+    return float(round_up(Fraction(least * (1 - 1e-9))))

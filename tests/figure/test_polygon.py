@@ -12,8 +12,9 @@ from hypothesis import strategies as st
 from kinegrade.figure.scene import FIRM, THIN, Scene
 from kinegrade.figure.vectors.arrows import DASHED
 from kinegrade.figure.vectors.plain_mechanism import PICTURE
-from kinegrade.figure.vectors.polygon import ROUND, Arrow, draw_polygon
+from kinegrade.figure.vectors.polygon import Arrow, draw_polygon
 from kinegrade.mechanics.vector import Vector
+from kinegrade.round_numbers import STEPS
 from tests.figure.clear import dots, faults, heads, lines, symbols
 
 A, B = Vector(3.0, 4.0), Vector(6.0, 0.0)
@@ -54,7 +55,7 @@ def test_the_scale_is_a_round_number_for_vectors_of_any_size(factor: float) -> N
     )
     scene = draw_polygon(left, right)
     figures = scene.scale / 10 ** int(log10(scene.scale) // 1)
-    assert min(abs(figures - leading) for leading in ROUND) < 1e-6
+    assert min(abs(figures - leading) for leading in STEPS) < 1e-6
     assert max(scene.width, scene.height) > 30.0
     assert faults(scene, PICTURE.width, PICTURE.height) == []
 

@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from fractions import Fraction
-from math import floor, log10
 
 from kinegrade.exam.printing.rules import make_decimals_rule, make_percent, write_amount
 from kinegrade.exam.setting.setting import SetAsk
@@ -13,8 +11,7 @@ from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.message import Message, Part, list_choices
 from kinegrade.mechanics.motion import Motion
 from kinegrade.problem.tolerance import find_scale_of_mechanism
-
-_PLAIN = (10, 5, 2, 1)  # amounts of other figures would tell how large the mechanism's answers are
+from kinegrade.round_numbers import round_down
 
 
 def write_row_tolerance(entry: SetAsk, motion: Motion, language: Language) -> tuple[str, ...]:
@@ -23,16 +20,6 @@ def write_row_tolerance(entry: SetAsk, motion: Motion, language: Language) -> tu
     """
     words = open_catalogue(language)
     return tuple(map(words.write, (*_list_stated(entry), *_list_near_zero(entry, motion))))
-
-
-def round_down(amount: Fraction) -> Fraction:
-    """The largest of 1, 2, 5, 10, 20 ... that is not above a positive amount, exactly.
-
-    >>> round_down(Fraction("0.0198")), round_down(Fraction("0.5"))
-    (Fraction(1, 100), Fraction(1, 2))
-    """
-    decade = Fraction(10) ** floor(log10(amount))
-    return next(plain * decade for plain in _PLAIN if plain * decade <= amount)
 
 
 def _list_stated(entry: SetAsk) -> Iterator[Message]:
@@ -51,7 +38,9 @@ def _list_stated(entry: SetAsk) -> Iterator[Message]:
 
 
 def _list_near_zero(entry: SetAsk, motion: Motion) -> Iterator[Message]:
-    """The amount as far down as it is plain, so that what the row allows is always right."""
+    """The amount as far down as it is round, so that what the row allows is always right: other
+    figures would tell how large the mechanism's answers are.
+    """
     room = entry.ask.tolerance.share * find_scale_of_mechanism(motion, entry.answer.measure)
     if room > 0 and (amount := round_down(room)) > entry.stated.absolute:
         number = write_amount(amount, entry.answer.unit, r"\pm")

@@ -6,8 +6,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 from itertools import combinations, islice, pairwise, permutations, product
-from math import floor, log10
 from types import MappingProxyType
 
 from kinegrade.figure.mechanism.fitting import make_scene
@@ -18,10 +18,10 @@ from kinegrade.figure.scene import Disc, Primitive, Scene
 from kinegrade.figure.vectors.arrows import VectorArrow, look_like_one, put_side_by_side
 from kinegrade.figure.vectors.plain_mechanism import PICTURE
 from kinegrade.mechanics.vector import Vector
+from kinegrade.round_numbers import round_down
 
 # Millimetres that the polygon alone takes at most: the rest of a figure is for symbols
 _WIDE, _HIGH = (52.0, 36.0)
-ROUND = (1.0, 2.0, 5.0)  # leading figures of a scale, and so of its reciprocal
 _NEGLIGIBLE = 0.01  # of the longest vector: shorter ones are not drawn
 _OFFSETS = (2.0, -6.0, 8.0, -12.0, 14.0)  # millimetres between arrows that would lie on one another
 _LEAST = 10.0  # millimetres: no polygon is made smaller than this, whatever its symbols take
@@ -119,14 +119,13 @@ def _fits(scene: Scene) -> bool:
 
 
 def _round_down(number: float) -> float:
-    """The largest round number that is not above a positive number.
+    """The largest round number that is not above a positive number, as far as doubles tell: a
+    scale with a leading figure of 1, 2 or 5, and so its reciprocal.
 
     >>> _round_down(13.7), _round_down(0.0299)
     (10.0, 0.02)
     """
-    power = 10.0 ** floor(log10(number) + 1e-9)
-    leading = max(figure for figure in ROUND if figure <= number / power * (1 + 1e-9))
-    return float(f"{leading * power:.6g}")
+    return float(round_down(Fraction(number * (1 + 1e-9))))
 
 
 def _find_corners(chain: Sequence[Arrow]) -> Iterator[Vector]:

@@ -7,14 +7,15 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
-from math import ceil, floor, inf, log10
+from math import ceil, inf
 
 from kinegrade.numbers.tolerance import ONE_PER_CENT, USUAL_CARRY, Tolerance
 from kinegrade.problem.solution import Solution
 from kinegrade.problem.tolerance import find_effective_tolerance
+from kinegrade.round_numbers import round_up
 
 # A widened tolerance is one of these per cents
-_PLAIN = tuple(Fraction(number) for number in ("1", "1.5", "2", "3", "4", "5", "6", "8", "10"))
+_PLAIN = tuple(Fraction(number) for number in ("1", "1.5", "2", "3", "4", "5", "6", "8"))
 _SAME = 1e-9  # relative: closer than this is the same figure in doubles
 WIDEST = Fraction(1, 10)  # of an answer
 USUALLY = 0.9  # of the draws: a tolerance that holds in fewer is not enough
@@ -85,6 +86,4 @@ def find_plain_figure(number: float) -> Fraction:
     >>> find_plain_figure(0.0124), find_plain_figure(0.81)
     (Fraction(3, 200), Fraction(1, 1))
     """
-    decade = Fraction(10) ** floor(log10(number))
-    least = number * (1 - _SAME)
-    return next(plain * decade for plain in _PLAIN if float(plain * decade) >= least)
+    return round_up(Fraction(number * (1 - _SAME)), _PLAIN)
