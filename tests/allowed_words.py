@@ -52,6 +52,12 @@ ALLOWED: Mapping[str, Mapping[str, Sequence[str]]] = {
             "Cannot overwrite a value",
         ],
     },
+    "the protocol of events that a server sends": {
+        "preview/application.py": [
+            ": watching\n\n",
+            "data: changed\n\n",
+        ],
+    },
     "names of fonts": {
         "figure/back_ends/svg.py": [
             "Libertinus Serif, STIX Two Text, Times New Roman, Times, Liberation Serif, serif",

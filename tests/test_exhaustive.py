@@ -365,7 +365,7 @@ def test_our_own_types_and_literals_are_known_from_the_package_itself() -> None:
     assert words.values["level"] == {"velocity", "acceleration"}
     assert {"moodle", "canvas", "qti21"} <= words.values["typing"]
     assert {"rotation", "sliding"} <= words.values["kind"]
-    assert {"_ROLES", "_FILLS"} <= words.tables
+    assert {"LETTERS", "_FILLS"} <= words.tables
 
 
 @cache

@@ -132,5 +132,6 @@ def test_pages_install_what_a_wheel_is_made_of() -> None:
     lines = {step.line for step in steps if isinstance(step, Command)}
     assert {line for line in lines if line.startswith(INSTALLING)} == {
         "pip install .",
+        "pip install '.[preview]'",
         "pip install '.[word]'",
     }

@@ -54,9 +54,9 @@ def test_lines_of_code_are_lines_without_docstrings_comments_and_blanks(tmp_path
 # did when fairness came to be bounded (mistakes, follow-through, papers alike hard) and when
 # mechanisms came to move (cycles)
 FAR = {
-    "syntax nodes": 616_689,
-    "lines of code": 65_309,
-    "syntax nodes a line": 9.44,
+    "syntax nodes": 616_734,
+    "lines of code": 65_318,
+    "syntax nodes a line": 9.45,
     "modules of more than 250 lines": 15,
 }
 COPIED = """

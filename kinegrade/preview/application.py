@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 from threading import Event
-from typing import ParamSpec, TypeVar, get_args
+from typing import ParamSpec, TypeVar, assert_never, get_args
 
 from starlette.applications import Starlette
 from starlette.middleware import Middleware
@@ -68,7 +68,7 @@ class Desk:
 
     async def part(self, name: PartName, request: Request) -> Response:
         """A part of the page."""
-        workers = self.first if name == "problem" else self.others
+        workers = self._choose_workers(name)
         return _answer(await _do(workers, write_part, name, self._read(request)), _INSIDE)
 
     async def verdict(self, request: Request) -> Response:
@@ -84,6 +84,16 @@ class Desk:
     async def _tell(self) -> AsyncIterator[str]:
         async for changed in watch_file(self.path, self.ended):
             yield "data: changed\n\n" if changed else ": watching\n\n"
+
+    def _choose_workers(self, name: PartName) -> Executor:
+        """Who makes a part: nothing long stands before the problem."""
+        match name:
+            case "problem":
+                return self.first
+            case "solution" | "draws" | "check" | "motion":
+                return self.others
+            case _:
+                assert_never(name)
 
     def _read(self, request: Request) -> Shown:
         """What the page shows. Raises FieldError for a language that there is not."""

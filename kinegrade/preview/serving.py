@@ -58,5 +58,6 @@ def _listen(port: int) -> socket.socket:
     try:
         return socket.create_server((_HERE, port))
     except OSError as error:
+        where = Message("preview.port", port=port)
         taken, do = Message("preview.port-taken"), Message("preview.another-port")
-        raise OptionError(Fault(f"--port {port}", taken, do)) from error
+        raise OptionError(Fault(where, taken, do)) from error

@@ -8,7 +8,8 @@
                                    a line "..." stands for any lines
 
 A comment `<!-- continues PAGE -->` says whose files a page goes on with. Commands that install
-kinegrade are run by `tests/test_installing.py`.
+kinegrade are run by `tests/test_installing.py`; those that stay until they are stopped are read, and
+begun by `tests/preview/test_serving.py`.
 """
 
 from __future__ import annotations
@@ -20,11 +21,15 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
+import click
+
+from kinegrade.cli import main
 from tests.small_class import kinegrade
 
 ROOT = Path(__file__).parents[2]
 DOCS = ROOT / "docs"
 INSTALLING = ("pip install ", "make ")
+STAYING = ("kinegrade preview ",)
 _BLOCK = re.compile(r"^(?P<fence>```+) *(?P<kind>\S*).*?\n(?P<text>.*?)^(?P=fence) *$", re.M | re.S)
 _CAPTION = re.compile(r":caption: (?P<name>\S+)\n\n?")
 _CONTINUES = re.compile(r"<!-- continues (?P<page>\S+) -->")
@@ -135,9 +140,21 @@ def take(step: File | Command, folder: Path, runner: Runner = run_here) -> str:
             return ""
         case Command(line) if line.startswith(INSTALLING):
             return ""
+        case Command(line) if line.startswith(STAYING):
+            return _find_misuse(line)
         case Command(line, shown):
             status, output = runner(line, folder)
             return _find_fault(line, shown, status, output)
+
+
+def _find_misuse(line: str) -> str:
+    """What is wrong with the arguments of a command that is not run."""
+    _, name, *arguments = shlex.split(line, comments=True)
+    try:
+        main.commands[name].make_context(name, arguments)
+    except click.ClickException as error:
+        return f"{line}: {error.format_message()}"
+    return ""
 
 
 def _find_fault(line: str, shown: tuple[str, ...] | None, status: int, output: list[str]) -> str:

@@ -34,7 +34,7 @@ TYPED = {
 def grade(folder: Path) -> dict[tuple[str, str], str]:
     """What marking says of each answer: the verdict in words, and why."""
     (folder / "bank.toml").write_text(BANK, encoding="utf-8")
-    students = "".join(f"s{number},Ann\n" for number in range(len(TYPED["v_B"])))
+    students = "".join(f"s{number},Ann\n" for number in range(sum(map(len, TYPED.values()))))
     (folder / "roster.csv").write_text(f"student,name\n{students}", encoding="utf-8")
     files = folder / "bank.toml", folder / "roster.csv"
     assert kinegrade("generate", *files, "-o", folder / "EXAM").exit_code in (0, 1)
@@ -42,8 +42,7 @@ def grade(folder: Path) -> dict[tuple[str, str], str]:
     with (folder / "answers.csv").open("w", encoding="utf-8", newline="") as sheet:
         writer = csv.DictWriter(sheet, rows[0])
         writer.writeheader()
-        for number, row in enumerate(rows):
-            typed = {f"q1.{ask}": texts[number] for ask, texts in TYPED.items()}
+        for row, typed in zip(rows, list_typed(), strict=True):
             writer.writerow({**row, **typed})
     answers = folder / "answers.csv"
     kinegrade("grade", folder / "EXAM", answers, "-o", folder / "MARKS", "--own-papers")
@@ -52,6 +51,17 @@ def grade(folder: Path) -> dict[tuple[str, str], str]:
         (each.ask, each.typed): " ".join((words.write(name_verdict(each.verdict)), each.reason))
         for each in api.open_marks(folder / "MARKS").answers()
     }
+
+
+def list_typed() -> list[dict[str, str]]:
+    """What each student answers: one text of `TYPED`, and the truth to the other ask, so that
+    nothing follows from a wrong answer.
+    """
+    return [
+        {**{f"q1.{other}": texts[0] for other, texts in TYPED.items()}, f"q1.{ask}": text}
+        for ask, texts in TYPED.items()
+        for text in texts
+    ]
 
 
 def test_boxes_say_what_marking_says(tmp_path: Path) -> None:
