@@ -54,7 +54,6 @@ ALLOWED: Mapping[str, Mapping[str, Sequence[str]]] = {
     },
     "the protocol of events that a server sends": {
         "preview/application.py": [
-            ": watching\n\n",
             "data: changed\n\n",
         ],
     },
