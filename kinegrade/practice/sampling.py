@@ -8,12 +8,14 @@ from dataclasses import dataclass
 import numpy as np
 
 from kinegrade.mechanics.vector import Vector
+from kinegrade.motion.ends import Open
 from kinegrade.motion.path import Array, MotionPath, Placement
 from kinegrade.motion.placing import Placing
 from kinegrade.practice.skeleton import list_guides
 
 _COUNTS = (36, 72, 144)  # positions of a turn, or of a swing
 _MOST = 288
+_TURNS = 2  # of an input after which the mechanism never is as it was: the rest is much the same
 _TRUE = 0.0005  # of the drawing's longer side: what interpolated positions may be off
 _FAR = 2.0  # sizes of the mechanism that a point may go
 _BEYOND = 0.06  # sizes of the mechanism: of a guide behind the last place of what moves there
@@ -41,7 +43,7 @@ def choose_poses(path: MotionPath) -> PoseTable:
     """Positions of the path, as many as it takes for those between to be true; of one on which
     points go far away, those nearby.
     """
-    low, high = path.bounds
+    low, high = _find_way(path)
     turns = max(1, round((high - low) / path.input.period)) if path.input.period else 1
     for count in _COUNTS:
         table = _tabulate(path, _spread(path, min(_MOST, count * turns)))
@@ -50,11 +52,20 @@ def choose_poses(path: MotionPath) -> PoseTable:
     return table
 
 
+def _find_way(path: MotionPath) -> tuple[float, float]:
+    """From where to where the input goes."""
+    low, high = path.bounds
+    if path.input.period is None or not isinstance(path.end, Open):
+        return low, high
+    return low, min(high, low + _TURNS * path.input.period)
+
+
 def _spread(path: MotionPath, count: int) -> Array:
     """About so many displacements, those of positions that are near."""
     if path.is_closed:
         return path.spread(count + 1)[:-1]
-    moved = path.spread(count)
+    endless = isinstance(path.end, Open)
+    moved = np.linspace(*_find_way(path), count) if endless else path.spread(count)
     points = path.place(moved).frames.mechanism.points.values()
     start = path.motion.points.values()
     ways = [

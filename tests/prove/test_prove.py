@@ -43,7 +43,7 @@ def test_what_once_failed_holds_now(name: str, seed: int, folder: Path) -> None:
 
 def test_every_proof_has_a_sample() -> None:
     without = [proof.name for proof in PROOFS if not proof.sample]
-    # whose samples are the suite, tests/figures and tests/by_hand
+    # whose samples are the suite, tests/figures, tests/by_hand and tests/practice
     assert without == [
         "properties",
         "solution pages",
@@ -52,6 +52,7 @@ def test_every_proof_has_a_sample() -> None:
         "by hand",
         "whole papers",
         "printed pages",
+        "practice sheets",
     ]
     assert "tests/laws/test_laws.py" in properties.files()
 

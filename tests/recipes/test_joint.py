@@ -187,8 +187,8 @@ def add_statement(room: Path) -> None:
             "        case EqualRotation():\n            return",
         ),
         (
-            "        case EqualPitchSpeed() | ",
-            "        case DoubledRotation() | EqualPitchSpeed() | ",
+            "        case SharedPoint() | GuidedPoint() | None:\n            yield",
+            "        case DoubledRotation() | SharedPoint() | GuidedPoint() | None:\n            yield",
         ),
     )
 

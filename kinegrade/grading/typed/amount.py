@@ -18,6 +18,7 @@ from kinegrade.language.message import Message, list_plainly
 from kinegrade.numbers.angle import Angle
 from kinegrade.numbers.balls import Balls
 from kinegrade.numbers.field import Field
+from kinegrade.numbers.pi_multiple import split_pi
 from kinegrade.numbers.refusals import Inexact
 from kinegrade.numbers.surd import Surd
 from kinegrade.numbers.text import find_bounds
@@ -85,7 +86,7 @@ def _make_exact(formula: Formula) -> Amount | None:
         return None  # an angle added to a number, as in 1 + pi: a ball holds both
     if isinstance(value, Angle):
         return Amount(value.half_turns, 1)
-    return Amount(value)
+    return Amount(*split_pi(value))
 
 
 def convert(amount: Amount, factor: Fraction, pi: int) -> tuple[Fraction, Fraction]:
