@@ -41,7 +41,7 @@ def test_more_figures_or_wider_tolerances_are_advised() -> None:
     said_of_it = refusal(strict("1/1000"))
     assert re.search(
         r"expected one for each student - state carry = 5 or tolerance = \"honest\" or wider for "
-        r"a_cor \(1 %\), alpha_AB \(1\.5 %\), omega_AB \(1 %\) and v_O \(1 %\)$",
+        r"a_cor \(1 %\), alpha_AB \(2 %\), omega_AB \(1 %\) and v_O \(1 %\)$",
         said_of_it,
     )
 
@@ -57,12 +57,12 @@ def test_what_is_advised_helps() -> None:
         assert dealt(helped, PLACES).lasting
 
 
-WIDER = {"a_cor": "1/100", "alpha_AB": "3/200", "omega_AB": "1/100", "v_O": "1/100"}
+WIDER = {"a_cor": "1/100", "alpha_AB": "1/50", "omega_AB": "1/100", "v_O": "1/100"}
 
 
 def test_only_the_asks_that_rounding_leaves_are_named() -> None:
-    assert refusal(strict("1/5000", "omega_AB")).endswith(
-        'state carry = 6 or tolerance = "honest" or wider for omega_AB (1 %)'
+    assert refusal(strict("1/5000", "omega_AB", "alpha_AB")).endswith(
+        'state carry = 6 or tolerance = "honest" or wider for alpha_AB (2 %) and omega_AB (1 %)'
     )
 
 

@@ -77,7 +77,7 @@ def test_where_both_axes_are_used_the_direction_of_a_vector_is_left() -> None:
         r"the projection on the direction of $\boldsymbol{v}_{\mathrm{a}}$, "
         "which has not been used",
         r"0.2\,\unit{m/s}",
-        r"0.1\,\unit{m/s} \cdot \cos 60^\circ + 0.1732\,\unit{m/s} \cdot \sin 60^\circ"
+        r"0.1414\,\unit{m/s} \cdot \cos 45^\circ + 0.1414\,\unit{m/s} \cdot \sin 45^\circ"
         r" \approx 0.2\,\unit{m/s}",
     )
 

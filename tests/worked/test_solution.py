@@ -323,7 +323,6 @@ def test_a_point_whose_motion_a_step_takes_as_known_is_told_before() -> None:
         tidy(
             r"v_{B} &= \sqrt{v_{B,x}^{2}+v_{B,y}^{2}} = \sqrt{(-0.3\,\unit{m/s})^{2} + "
             r"(0.1732\,\unit{m/s})^{2}} \approx 0.3464\,\unit{m/s}"
-            r"\quad\text{(in the direction }150^\circ\text{)}"
         )
     ]
 

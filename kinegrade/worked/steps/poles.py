@@ -13,7 +13,7 @@ from kinegrade.problem.template.template import Ask
 from kinegrade.worked.case import Case
 from kinegrade.worked.document import Block
 from kinegrade.worked.formulas.atoms import AXES, OTHER, AxisName, add_terms
-from kinegrade.worked.formulas.equation import Equation, equate
+from kinegrade.worked.formulas.equation import Equation, drop_repetition, equate
 from kinegrade.worked.formulas.measures import double
 from kinegrade.worked.formulas.numbers import measure, state_number
 from kinegrade.worked.formulas.symbols import name_coordinate, read_symbol
@@ -97,4 +97,4 @@ def _state_coordinate(
     links = equate(symbols, numbers) if double(across) else equate(symbols)
     place = case.motion.pole(body, case.arithmetic)[PLACES[axis]]
     left = name_coordinate(axis, case.naming.letter(pole))
-    return Equation(left, (*links, *state_number(place, "m")))
+    return Equation(left, drop_repetition(links, state_number(place, "m")))
