@@ -13,7 +13,7 @@ import pytest
 from benchmarks.__main__ import missing_peer
 from benchmarks.ordinary_latex import PREAMBLE
 from kinegrade.press.word.press import PandocPress
-from tests.tools import TEX_FILES, main, missing_tools
+from tests.tools import PROGRAMS, TEX_FILES, find_modules, main, missing_tools
 
 NEEDS_TEX = "tests/figure/test_back_ends.py::test_the_estimated_room_holds_every_symbol_latex_sets"
 
@@ -38,7 +38,7 @@ def test_a_file_that_tex_does_not_find_is_missing(
 ) -> None:
     found = [f"echo /texmf/{name}" for name in TEX_FILES if name != "siunitx.sty"]
     program(tmp_path, "kpsewhich", "\n".join([*found, "exit 1"]))
-    for name in ("pdflatex", "xelatex", "pdftoppm", "node", "chromium"):
+    for name in PROGRAMS:
         program(tmp_path, name, "")
     monkeypatch.setenv("PATH", str(tmp_path))
     assert missing_tools() == {"siunitx.sty": "texlive-science"}
@@ -50,10 +50,27 @@ def test_without_apt_get_one_line_says_what_to_install(
     monkeypatch.setenv("PATH", str(tmp_path))
     assert main() == 1
     (line,) = capsys.readouterr().err.splitlines()
-    assert line.startswith("tools: pdflatex, xelatex, pdftoppm, node, chromium, ctexhook.sty, ")
+    assert line.startswith("tools: pdflatex, xelatex, pdftoppm, node, npm, chromium, firefox, ")
     assert line.endswith(
-        "install TeX Live (tug.org/texlive) or MacTeX with siunitx, TikZ and xeCJK, poppler, node and chromium"
+        "install TeX Live (tug.org/texlive) or MacTeX with siunitx, TikZ and xeCJK, poppler, "
+        "node with npm, chromium and firefox"
     )
+
+
+@pytest.mark.skipif(os.name != "posix", reason="programs of POSIX")
+def test_packages_of_npm_are_installed_whole_or_not_at_all(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
+    monkeypatch.setenv("PATH", f"{tmp_path}:/bin:/usr/bin")
+    wanted = ("axe-core", "puppeteer-core", "scorm-again", "typescript")
+    program(tmp_path, "apt-get", "exit 1")
+    program(tmp_path, "npm", "mkdir -p node_modules/axe-core; exit 1")
+    assert main() == 1
+    assert {name for name, package in missing_tools().items() if not package} == set(wanted)
+    program(tmp_path, "npm", f"mkdir node_modules; cd node_modules; mkdir {' '.join(wanted)}")
+    assert main() == 0
+    assert {each.name for each in find_modules().iterdir()} == set(wanted)
 
 
 @pytest.mark.skipif(os.name != "posix", reason="programs of POSIX")

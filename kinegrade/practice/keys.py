@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
-from kinegrade.exam.setting.key_mistakes import Mistaken
+from kinegrade.exam.setting.key_mistakes import WRONG_DIGITS, Mistaken
 from kinegrade.exam.setting.setting import SetAsk
 from kinegrade.language.html_text import write_unit_html
 from kinegrade.language.prose.html import write_page_line
@@ -21,7 +21,7 @@ from kinegrade.problem.template.translated import Translated
 from kinegrade.stated_marking import find_identifier
 
 _DIGITS = 12  # of right answers
-_RATIO_DIGITS = 7
+_MOST_DIGITS = 12  # of ratios
 _ZERO = 1e-12
 
 
@@ -92,9 +92,15 @@ def _make_rule(tolerance: Tolerance) -> PracticeRule:
 def _make_key(entry: SetAsk, rule: int, labels: Sequence[str], mistaken: Mistaken) -> PracticeKey:
     known = mistaken.get(entry.ask.name, {})
     right = entry.answer.value
-    unit = right if abs(right) > _ZERO else 1.0
-    ratios = (
-        f"{float(known[label]) / unit:.{_RATIO_DIGITS}g}" if label in known else ""
-        for label in labels
-    )
-    return f"{right:.{_DIGITS}g}" if abs(right) > _ZERO else "0", rule, " ".join(ratios)
+    shown = f"{right:.{_DIGITS}g}" if abs(right) > _ZERO else "0"
+    unit = float(shown) or 1.0
+    ratios = (_write_ratio(known[label], unit) if label in known else "" for label in labels)
+    return shown, rule, " ".join(ratios)
+
+
+def _write_ratio(wrong: str, unit: float) -> str:
+    """The shortest ratio that gives the wrong value back, to as many digits as marks have of it."""
+    ratio = float(wrong) / unit
+    written = (f"{ratio:.{digits}g}" for digits in range(1, _MOST_DIGITS))
+    same = (each for each in written if f"{float(each) * unit:.{WRONG_DIGITS}g}" == wrong)
+    return next(same, f"{ratio:.{_MOST_DIGITS}g}")

@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-import zlib
 from base64 import b64encode
 from hashlib import sha256
 
-import msgspec
 from markupsafe import Markup
 
 from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.practice.document import PracticeSheet
+from kinegrade.practice.packing import pack
 from kinegrade.practice.script import join_scripts
 from kinegrade.practice.vocabulary import list_vocabulary
 from kinegrade.practice.wording import collect_wording
@@ -34,18 +33,8 @@ def write_page(sheet: PracticeSheet, language: Language, *, scorm: bool = False)
         note=catalogue.text("practice.reported" if scorm else "practice.note"),
         script=Markup(script),
         hash=_hash_script(script),
-        baked=_pack(sheet, language),
+        baked=Markup(pack(sheet, vocabulary=list_vocabulary(), wording=collect_wording(language))),
     )
-
-
-def _pack(sheet: PracticeSheet, language: Language) -> str:
-    """All that the script has to know, compressed."""
-    baked = {
-        "sheet": sheet,
-        "vocabulary": list_vocabulary(),
-        "wording": collect_wording(language),
-    }
-    return b64encode(zlib.compress(msgspec.json.encode(baked), 9)).decode()
 
 
 def _hash_script(script: str) -> str:

@@ -5,7 +5,7 @@ the draws of a practice sheet, drawn from the same words.
 from __future__ import annotations
 
 import csv
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from random import Random
@@ -15,10 +15,11 @@ from kinegrade.language import ENGLISH
 from kinegrade.marks_folder.rows import MarkedAnswer
 from kinegrade.practice.document import PracticeQuestion, PracticeSheet
 from kinegrade.practice.making import make_practice_sheet
-from tests.practice.node import judge_in_node
+from tests.practice.node import Shown, Typed
 from tests.small_class import kinegrade as command
 
 WORDS = "practice"
+Judge = Callable[[PracticeSheet, Typed], list[list[list[Shown]]]]
 
 
 @dataclass(frozen=True)
@@ -40,35 +41,49 @@ class Pair:
         return self.marked == self.shown or untold
 
 
-def compare_verdicts(bank: Path, folder: Path, draws: int, seed: int) -> list[Pair]:
-    """The verdicts on answers to so many draws of a bank; a mistake is named behind its verdict."""
+@dataclass(frozen=True)
+class Marked:
+    """What was typed for the draws of a sheet (a question, a draw, an ask), with its marks."""
+
+    bank: str
+    sheet: PracticeSheet
+    typed: Typed
+    answers: Mapping[tuple[str, str, str], MarkedAnswer]
+
+    def compare(self, judge: Judge) -> list[Pair]:
+        """The marks beside what the page says; mistakes are named behind verdicts."""
+        shown = judge(self.sheet, self.typed)
+        return [
+            Pair(
+                f"{self.bank} draw-{number + 1} q{place + 1}.{ask.name}",
+                self.typed[place][number][row],
+                _describe(self.answers[f"draw-{number + 1}", f"q{place + 1}", ask.name]),
+                " ".join((said.kind, *said.mistakes)),
+                said.is_cut_off,
+            )
+            for place, question in enumerate(self.sheet.questions)
+            for number in range(len(question.draws))
+            for ask, row, said in zip(
+                question.asks, range(len(question.asks)), shown[place][number], strict=True
+            )
+        ]
+
+
+def mark_answers(bank: Path, folder: Path, draws: int, seed: int) -> Marked:
+    """Answers to so many draws of a bank, or to as many as there are, marked by the command line."""
     blueprint = kinegrade.Bank.read(bank).blueprint
     sheet = make_practice_sheet(blueprint, draws, WORDS, ENGLISH).sheet
     fewest = min(len(question.draws) for question in sheet.questions)
     if fewest < draws:
-        return compare_verdicts(bank, folder, fewest, seed)
+        return mark_answers(bank, folder, fewest, seed)
     random = Random(seed)
     typed = [
         [list(_type_answers(question, number, random)) for number in range(len(question.draws))]
         for question in sheet.questions
     ]
-    shown = judge_in_node(sheet, typed)
-    marked = {
-        (each.student, each.question, each.ask): each
-        for each in _mark(bank, folder, sheet, typed, draws)
-    }
-    return [
-        Pair(
-            f"{bank.name} draw-{number + 1} q{place + 1}.{ask.name}",
-            typed[place][number][row],
-            _describe(marked[f"draw-{number + 1}", f"q{place + 1}", ask.name]),
-            " ".join((shown[place][number][row]["kind"], *shown[place][number][row]["mistakes"])),
-            shown[place][number][row]["cutOff"],
-        )
-        for place, question in enumerate(sheet.questions)
-        for number in range(len(question.draws))
-        for row, ask in enumerate(question.asks)
-    ]
+    marked = _mark(bank, folder, sheet, typed, draws)
+    answers = {(each.student, each.question, each.ask): each for each in marked}
+    return Marked(bank.name, sheet, typed, answers)
 
 
 def _describe(answer: MarkedAnswer) -> str:
@@ -78,7 +93,7 @@ def _describe(answer: MarkedAnswer) -> str:
 
 
 def _mark(
-    bank: Path, folder: Path, sheet: PracticeSheet, typed: list[list[list[str]]], draws: int
+    bank: Path, folder: Path, sheet: PracticeSheet, typed: Typed, draws: int
 ) -> Iterator[MarkedAnswer]:
     """The marks of the answers, by the command line."""
     names = [f"draw-{number + 1}" for number in range(draws)]

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import subprocess
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 import msgspec
@@ -35,7 +36,7 @@ const judged = sheet.questions.map((question, place) =>
       judge(reader.read(typed[place][number][row], ask), keys[row]));
     const judged = followThrough(question, draw, keys, verdicts);
     const cutOff = isCutOff(question, draw, judged);
-    return judged.map((verdict) => ({ ...verdict, cutOff }));
+    return judged.map(({ kind, mistakes }) => ({ kind, mistakes, is_cut_off: cutOff }));
   }));
 process.stdout.write(JSON.stringify(judged));
 """
@@ -54,14 +55,25 @@ process.stdout.write(JSON.stringify({ shown, instants: motions.map((each) => new
 Typed = Sequence[Sequence[Sequence[str]]]  # of a question, of a draw, for an ask
 
 
+@dataclass(frozen=True)
+class Shown:
+    """What a page says of an answer: its verdict, the mistakes it names; `is_cut_off` where it says
+    that it cannot tell what follows.
+    """
+
+    kind: str
+    mistakes: tuple[str, ...]
+    is_cut_off: bool
+
+
 def read_in_node(cases: Sequence[Mapping[str, Any]]) -> list[dict[str, Any]]:
     """What the script reads in typed texts: each case has a text and what is asked."""
     return list(_run(_READ, {"cases": list(cases)}))
 
 
-def judge_in_node(sheet: PracticeSheet, typed: Typed) -> list[list[list[dict[str, Any]]]]:
+def judge_in_node(sheet: PracticeSheet, typed: Typed) -> list[list[list[Shown]]]:
     """The script's verdicts on what was typed, in the same order."""
-    return list(_run(_JUDGE, {"sheet": sheet, "typed": typed}))
+    return msgspec.convert(_run(_JUDGE, {"sheet": sheet, "typed": typed}), list[list[list[Shown]]])
 
 
 def move_in_node(motions: Sequence[PracticeMotion], shares: Sequence[float]) -> dict[str, Any]:

@@ -1,14 +1,20 @@
-"""A practice sheet says of what students type what `kinegrade grade` says, template by template."""
+"""A practice sheet in a browser says of what students type what `kinegrade grade` says, template by
+template.
+"""
 
 from __future__ import annotations
 
+from functools import partial
 from pathlib import Path
 
-from tests.practice.graded import compare_verdicts
+from tests.browsers.page import BrowserName, open_page
+from tests.practice.graded import Pair, mark_answers
 from tests.practice.test_reader import compare_made_up
+from tests.practice.typed_sheet import judge_in_page
 from tests.prove.draws import seeded_template
 
 DRAWS = 12
+BROWSERS: tuple[BrowserName, ...] = ("chromium", "chromium", "chromium", "firefox")
 BANK = """title = "Practice"
 course = "Mechanics"
 
@@ -19,10 +25,20 @@ template = "{template}"
 
 def hold(seed: int, folder: Path) -> None:
     """Compare the verdicts on a class's answers to the template of a seed."""
+    unlike = [pair for pair in list_pairs(seed, folder) if not pair.agrees]
+    assert not unlike, " ".join(map(str, unlike))
+    compare_made_up(seed, 200)
+
+
+def list_pairs(seed: int, folder: Path) -> list[Pair]:
+    """The marks of the answers beside what a browser shows, which says and asks nothing else."""
     bank = folder / f"practice-{seed}.toml"
-    bank.write_text(BANK.format(template=seeded_template(seed)), encoding="utf-8")
+    bank.write_text(BANK.format(template=seeded_template(seed).name), encoding="utf-8")
     work = folder / f"practice-{seed}"
     work.mkdir(parents=True, exist_ok=True)
-    pairs = compare_verdicts(bank, work, DRAWS, seed)
-    assert [pair for pair in pairs if not pair.agrees] == []
-    compare_made_up(seed, 200)
+    marked = mark_answers(bank, work, DRAWS, seed)
+    with open_page(BROWSERS[seed % len(BROWSERS)]) as page:
+        pairs = marked.compare(partial(judge_in_page, page, work))
+        said = [each for each in page.messages() if "sheet.html" not in each]
+    assert not said, " ".join(said)
+    return pairs

@@ -41,6 +41,6 @@ PROOFS = (
     Proof("by hand", by_hand.hold, cases=len(TAUGHT), batch=1, sample=0),
     Proof("whole papers", whole_papers.hold, cases=10, batch=1, sample=0),
     Proof("printed pages", printed_pages.hold, cases=32, batch=1, sample=0),
-    Proof("practice sheets", practice_sheets.hold, cases=51, batch=3, sample=0),
+    Proof("practice sheets", practice_sheets.hold, cases=60, batch=6, sample=0),
     Proof("fair marks", fair_marks.hold, cases=400, batch=20, sample=3),
 )

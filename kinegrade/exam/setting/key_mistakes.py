@@ -15,7 +15,7 @@ from kinegrade.students.separation import collect_columns
 
 # Significant digits kept of a mistaken value: far more than an answer has, fewer than doubles agree
 # to
-_DIGITS = 9
+WRONG_DIGITS = 9
 # For each ask the identifiers of mistakes with the value they lead to
 Mistaken = Mapping[str, Mapping[str, str]]
 
@@ -66,7 +66,7 @@ def _select_mistakes(entry: SetAsk, known: Mapping[str, Any], number: int) -> di
     right = entry.answer.value
     values = {name: float(array[number]) for name, array in known.items()}
     return {
-        name: f"{value:.{_DIGITS}g}"
+        name: f"{value:.{WRONG_DIGITS}g}"
         for name, value in values.items()
         if isfinite(value) and not isclose(value, right, rel_tol=1e-9, abs_tol=1e-12)
     }

@@ -44,16 +44,16 @@ function followThrough(question, draw, keys, verdicts) {
   const improved = [...verdicts];
   if (verdicts.some((verdict, place) => isAbsurd(verdict, keys[place]))) return improved;
   const follows = readFollows(draw);
-  /** @type {Map<number, number>} on which wrong answer one that follows rests */
+  /** @type {Map<number, number[]>} on which wrong answers one that follows may rest */
   const basis = new Map();
   for (const to of orderByStage(question)) {
     if (!isOpen(verdicts[to])) continue;
     const usable = follows.filter(
       (each) => each.to === to && isOpen(verdicts[each.from]) && !rests(each.from, to, basis),
     );
-    const found = usable.find((each) => doesFollow(each, keys, verdicts));
-    if (!found) continue;
-    basis.set(to, found.from);
+    if (!usable.some((each) => doesFollow(each, keys, verdicts))) continue;
+    // It may follow from all of them together, which is not baked
+    basis.set(to, usable.map((each) => each.from));
     improved[to] = { ...verdicts[to], kind: "follow-through", mistakes: [] };
   }
   return improved;
@@ -79,11 +79,10 @@ function isAbsurd({ value }, key) {
   return Boolean(value && key.value) && (share < LEAST || share > MOST);
 }
 
-/** @param {number} place @param {number} other @param {Map<number, number>} basis @returns {boolean} */
+/** @param {number} place @param {number} other @param {Map<number, number[]>} basis @returns {boolean} */
 function rests(place, other, basis) {
-  if (place === other) return true;
-  const under = basis.get(place);
-  return under !== undefined && rests(under, other, basis);
+  const under = basis.get(place) ?? [];
+  return place === other || under.some((each) => rests(each, other, basis));
 }
 
 /** @param {Following} following @param {Key[]} keys @param {Verdict[]} verdicts */
@@ -128,10 +127,16 @@ function isTrivial(own, right, fits) {
  */
 function isCutOff(question, draw, judged) {
   const follows = readFollows(draw);
+  const listWrong = (/** @type {number} */ to) =>
+    follows.filter(
+      (each) =>
+        each.to === to && judged[each.from].kind !== "right" && Number.isFinite(judged[each.from].value),
+    );
   return question.asks.some((_, to) => {
     if (!isOpen(judged[to])) return false;
-    const open = follows.filter((each) => each.to === to && judged[each.from].kind !== "right");
-    const wrong = open.filter((each) => Number.isFinite(judged[each.from].value));
-    return wrong.some((each) => !each.coefficients) || new Set(wrong.map((each) => each.from)).size > 1;
+    const wrong = listWrong(to);
+    const behind = wrong.filter((each) => !isOpen(judged[each.from])).flatMap((each) => listWrong(each.from));
+    const places = new Set([...wrong, ...behind].map((each) => each.from).filter((from) => from !== to));
+    return wrong.some((each) => !each.coefficients) || places.size > 1;
   });
 }

@@ -44,11 +44,58 @@
  * @property {Wording} wording
  */
 
+// Of what mistakes lead to, as marks have it: bounds are about the rounded value
+const KEPT_DIGITS = 9;
+
+// Those of the digits that are not letters; see packing.py
+const SIGNS = "!#$%&()*+-;,=>?@^_`{|}~";
+
 /** @param {string} packed @returns {Promise<Baked>} */
 async function unpack(packed) {
-  const bytes = Uint8Array.from(atob(packed), (letter) => letter.charCodeAt(0));
-  const unpacked = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"));
-  return JSON.parse(await new Response(unpacked).text());
+  const unpacked = new Blob([readBytes(packed)]).stream().pipeThrough(new DecompressionStream("deflate"));
+  const baked = JSON.parse(await new Response(unpacked).text());
+  for (const question of baked.sheet.questions) question.draws = listDraws(question);
+  return baked;
+}
+
+/** @param {string} packed five digits for each four bytes @returns {Uint8Array<ArrayBuffer>} */
+function readBytes(packed) {
+  const digits = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz" + SIGNS;
+  const values = new Map([...digits].map((digit, value) => [digit, value]));
+  const missing = (5 - (packed.length % 5)) % 5;
+  const whole = packed + "~".repeat(missing);
+  const bytes = new DataView(new ArrayBuffer((whole.length / 5) * 4));
+  for (let place = 0; place < whole.length; place += 5) {
+    const five = [...whole.slice(place, place + 5)];
+    bytes.setUint32((place / 5) * 4, five.reduce((sum, digit) => 85 * sum + (values.get(digit) ?? 0), 0));
+  }
+  return new Uint8Array(bytes.buffer, 0, bytes.byteLength - missing);
+}
+
+/**
+ * The draws of a question, of which each field stands together.
+ * @param {{draws: Columns, motions: Columns, numbers: Record<string, string[]>}} packed
+ * @returns {Draw[]}
+ */
+function listDraws({ draws, motions, numbers }) {
+  const left = Object.fromEntries(Object.entries(numbers).map(([pattern, all]) => [pattern, all.values()]));
+  const count = draws.texts.length;
+  const moving = takeRows(motions, count).map((motion) => (motion.coordinates ? motion : null));
+  return takeRows({ ...draws, motion: moving }, count).map((draw) => ({
+    ...draw,
+    texts: draw.texts.map((/** @type {number[]} */ text) =>
+      text.map((pattern) => [pattern, left[pattern].next().value]),
+    ),
+  }));
+}
+
+/** @typedef {Record<string, any[]>} Columns */
+
+/** @param {Columns} columns @param {number} count @returns {any[]} */
+function takeRows(columns, count) {
+  return Array.from({ length: count }, (_, row) =>
+    Object.fromEntries(Object.entries(columns).map(([name, values]) => [name, values[row]])),
+  );
 }
 
 /** @param {Question} question @param {Line[]} lines @returns {string} the text of a draw */
@@ -69,7 +116,7 @@ function readKeys(question, draw) {
     const value = Number(shown);
     const known = ratios.split(" ").flatMap((ratio, index) => {
       if (ratio === "") return [];
-      const leadsTo = Number(ratio) * (value || 1);
+      const leadsTo = Number((Number(ratio) * (value || 1)).toPrecision(KEPT_DIGITS));
       return [{ name: mistakes[index], value: leadsTo, credit: credits[index] }];
     });
     return { value, rule: question.rules[rule], period, mistakes: known };
