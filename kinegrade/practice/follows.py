@@ -13,6 +13,7 @@ from functools import cached_property
 from kinegrade.exam.setting.setting import SetQuestion
 from kinegrade.mechanics.plan import Plan
 from kinegrade.problem.template.template import Template
+from kinegrade.sign_conventions import UNSIGNED
 from kinegrade.students.following.connections import (
     find_connections,
     find_generic_plan,
@@ -22,13 +23,14 @@ from kinegrade.students.following.follow_through import Follower
 from kinegrade.students.following.followed_steps import StepFollower
 from kinegrade.students.mistaking.mistakes import convert_parameter
 
-# Times the right answer: three values determine a quadratic, at the others it has to hold
-_TRIED, _PROVED = (1.3, -0.7, 1.9), (0.6, 2.7, -1.6)
-_OF_ITS_SIGN = (1.3, 0.7, 1.9), (0.6, 2.7, 1.6)  # where magnitudes are taken of what follows
+# Times the right answer: three values determine a quadratic, at the others it has to hold, as far
+# as values are that students carry on from
+_TRIED, _PROVED = (1.3, -0.7, 1.9), (0.6, 2.7, -1.6, 0.06, 40.0)
+_OF_ITS_SIGN = (1.3, 0.7, 1.9), (0.6, 2.7, 1.6, 0.06, 40.0)  # where there are magnitudes on the way
 _SAME = 1e-8
 _DIGITS = 9
 Points = Sequence[tuple[float, float]]
-Shares = tuple[tuple[float, ...], tuple[float, ...]]
+Coefficients = tuple[float, float, float]
 
 
 @dataclass(frozen=True)
@@ -61,13 +63,18 @@ class FollowTable:
 
     def write(self, question: SetQuestion) -> tuple[str, ...]:
         """For each way of following in a draw the places of the two asks and the coefficients, none
-        where no quadratic does; a "+" behind them where they hold for values of the right sign.
+        where no quadratic does; a "+" behind them where they hold for values of the right sign
+        alone. Of what is unsigned they give the value but for its sign.
         """
         follower = self._make_follower(question.drawn.values)
-        return tuple(
-            " ".join(map(str, (self.asks.index(earlier), self.asks.index(later), *numbers)))
+        fits = (
+            _Fit(follower, earlier, later, self.template.asks[later].sign in UNSIGNED)
             for earlier, later in self.pairs
-            for numbers in _list_ways(follower, earlier, later)
+        )
+        return tuple(
+            " ".join(map(str, (*map(self.asks.index, (fit.earlier, fit.later)), *numbers)))
+            for fit in fits
+            for numbers in fit.list_ways()
         )
 
     def _make_follower(self, texts: Mapping[str, str]) -> Follower | StepFollower:
@@ -80,41 +87,51 @@ class FollowTable:
         return StepFollower(self.template, values)
 
 
-def _list_ways(
-    follower: Follower | StepFollower, earlier: str, later: str
-) -> tuple[tuple[str, ...], ...]:
-    """The coefficients of each way of going on, with a "+" where they hold for values of the right
-    sign alone; an empty one where there are none.
-    """
-    everywhere = tuple(_fit(follower, earlier, later, (_TRIED, _PROVED)))
-    if all(everywhere):
-        return everywhere
-    fitted = _fit(follower, earlier, later, _OF_ITS_SIGN)
-    return tuple(dict.fromkeys((*numbers, "+") if numbers else () for numbers in fitted))
+@dataclass(frozen=True)
+class _Fit:
+    """What follows for the ask `later`, which may be `unsigned`, from values of an earlier one."""
+
+    follower: Follower | StepFollower
+    earlier: str
+    later: str
+    unsigned: bool
+
+    def list_ways(self) -> tuple[tuple[str, ...], ...]:
+        """The coefficients of each way of going on, with a "+" where they hold for values of the
+        right sign alone; an empty one where there are none.
+        """
+        everywhere = tuple(self._find(_TRIED, _PROVED))
+        if all(everywhere):
+            return everywhere
+        fitted = self._find(*_OF_ITS_SIGN)
+        return tuple(dict.fromkeys((*numbers, "+") if numbers else () for numbers in fitted))
+
+    def _find(self, *shares: tuple[float, ...]) -> Iterator[tuple[str, ...]]:
+        """The coefficients of each way, found and proved at shares of the right answer."""
+        right = self.follower.right(self.earlier)
+        if not right:
+            return
+        tried, proved = ([self._follow(right * share) for share in each] for each in shares)
+        count = len(tried[0][1])
+        if any(len(ways) != count for _, ways in (*tried, *proved)):
+            yield ()
+            return
+        for way in range(count):
+            coefficients = _interpolate([(value, ways[way]) for value, ways in tried])
+            holds = all(self._holds(coefficients, value, ways[way]) for value, ways in proved)
+            yield tuple(f"{each:.{_DIGITS}g}" for each in coefficients) if holds else ()
+
+    def _follow(self, value: float) -> tuple[float, Sequence[float]]:
+        return value, self.follower.consequences({self.earlier: value}, self.later)
+
+    def _holds(self, coefficients: Coefficients, value: float, follows: float) -> bool:
+        constant, linear, square = coefficients
+        terms = (constant, linear * value, square * value**2)
+        found = abs(sum(terms)) if self.unsigned else sum(terms)
+        return abs(found - follows) <= _SAME * max(map(abs, terms))
 
 
-def _fit(
-    follower: Follower | StepFollower, earlier: str, later: str, shares: Shares
-) -> Iterator[tuple[str, ...]]:
-    """The coefficients of each way, found and proved at shares of the right answer."""
-    right = follower.right(earlier)
-    if not right:
-        return
-    tried, proved = (
-        [(right * share, follower.consequences({earlier: right * share}, later)) for share in each]
-        for each in shares
-    )
-    count = len(tried[0][1])
-    if any(len(ways) != count for _, ways in (*tried, *proved)):
-        yield ()
-        return
-    for way in range(count):
-        coefficients = _interpolate([(value, ways[way]) for value, ways in tried])
-        holds = all(_holds(coefficients, value, ways[way]) for value, ways in proved)
-        yield tuple(f"{each:.{_DIGITS}g}" for each in coefficients) if holds else ()
-
-
-def _interpolate(points: Points) -> tuple[float, float, float]:
+def _interpolate(points: Points) -> Coefficients:
     """The quadratic through three points."""
     (x1, y1), (x2, y2), (x3, y3) = points
     first, second = (y2 - y1) / (x2 - x1), (y3 - y2) / (x3 - x2)
@@ -128,9 +145,3 @@ def _interpolate(points: Points) -> tuple[float, float, float]:
         for term, far in zip(terms, reach, strict=True)
     ]
     return kept[0], kept[1], kept[2]
-
-
-def _holds(coefficients: tuple[float, float, float], value: float, follows: float) -> bool:
-    constant, linear, square = coefficients
-    terms = (constant, linear * value, square * value**2)
-    return abs(sum(terms) - follows) <= _SAME * max(map(abs, terms))

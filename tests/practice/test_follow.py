@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from kinegrade.practice.document import (
     PracticeAsk,
     PracticeDraw,
@@ -23,6 +25,17 @@ SHEET = PracticeSheet(
     "", "", (), {},
     (PracticeQuestion("", ASKS, (PracticeRule(0.01, 0.0, None),), (), (DRAW,), None, ()),),
 )  # fmt: skip
+
+
+def test_what_follows_as_a_magnitude_is_never_negative() -> None:
+    rod = replace(ASKS[1], convention="magnitude")
+    follows = ("0 1 3 -1 0 +",)  # |3 - omega|, which is 2 for the right omega
+    draw = replace(DRAW, follows=follows)
+    question = replace(SHEET.questions[0], asks=(ASKS[0], rod, ASKS[2]), draws=(draw,))
+    sheet = replace(SHEET, questions=(question,))
+    typed = [("5", "-2.05", "6"), ("8", "5", "6")]
+    kinds = [judge_in_node(sheet, [[each]])[0][0][1].kind for each in typed]
+    assert kinds == ["wrong", "follow-through"]
 
 
 def judge(*typed: str) -> list[Shown]:

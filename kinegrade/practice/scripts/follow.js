@@ -51,7 +51,8 @@ function followThrough(question, draw, keys, verdicts) {
     const usable = follows.filter(
       (each) => each.to === to && isOpen(verdicts[each.from]) && !rests(each.from, to, basis),
     );
-    if (!usable.some((each) => doesFollow(each, keys, verdicts))) continue;
+    const isUnsigned = UNSIGNED.includes(question.asks[to].convention ?? "");
+    if (!usable.some((each) => doesFollow(each, keys, verdicts, isUnsigned))) continue;
     // It may follow from all of them together, which is not baked
     basis.set(to, usable.map((each) => each.from));
     improved[to] = { ...verdicts[to], kind: "follow-through", mistakes: [] };
@@ -85,14 +86,21 @@ function rests(place, other, basis) {
   return place === other || under.some((each) => rests(each, other, basis));
 }
 
-/** @param {Following} following @param {Key[]} keys @param {Verdict[]} verdicts */
-function doesFollow({ from, to, coefficients, ofItsSign }, keys, verdicts) {
+/**
+ * @param {Following} following
+ * @param {Key[]} keys
+ * @param {Verdict[]} verdicts
+ * @param {boolean} isUnsigned whether what follows is a magnitude
+ */
+function doesFollow({ from, to, coefficients, ofItsSign }, keys, verdicts, isUnsigned) {
   const own = verdicts[from].value;
   const later = verdicts[to].value;
   const right = keys[from].value;
   if (!coefficients || !own || !right || (ofItsSign && own * right < 0)) return false;
-  const fits = (/** @type {number} */ value, factor = 1) =>
-    agrees(later, factor * workOut(coefficients, value), keys[to]);
+  const fits = (/** @type {number} */ value, factor = 1) => {
+    const found = workOut(coefficients, value);
+    return agrees(later, factor * (isUnsigned ? Math.abs(found) : found), keys[to]);
+  };
   return fits(own) && !isCopied(later, own, keys[to], right) && !isTrivial(own, right, fits);
 }
 
