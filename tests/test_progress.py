@@ -34,7 +34,7 @@ def test_a_log_gets_a_line_now_and_then_with_the_time_left(
     assert work(monkeypatch, 20.0) == list("abcd")
     said = capsys.readouterr()
     assert said.out == ""
-    assert said.err == "2 of 4 papers, about 40 seconds left\n"
+    assert said.err == "2 of 4 papers, 3 a minute, about 40 seconds left\n"
 
 
 def test_short_work_says_nothing_in_a_log(monkeypatch: pytest.MonkeyPatch, capsys: Capture) -> None:

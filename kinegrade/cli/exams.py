@@ -114,6 +114,10 @@ _WITH_ADD = (
     "--strict",
     is_flag=True,
 )
+@click.option(
+    "--resume",
+    is_flag=True,
+)
 @FORCE
 @refusing
 def generate(

@@ -118,8 +118,14 @@ def _log_progress(items: Iterator[Any], count: int) -> Iterator[Any]:
         now = monotonic()
         if now - said >= BETWEEN_LINES and done < count:
             left = ceil((now - begin) / done * (count - done))
-            say(Message("terminal.progress-so-far", done=done, all=count, count=left))
+            rate = _write_rate(done, now - begin)
+            say(Message("terminal.progress-so-far", done=done, all=count, rate=rate, count=left))
             said = now
+
+
+def _write_rate(done: int, seconds: float) -> str:
+    """How many papers a minute."""
+    return f"{60 * done / seconds:.3g}"
 
 
 def full_output(fault: OSError) -> Message:

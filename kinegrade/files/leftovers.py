@@ -9,8 +9,11 @@ import re
 import secrets
 import shutil
 import socket
+from collections.abc import Iterator
 from contextlib import suppress
 from pathlib import Path
+
+_LEFT = "left"  # in a name in place of the process: it has left this to others
 
 
 def make_process_name(beginning: str) -> str:
@@ -20,11 +23,31 @@ def make_process_name(beginning: str) -> str:
 
 def clear_leftovers(folder: Path, beginning: str) -> None:
     """Remove what ended processes left in the folder under such names. Raises OSError."""
-    shape = re.compile(re.escape(_find_process(beginning)) + r"([0-9]+)-[0-9a-f]{8}")
-    for entry in list(folder.iterdir()):
+    for entry in list(list_leftovers(folder, beginning)):
+        remove(entry)
+
+
+def list_leftovers(folder: Path, beginning: str) -> Iterator[Path]:
+    """What ended processes of this machine left in the folder under such names. Raises OSError."""
+    shape = re.compile(re.escape(_find_process(beginning)) + rf"([0-9]+|{_LEFT})-[0-9a-f]{{8}}")
+    for entry in folder.iterdir():
         found = shape.fullmatch(entry.name)
-        if found and not _is_running(int(found.group(1))):
-            remove(entry)
+        if found and (found.group(1) == _LEFT or not _is_running(int(found.group(1)))):
+            yield entry
+
+
+def leave(entry: Path, beginning: str) -> None:
+    """Leave what this process has begun to others, or to itself later. Raises OSError."""
+    entry.rename(entry.with_name(f"{_find_process(beginning)}{_LEFT}-{secrets.token_hex(4)}"))
+
+
+def list_in_use(folder: Path, beginning: str) -> list[Path]:
+    """What stands in the folder under such names, and may be in use: by a process that runs, or
+    on another machine. Raises OSError.
+    """
+    shape = re.compile(re.escape(beginning) + r"-\w+-[0-9]+-[0-9a-f]{8}")
+    left = set(list_leftovers(folder, beginning))
+    return [each for each in folder.iterdir() if shape.fullmatch(each.name) and each not in left]
 
 
 def remove(entry: Path) -> None:

@@ -3,7 +3,7 @@
 A folder (or a file) is built beside its place under a hidden name, flushed to disk, and put in
 place in one atomic step. A process killed at any moment leaves the old output or the new one. Its
 unfinished output stays behind as `.NAME.partial-HOST-PID-TOKEN`; the next run for the same target
-on the same machine removes it.
+on the same machine removes it, or goes on with it where it can.
 
 A folder is replaced atomically by `renameat2(RENAME_EXCHANGE)` on Linux, `renamex_np(RENAME_SWAP)`
 on macOS. Where the system or the file system has neither, two renames are made: a process killed
@@ -21,7 +21,14 @@ from pathlib import Path
 
 from kinegrade.errors import OutputError
 from kinegrade.files.endings import Kind, require_ending
-from kinegrade.files.leftovers import clear_leftovers, make_process_name, remove
+from kinegrade.files.leftovers import (
+    clear_leftovers,
+    leave,
+    list_in_use,
+    list_leftovers,
+    make_process_name,
+    remove,
+)
 from kinegrade.files.publishing import move_to_free_place, publish, sync_folder
 from kinegrade.files.temporary import clear_temporary_folders
 from kinegrade.language.message import Fault, Message, list_plainly
@@ -43,6 +50,18 @@ class Access:
     ordinary: Collection[str] = ()
 
 
+@dataclass(frozen=True)
+class Resumable:
+    """A folder that another process may go on with: `workings` names the folder in it that says how
+    far it is, and is no part of the output; `begun` is what a killed process left, None for a new
+    folder. Where it `stays`, a process that ends early in another way leaves it, too.
+    """
+
+    workings: str
+    begun: Path | None = None
+    stays: bool = False
+
+
 @contextmanager
 def output_folder(
     path: Path,
@@ -51,6 +70,7 @@ def output_folder(
     contents: Collection[str] | None = None,
     force: bool = False,
     access: Access | None = None,
+    resumable: Resumable | None = None,
 ) -> Iterator[Path]:
     """Gives a hidden folder to write into; it becomes `path` when the block ends without an error.
 
@@ -61,9 +81,10 @@ def output_folder(
     start; without it, the mode of a replaced folder is kept. Raises OutputError.
     """
     target = _find_place(path)
-    with _open_partial(path, target) as partial:
+    with _open_partial(path, target, resumable) as partial:
         _check_folder(path, target, marker, contents, force)
-        partial.mkdir(mode=0o777 if access is None else 0o700)
+        if not partial.exists():
+            partial.mkdir(mode=0o777 if access is None else 0o700)
         if target.exists() and access is None:
             partial.chmod(target.stat().st_mode | 0o700)
         yield partial
@@ -72,7 +93,25 @@ def output_folder(
         _bring_to_disk(partial)
         # Another process may have written there in the meantime
         _check_folder(path, target, marker, contents, force)
+        if resumable:
+            remove(partial / resumable.workings)
         publish(path, partial, target)
+
+
+def find_unfinished(path: Path, workings: str) -> Path | None:
+    """What a killed process left of the folder `path`, the last where there is more; None where
+    nothing can be gone on with. Raises OutputError where another process may be writing it.
+    """
+    target = _find_place(path)
+    if not target.parent.is_dir():
+        return None
+    if used := list_in_use(target.parent, _make_beginning(target)):
+        what = Message("files.being-written", name=used[0].name)
+        expected, do = Message("files.one-process"), Message("files.wait-or-remove")
+        raise OutputError(Fault(str(path), what, expected, do))
+    left = list_leftovers(target.parent, _make_beginning(target))
+    found = [each for each in left if (each / workings).is_dir()]
+    return max(found, key=lambda each: (each / workings).stat().st_mtime_ns, default=None)
 
 
 def write_file(path: Path, content: bytes, kind: Kind, *, force: bool = False) -> None:
@@ -154,8 +193,9 @@ def _explain_unwritable(path: Path, fault: Exception) -> OutputError:
 
 
 @contextmanager
-def _open_partial(path: Path, target: Path) -> Iterator[Path]:
-    """A hidden name beside `target`; whatever has this name at the end is removed.
+def _open_partial(path: Path, target: Path, resumable: Resumable | None = None) -> Iterator[Path]:
+    """A hidden name beside `target`, which what was begun gets; whatever has this name at the end
+    is removed, but for what another process may go on with.
 
     The leftovers of killed runs are removed first, including their temporary folders, which may
     contain the key.
@@ -163,12 +203,16 @@ def _open_partial(path: Path, target: Path) -> Iterator[Path]:
     partial = target.with_name(make_process_name(_make_beginning(target)))
     try:
         target.parent.mkdir(parents=True, exist_ok=True)
+        if resumable and resumable.begun:
+            resumable.begun.rename(partial)
         clear_leftovers(target.parent, _make_beginning(target))
         clear_temporary_folders()
         yield partial
     except OSError as fault:
         raise _explain_unwritable(path, fault) from fault
     finally:
+        if resumable and resumable.stays and (partial / resumable.workings).is_dir():
+            leave(partial, _make_beginning(target))
         remove(partial)
 
 

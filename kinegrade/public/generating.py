@@ -114,4 +114,6 @@ def _list_notes(written: Written, place: Path, options: GenerateOptions) -> Iter
     changes = () if written.changes is None else (written.changes.summary,)
     for what in (*changes, *written.remarks):
         yield Message("terminal.of", where=str(place), what=what)
+    if written.resumed:
+        yield Message("terminal.resumed", exam=str(place), count=written.resumed)
     yield Message("terminal.generated", exam=str(place), count=written.papers)

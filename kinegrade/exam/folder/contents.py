@@ -48,6 +48,8 @@ SOURCES = "tex"
 ANSWERS = "answers.csv"
 #: The same sheet as a workbook, which keeps ids as text.
 ANSWER_WORKBOOK = "answers.xlsx"
+#: How far an exam is that is being written, and its secret; gone when the exam is whole.
+UNFINISHED = "unfinished"
 FINDER = Message("exam.find-row")  # begins the line above the header of the workbook
 FOR_STUDENTS = (PAPERS, f"{PAPERS}.pdf", ROOMS)
 CONTENTS = (

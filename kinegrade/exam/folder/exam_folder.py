@@ -28,7 +28,7 @@ from kinegrade.exam.folder.contents import (
 )
 from kinegrade.exam.folder.exact_keys import read_key_line
 from kinegrade.exam.folder.faults import decoding, explain_unreadable, name_line, name_paper
-from kinegrade.exam.folder.head import read_head
+from kinegrade.exam.folder.head import read_head, require_finished
 from kinegrade.exam.folder.key_decoding import PaperDecoder
 from kinegrade.exam.folder.key_index import KeyIndex, make_index
 from kinegrade.exam.folder.key_stream import stream_papers
@@ -276,7 +276,10 @@ class ExamFolder:
 
 
 def open_exam(path: Path) -> ExamFolder:
-    """The exam folder there. Raises ExamError with all faults of its head."""
+    """The exam folder there. Raises ExamError with all faults of its head, or where it is not
+    finished.
+    """
+    require_finished(path)
     return ExamFolder(path, read_head(path))
 
 

@@ -15,7 +15,7 @@ from typing import Literal, TypeVar
 import msgspec
 
 from kinegrade.errors import ExamError, FieldError
-from kinegrade.exam.folder.contents import HEAD
+from kinegrade.exam.folder.contents import HEAD, UNFINISHED
 from kinegrade.exam.folder.earlier_signs import recognise_convention
 from kinegrade.exam.folder.faults import EXAM_FOLDER, REMEDY, describe_damage
 from kinegrade.exam.folder.numbers import require_not_negative
@@ -26,7 +26,7 @@ from kinegrade.files.fields.table import Table
 from kinegrade.files.fields.values import Read, found
 from kinegrade.language import ENGLISH, Language
 from kinegrade.language.known import known_languages
-from kinegrade.language.message import Message, Quoted, list_choices, list_plainly
+from kinegrade.language.message import Fault, Message, Quoted, list_choices, list_plainly
 from kinegrade.marks_folder.layout import GRADES
 
 FORMAT = 2  # the one that this version writes
@@ -63,6 +63,13 @@ def read_head(folder: Path) -> ExamHead:
     _require_choices(table, head, names)
     table.faults.require_none()
     return msgspec.structs.replace(head, questions=questions, students=students)
+
+
+def require_finished(folder: Path) -> None:
+    """Raises ExamError where `generate` was interrupted before the folder was whole."""
+    if (folder / UNFINISHED).is_dir():
+        what, do = Message("exam.unfinished"), Message("exam.resume")
+        raise ExamError(Fault(str(folder), what, Message("exam.a-whole-folder"), do))
 
 
 def _require_numbers(table: Table, head: ExamHead, taken: Set[str]) -> None:

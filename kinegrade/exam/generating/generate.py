@@ -14,16 +14,15 @@ from pathlib import Path
 
 from kinegrade.errors import Problem, TableError
 from kinegrade.exam.bank.blueprint import Bank, Blueprint
-from kinegrade.exam.folder.contents import CONTENTS, HEAD
+from kinegrade.exam.folder.contents import CONTENTS, HEAD, UNFINISHED
 from kinegrade.exam.folder.exam_secret import ExamSecret
-from kinegrade.exam.folder.records import ExamHead, KeyLine
+from kinegrade.exam.folder.records import Candidate, ExamHead, KeyLine
 from kinegrade.exam.generating.earlier_exams import (
     list_repeated,
     read_earlier_exams,
     require_enough,
 )
 from kinegrade.exam.generating.exam_files import (
-    WrittenPapers,
     source_files,
     translation_files,
     write_blank_answers,
@@ -46,13 +45,15 @@ from kinegrade.exam.printing.head_record import candidate, make_exam_head
 from kinegrade.exam.printing.paper_languages import require_languages
 from kinegrade.exam.printing.printing import Extras, PrintRun, require_tools
 from kinegrade.exam.printing.room_booklets import write_room_booklets
+from kinegrade.exam.resuming.begun import Basis, Begun, Order, describe_order, find_begun
+from kinegrade.exam.resuming.journal import Journal, open_journal
 from kinegrade.exam.roster.complaints import roster_complaints
 from kinegrade.exam.roster.roster import Roster
 from kinegrade.exam.roster.spare_papers import add_spare_papers
 from kinegrade.exam.setting.dealing import ClassDeal, deal_exam
 from kinegrade.exam.setting.kept_exam import student_of
 from kinegrade.figure.sketchbook import open_sketchbook
-from kinegrade.files.output import Access, output_folder
+from kinegrade.files.output import Resumable, output_folder
 from kinegrade.language import Language
 from kinegrade.language.known import known_languages
 from kinegrade.language.message import Fault, Message
@@ -68,6 +69,7 @@ class Generated:
 
     `drawn` names the templates of the questions that the bank left to be drawn. Where a folder was
     replaced, `changes` tells what became of its papers and `remarks` of what else was in it.
+    `resumed` papers were there from an earlier run.
     """
 
     dealt: ClassDeal
@@ -75,6 +77,7 @@ class Generated:
     complaints: tuple[Problem, ...]
     changes: PaperChanges | None
     remarks: tuple[Message, ...]
+    resumed: int = 0
 
     @property
     def papers(self) -> int:
@@ -98,29 +101,30 @@ def generate(
     wish, extras = options.wish, options.extras
     require_tools(extras)
     old = replaced_exam(output, new_numbers=wish.new) if force else None
+    begun = find_begun(output) if options.resume else None
     roster = add_spare_papers(roster.seated, options.spare, () if old is None else old.spares)
-    secret = wish.secret(None if old is None else old.secret)
+    secret = begun.secret if begun else wish.secret(None if old is None else old.secret)
     stays = None if wish.new else old
     bank = _choose_bank(blueprint, secret, options, stays)
     require_languages(bank, language, roster)
     sources = source_files(bank) | translation_files(bank, known_languages())
+    run = PrintRun(bank, language, options.press_order(bank), extras)
+    basis = Basis(sources, roster, stays.papers if stays else {})
+    order = _require_same_order(begun, run, basis, options)
+    exam = _open_exam_folder(output, options, begun, force=force)
     jobs = count_processes(options.jobs, len(roster.students))
-    exam = _open_exam_folder(output, options.access, force=force)
     processes, book = open_executor(jobs, "generate"), open_sketchbook(jobs)
     with bulk_work(), exam as folder, processes as workers, book as sketchbook:
-        run = PrintRun(bank, language, options.press_order(bank), extras)
-        kept = _find_kept_papers(stays, secret)
+        journal, kept = open_journal(folder, secret, order), _find_kept_papers(stays, secret)
         dealt = deal_exam(bank, roster, secret, workers, kept, sketchbook=sketchbook)
         require_enough(dealt)
         found = list_complaints(roster, run.press_order.press(), dealt, strict=options.strict)
-        said = (*found, *_list_unbound(bank, extras))
         printer = partial(print_class, workers=workers, jobs=jobs)
-        written = _print_papers(folder, run, dealt, printer, options)
-        run = fill_up_papers(folder, run, dealt, written.pages, printer)
-        candidates = map(candidate, roster.students, written.keys)
+        run, candidates = _print_papers(journal, run, dealt, printer, options)
         _write_rest(make_exam_head(dealt, candidates, run), sources, folder)
         settled = settle(old, folder, new_numbers=wish.new, solutions=extras.solutions)
-    return Generated(dealt, _list_drawn_templates(blueprint, bank), said, *settled)
+    drawn, said = _list_drawn_templates(blueprint, bank), (*found, *_list_unbound(bank, extras))
+    return Generated(dealt, drawn, said, *settled, resumed=len(journal.lines))
 
 
 def _choose_bank(
@@ -131,18 +135,43 @@ def _choose_bank(
     return replace(blueprint.bank(secret.drawing), earlier=earlier)
 
 
+def _require_same_order(
+    begun: Begun | None, run: PrintRun, basis: Basis, options: GenerateOptions
+) -> Order:
+    """What is asked for. Raises OutputError where that is not what was begun."""
+    order = describe_order(run, basis, (options.wish, options.spare))
+    if begun is not None:
+        begun.require_same(order)
+    return order
+
+
 def _print_papers(
-    folder: Path, run: PrintRun, dealt: ClassDeal, printer: Printer, options: GenerateOptions
-) -> WrittenPapers:
-    """Every paper, while its progress is shown."""
+    journal: Journal, run: PrintRun, dealt: ClassDeal, printer: Printer, options: GenerateOptions
+) -> tuple[PrintRun, Iterator[Candidate]]:
+    """Every paper that is not there yet, while progress is shown; then those that are short are
+    filled up. Gives the run with the number of pages that all have, and who has which paper.
+    """
     students = dealt.roster.students
-    with closing(printer(run, dealt)) as papers:
-        return write_papers(folder, run, students, options.progress(papers, len(students)))
+    missing = journal.list_missing(students)
+    with closing(printer(run, replace(dealt, roster=Roster(missing, ())))) as papers:
+        all_papers = journal.merge(students, options.progress(papers, len(missing)))
+        written = write_papers(journal.folder, run, students, all_papers)
+    run = fill_up_papers(journal.folder, run, dealt, written.pages, printer)
+    return run, map(candidate, students, written.keys)
 
 
-def _open_exam_folder(output: Path, access: Access, *, force: bool) -> AbstractContextManager[Path]:
-    """The new folder, which becomes `output` when it is whole."""
-    return output_folder(output, marker=HEAD, contents=CONTENTS, force=force, access=access)
+def _open_exam_folder(
+    output: Path, options: GenerateOptions, begun: Begun | None, *, force: bool
+) -> AbstractContextManager[Path]:
+    """The folder, new or `begun`, which becomes `output` when it is whole."""
+    return output_folder(
+        output,
+        marker=HEAD,
+        contents=CONTENTS,
+        force=force,
+        access=options.access,
+        resumable=Resumable(UNFINISHED, begun.folder if begun else None, options.resume),
+    )
 
 
 def _write_rest(head: ExamHead, sources: Mapping[str, bytes], folder: Path) -> None:

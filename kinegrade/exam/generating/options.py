@@ -34,8 +34,9 @@ class GenerateOptions:
     `share_with_group` lets the user's group read the folder. `engine` is the bank's unless one is
     given. `solutions` writes worked solutions, by `method` where several serve; `spare` papers have
     no student; `also` names the other kinds of files in which papers are wanted. What would be a
-    complaint is refused where `strict`. Papers are printed by up to `jobs` processes; `progress` is
-    given them one after another, and their number.
+    complaint is refused where `strict`. With `resume` a run goes on with what an interrupted one
+    left, and leaves what it has done where it is interrupted itself. Papers are printed by up to
+    `jobs` processes; `progress` is given them one after another, and their number.
     """
 
     seed: str | None = None
@@ -50,6 +51,7 @@ class GenerateOptions:
     spare: int = 0
     also: tuple[str, ...] = ()
     strict: bool = False
+    resume: bool = False
     jobs: int = 1
     progress: Progress = _as_they_come
 

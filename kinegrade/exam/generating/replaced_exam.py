@@ -21,6 +21,7 @@ from kinegrade.exam.folder.contents import ANSWERS, HEAD, POOL, SOLUTIONS
 from kinegrade.exam.folder.exam_folder import ExamFolder, open_exam
 from kinegrade.exam.folder.exam_secret import ExamSecret
 from kinegrade.exam.folder.faults import AS_GENERATED
+from kinegrade.exam.folder.head import read_head
 from kinegrade.exam.folder.records import ExamHead, KeyLine, StatedAnswer
 from kinegrade.exam.generating.hand_work import is_answered, refuse_edited, require_nothing_edited
 from kinegrade.language.message import Fault, Message, Quoted, list_plainly
@@ -77,7 +78,7 @@ class ReplacedExam:
 
     def changes(self, new: Path) -> PaperChanges:
         """How the papers differ from those of the folder `new`. Raises ExamError."""
-        papers = _paper_digests(open_exam(new))
+        papers = _paper_digests(ExamFolder(new, read_head(new)))
         common = [student for student in self.papers if student in papers]
         return PaperChanges(
             tuple(student for student in common if self.papers[student] == papers[student]),

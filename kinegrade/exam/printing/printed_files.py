@@ -34,13 +34,51 @@ def printed_files(folder: Path, *, solutions: bool) -> Iterator[Callable[[str, P
                 append(book.read_bytes())
 
         def write(file_name: str, printed: Printed) -> None:
+            for name, content in collect_files(file_name, printed).items():
+                _write_content(folder / name, content)
             for name, printout in _collect_printouts(printed).items():
-                _write(folder / name / f"{file_name}.pdf", printout, folder / SOURCES / name)
                 volumes[name](printout.pdf)
-            for kind, content in printed.also.items():
-                (folder / PAPERS / f"{file_name}.{kind}").write_bytes(content)
 
         yield write
+
+
+def collect_files(file_name: str, printed: Printed) -> dict[str, bytes]:
+    """The files of a paper by their path below the exam folder."""
+    files = {f"{PAPERS}/{file_name}.{kind}": content for kind, content in printed.also.items()}
+    for place, printout in _collect_printouts(printed).items():
+        files[f"{place}/{file_name}.pdf"] = printout.pdf
+        for name, content in printout.sources.items():
+            files[f"{SOURCES}/{place}/{name}"] = content
+    return files
+
+
+def read_printouts(
+    file_name: str, files: Mapping[str, bytes]
+) -> tuple[Printout, Printout | None, dict[str, bytes]]:
+    """The paper, its worked solutions and the other kinds of files that `collect_files` has put
+    together.
+    """
+    printouts = {
+        place: Printout(files[f"{place}/{file_name}.pdf"], _read_sources(place, files))
+        for place in (PAPERS, SOLUTIONS)
+        if f"{place}/{file_name}.pdf" in files
+    }
+    also = {
+        name.removeprefix(f"{PAPERS}/{file_name}."): content
+        for name, content in files.items()
+        if name.startswith(f"{PAPERS}/") and not name.endswith(".pdf")
+    }
+    return printouts[PAPERS], printouts.get(SOLUTIONS), also
+
+
+def _read_sources(place: str, files: Mapping[str, bytes]) -> dict[str, bytes]:
+    """The sources of the printout in a folder, by their names."""
+    beginning = f"{SOURCES}/{place}/"
+    return {
+        name.removeprefix(beginning): content
+        for name, content in files.items()
+        if name.startswith(beginning)
+    }
 
 
 def replace_papers(
@@ -86,5 +124,9 @@ def _collect_printouts(printed: Printed) -> Mapping[str, Printout]:
 def _write(target: Path, printout: Printout, sources: Path) -> None:
     target.write_bytes(printout.pdf)
     for name, content in printout.sources.items():
-        sources.mkdir(parents=True, exist_ok=True)
-        (sources / name).write_bytes(content)
+        _write_content(sources / name, content)
+
+
+def _write_content(target: Path, content: bytes) -> None:
+    target.parent.mkdir(parents=True, exist_ok=True)
+    target.write_bytes(content)
