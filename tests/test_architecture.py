@@ -327,7 +327,7 @@ def test_only_what_hands_values_to_other_processes_knows_pickle() -> None:
     knowing = {
         module for module, tree in TREES.items() if "pickle" in set(imported(ast.walk(tree)))
     }
-    assert knowing == {"kinegrade.processes.executor"}
+    assert knowing == {"kinegrade.processes.cluster", "kinegrade.processes.executor"}
 
 
 def texts_without_docstrings(tree: ast.AST) -> Iterator[str]:

@@ -12,6 +12,7 @@ import kinegrade
 from kinegrade.cli.column_choice import COLUMN
 from kinegrade.cli.help import command
 from kinegrade.cli.options import (
+    CLUSTER,
     FILE,
     FORCE,
     JOBS,
@@ -36,6 +37,7 @@ _WITH_ADD = (
     "late",
     "columns",
     "jobs",
+    "cluster",
     "allow_odd_ids",
     "strict",
     "force",
@@ -105,6 +107,7 @@ _WITH_ADD = (
     type=click.Choice(["docx", "html"]),
 )
 @JOBS
+@CLUSTER
 @COLUMN
 @click.option(
     "--allow-odd-ids",

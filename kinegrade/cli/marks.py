@@ -12,6 +12,7 @@ import kinegrade
 from kinegrade.cli.help import command
 from kinegrade.cli.option_types import LanguageChoice, LateChoice
 from kinegrade.cli.options import (
+    CLUSTER,
     FILE,
     FORCE,
     JOBS,
@@ -198,6 +199,7 @@ def class_report(*, exam: Path, marks: Path, output: Path, **options: Any) -> No
 @click.option("--moodle", type=FILE, metavar="WORKSHEET")
 @_EXAM_LANGUAGE
 @JOBS
+@CLUSTER
 @FORCE
 @refusing
 def feedback(

@@ -47,6 +47,7 @@ JOBS = click.option(
     default=lambda: os.cpu_count() or 1,
     metavar="N",
 )
+CLUSTER = click.option("--cluster", metavar="ADDRESS")
 FORCE = click.option(
     "--force",
     is_flag=True,

@@ -12,6 +12,7 @@ import kinegrade
 from kinegrade.cli.help import command
 from kinegrade.cli.option_types import LanguageChoice
 from kinegrade.cli.options import (
+    CLUSTER,
     FILE,
     FORCE,
     JOBS,
@@ -135,6 +136,7 @@ def reprint_exam(exam: Path, *, template: Path, accept_changes: bool, jobs: int)
     is_flag=True,
 )
 @JOBS
+@CLUSTER
 @FORCE
 @refusing
 def solutions(
@@ -145,6 +147,7 @@ def solutions(
     language: Language | None,
     before_due: bool,
     jobs: int,
+    cluster: str | None,
     force: bool,
 ) -> None:
     """Write the worked solutions of an EXAM that has none, or those of each STUDENT named, by id:
@@ -156,6 +159,6 @@ def solutions(
     folder = kinegrade.open_exam(exam)
     if not before_due:
         require_due_past(folder)
-    wishes = SolutionWishes(students, method, language, jobs, force, show_progress)
+    wishes = SolutionWishes(students, method, language, jobs, force, show_progress, cluster)
     count = add_solutions(folder, wishes)
     say(Message("terminal.solutions-written", exam=str(exam), count=count))

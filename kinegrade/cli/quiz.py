@@ -12,7 +12,17 @@ import click
 import kinegrade
 from kinegrade.cli.help import command
 from kinegrade.cli.option_types import LanguageChoice, LateChoice
-from kinegrade.cli.options import FILE, FORCE, JOBS, METHOD, OUTPUT, finish, refusing, show_progress
+from kinegrade.cli.options import (
+    CLUSTER,
+    FILE,
+    FORCE,
+    JOBS,
+    METHOD,
+    OUTPUT,
+    finish,
+    refusing,
+    show_progress,
+)
 
 if TYPE_CHECKING:
     from kinegrade.language import Language
@@ -74,6 +84,7 @@ def _list_formats() -> Iterable[str]:
     type=LanguageChoice(),
 )
 @JOBS
+@CLUSTER
 @FORCE
 @refusing
 def quiz(

@@ -40,6 +40,7 @@ def examine_installation() -> Iterator[Found]:
     yield _find("latex", _find_programs("xelatex", "xdvipdfmx"), needed=False)
     yield _find("pandoc", _try_pandoc(), needed=False)
     yield _find("preview", _find_version("uvicorn", "starlette", "watchfiles"), needed=False)
+    yield _find("cluster", _find_version("distributed"), needed=False)
     yield _find("room", _measure_room())
 
 

@@ -2,9 +2,10 @@
 many tasks in order.
 
 A command opens `open_executor` and passes it down; code that has tasks calls `map_in_order`. The
-first task starts the processes: as copies of this one, with everything that it has loaded, where it
-certainly has no other thread, which a copy would lack; otherwise from scratch. (A typesetter that
-has been used has threads.) None of them outlives this process, however it ends.
+workers are those of a cluster where one is named, else processes of this machine. The first task
+starts these: as copies of this process, with everything that it has loaded, where it certainly has
+no other thread, which a copy would lack; otherwise from scratch. (A typesetter that has been used
+has threads.) None of them outlives this process, however it ends.
 """
 
 from __future__ import annotations
@@ -26,6 +27,7 @@ from typing import Generic, Literal, ParamSpec, TypeVar
 from kinegrade.errors import WorkerError
 from kinegrade.files.temporary import clear_temporary_folders
 from kinegrade.language.message import Fault, Message
+from kinegrade.processes.cluster import Cluster, open_cluster
 from kinegrade.processes.worker import DEFERRED, begin_work, do_task
 
 Start = Literal["fork", "spawn"]
@@ -42,14 +44,21 @@ _Value = TypeVar("_Value")
 
 
 @contextmanager
-def open_executor(jobs: int, command: str, start: Start | None = None) -> Iterator[Executor]:
-    """The executor of a command's tasks: up to `jobs` processes; for 1, this process, which does a
-    task at once.
+def open_executor(
+    jobs: int, command: str, start: Start | None = None, *, cluster: str | None = None
+) -> Iterator[Executor]:
+    """The executor of a command's tasks: the workers of the `cluster` whose scheduler has that
+    address; without one, up to `jobs` processes; for 1, this process, which does a task at once.
 
     Processes still at work when the block ends with an exception are dismissed at once. `start`
     fixes how they are started; by default that is decided at the first task. Raises WorkerError,
-    which names the command, where one of them was ended from outside.
+    which names the command, where one of them was ended from outside; with a cluster, as
+    `open_cluster` does.
     """
+    if cluster is not None:
+        with open_cluster(cluster, command) as workers:
+            yield workers
+        return
     if jobs == 1:
         yield THIS_PROCESS
         return
@@ -73,15 +82,17 @@ def map_in_order(
 ) -> Generator[_Result, None, None]:
     """The result of the task for each item, in order, as they are requested.
 
-    At most `ahead` tasks are running or have results waiting, so memory does not grow with the
-    number of items. A single item is not worth another process. Raises what the task raises;
-    tasks handed out by then are given up with the executor.
+    At most `ahead` tasks are running or have results waiting, or as many as keep a cluster busy, so
+    memory does not grow with the number of items. A single item is not worth another process.
+    Raises what the task raises; tasks handed out by then are given up with the executor.
     """
     remaining = iter(items)
     first = list(islice(remaining, 2))
     if len(first) < 2:
         yield from map(task, first)
         return
+    if isinstance(workers, Cluster):
+        ahead = workers.ahead
     waiting: deque[Future[_Result]] = deque()
     for item in chain(first, remaining):
         waiting.append(workers.submit(task, item))

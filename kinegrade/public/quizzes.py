@@ -39,8 +39,9 @@ class QuizOptions:
     Every student's paper, or a pool of the first `variants` papers for all students. `form` is that
     of Moodle's questions; `megabytes` splits Moodle's file into several. With `mistakes` known
     mistakes are named and earn the share `credit`, by default the bank's; `solutions` adds worked
-    solutions, by `method` where several serve. Papers are made by up to `jobs` processes;
-    `progress` is given them one after another, and their number.
+    solutions, by `method` where several serve. Papers are made by up to `jobs` processes, or by the
+    workers of the `cluster` whose scheduler has that address; `progress` is given them one after
+    another, and their number.
     """
 
     variants: int | None = None
@@ -51,6 +52,7 @@ class QuizOptions:
     solutions: bool = False
     method: Method | None = None
     jobs: int = 1
+    cluster: str | None = None
     progress: Progress = _as_they_come
 
     @property
@@ -97,7 +99,7 @@ def quiz(
     _refuse_alternatives(exam)
     chosen = None if language is None else find_language(language)
     writer = choose_writer(to, options.file)
-    with open_executor(options.jobs, "quiz") as workers:
+    with open_executor(options.jobs, "quiz", cluster=options.cluster) as workers:
         put = _read(exam, chosen, options, workers)
         with variants_stored(exam, options.variants or 0):
             remarks = writer(put, place, force=force)

@@ -38,7 +38,7 @@ FeedbackForm = Literal["pdf", "html", "md"]
 class FeedbackOptions:
     """What students get: sheets in a `form`, with the worked solutions or without, by default as
     the bank says, and not before homework is due unless that is wanted; made by up to `jobs`
-    processes.
+    processes, or by the workers of the `cluster` whose scheduler has that address.
 
     `send_list` is a table for mail merges that is written, too; `moodle` the grading worksheet of a
     Moodle assignment, for which everything is packed as moodle.zip.
@@ -48,6 +48,7 @@ class FeedbackOptions:
     solutions: bool | None = None
     before_due: bool = False
     jobs: int = 1
+    cluster: str | None = None
     send_list: str | PathLike[str] | None = None
     moodle: str | PathLike[str] | None = None
 
@@ -89,7 +90,7 @@ def feedback(
     wording = read_exam_wording(exam, chosen)
     with (
         _list_receivers(exam, marks, place, wishes, options) as notes,
-        open_executor(options.jobs, "feedback") as workers,
+        open_executor(options.jobs, "feedback", cluster=options.cluster) as workers,
     ):
         count = write_feedback(exam, marks, place, wording, wishes, workers=workers)
     return _tell(place, count, notes, participants)

@@ -9,6 +9,7 @@ import click
 
 from kinegrade.cli.help import command
 from kinegrade.cli.options import (
+    CLUSTER,
     COMPLAINTS,
     FORCE,
     JOBS,
@@ -31,6 +32,7 @@ from kinegrade.language import Language
     show_default=True,
 )
 @JOBS
+@CLUSTER
 @OPTIONAL_OUTPUT
 @LANGUAGE
 @FORCE
@@ -40,6 +42,7 @@ def check(
     template_names: tuple[str, ...],
     sample: int,
     jobs: int,
+    cluster: str | None,
     output: Path | None,
     language: Language,
     force: bool,
@@ -55,7 +58,7 @@ def check(
 
     sound, words = True, terminal_words()
     names = template_names or shipped_names()
-    with open_executor(jobs, "check") as workers:
+    with open_executor(jobs, "check", cluster=cluster) as workers:
         for proof in prove_templates(names, sample, workers):
             click.echo(words.write(proof.verdict))
             for finding in proof.findings:

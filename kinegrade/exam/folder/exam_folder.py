@@ -52,6 +52,10 @@ class ExamFolder:
     path: Path
     head: ExamHead = field(repr=False)
 
+    def __reduce__(self) -> tuple[type[ExamFolder], tuple[Path, ExamHead]]:
+        """To other processes goes nothing that was read on the way."""
+        return ExamFolder, (self.path, self.head)
+
     @property
     def language(self) -> Language:
         """The language of the papers."""

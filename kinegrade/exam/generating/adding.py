@@ -76,8 +76,7 @@ def add_students(
     """Add the students of `late` to the exam folder at `path`, which was generated from that
     blueprint for the students of that roster.
 
-    Papers are printed as those of the folder were; of the options only `strict`, `jobs` and
-    `progress` matter. Raises KinegradeError; then nothing is written.
+    Papers are printed as those of the folder were. Raises KinegradeError; then nothing is written.
     """
     exam = open_exam(path)
     kept = KeptExam(exam)
@@ -85,8 +84,9 @@ def add_students(
     students = late_class(exam, roster, late)
     run = _run(exam, kept, late)
     old = read_replaced(exam)
-    jobs = count_processes(options.jobs, len(students.together))
-    processes, book = open_executor(jobs, "generate"), open_sketchbook(jobs)
+    jobs = count_processes(options.processes, len(students.together))
+    processes = open_executor(jobs, "generate", cluster=options.cluster)
+    book = open_sketchbook(jobs)
     with bulk_work(), open_grown_folder(exam) as folder, processes as workers, book as sketchbook:
         press = run.press_order.press()
         whole, secret = Roster(students.together, (), late.file), required_secret(exam)

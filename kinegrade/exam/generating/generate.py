@@ -112,9 +112,9 @@ def generate(
     basis = Basis(sources, roster, stays.papers if stays else {})
     order = _require_same_order(begun, run, basis, options)
     exam = _open_exam_folder(output, options, begun, force=force)
-    jobs = count_processes(options.jobs, len(roster.students))
-    processes, book = open_executor(jobs, "generate"), open_sketchbook(jobs)
-    with bulk_work(), exam as folder, processes as workers, book as sketchbook:
+    jobs = count_processes(options.processes, len(roster.students))
+    processes = open_executor(jobs, "generate", cluster=options.cluster)
+    with bulk_work(), exam as folder, processes as workers, open_sketchbook(jobs) as sketchbook:
         journal, kept = open_journal(folder, secret, order), _find_kept_papers(stays, secret)
         dealt = deal_exam(bank, roster, secret, workers, kept, sketchbook=sketchbook)
         require_enough(dealt)

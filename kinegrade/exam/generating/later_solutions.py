@@ -42,8 +42,8 @@ class SolutionWishes:
 
     `method` finds velocities where several serve, by default that of the exam; they are in
     `language`, by default in that of each paper; with `force` those that exist are replaced. They
-    are printed by up to `jobs` processes; `progress` is given them one after another, and their
-    number.
+    are printed by up to `jobs` processes, or by the workers of the `cluster` whose scheduler has
+    that address; `progress` is given them one after another, and their number.
     """
 
     students: tuple[str, ...]
@@ -52,6 +52,7 @@ class SolutionWishes:
     jobs: int
     force: bool
     progress: Progress
+    cluster: str | None = None
 
 
 def add_solutions(exam: ExamFolder, wishes: SolutionWishes) -> int:
@@ -66,7 +67,7 @@ def add_solutions(exam: ExamFolder, wishes: SolutionWishes) -> int:
     if not wishes.force:
         _require_new(exam, students)
     jobs = count_processes(wishes.jobs, len(students))
-    processes = open_executor(jobs, "solutions")
+    processes = open_executor(jobs, "solutions", cluster=wishes.cluster)
     with bulk_work(), open_grown_folder(exam) as folder, processes as workers:
         copy_exam(exam, folder)
         with closing(print_class_solutions(exam, run, students, workers, jobs)) as printed:

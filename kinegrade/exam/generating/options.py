@@ -36,7 +36,8 @@ class GenerateOptions:
     no student; `also` names the other kinds of files in which papers are wanted. What would be a
     complaint is refused where `strict`. With `resume` a run goes on with what an interrupted one
     left, and leaves what it has done where it is interrupted itself. Papers are printed by up to
-    `jobs` processes; `progress` is given them one after another, and their number.
+    `jobs` processes, or by the workers of the `cluster` whose scheduler has that address;
+    `progress` is given them one after another, and their number.
     """
 
     seed: str | None = None
@@ -53,7 +54,13 @@ class GenerateOptions:
     strict: bool = False
     resume: bool = False
     jobs: int = 1
+    cluster: str | None = None
     progress: Progress = _as_they_come
+
+    @property
+    def processes(self) -> int:
+        """How many processes of this machine work."""
+        return 1 if self.cluster else self.jobs
 
     @property
     def wish(self) -> SecretWish:

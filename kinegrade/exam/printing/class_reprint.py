@@ -8,10 +8,10 @@ from collections.abc import Generator, Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass
 
-from kinegrade.exam.folder.records import Candidate
+from kinegrade.exam.folder.records import Candidate, KeyLine
 from kinegrade.exam.printing.class_printing import AHEAD, open_press, split_class
 from kinegrade.exam.printing.printing import Printed, PrintRun, print_papers
-from kinegrade.exam.setting.kept_exam import KeptExam
+from kinegrade.exam.setting.kept_exam import KeptExam, list_with_keys
 from kinegrade.processes.executor import Shared, map_in_order
 
 
@@ -21,7 +21,7 @@ class _ReprintTask:
 
     kept: Shared[KeptExam]
     run: Shared[PrintRun]
-    students: Sequence[Candidate]
+    students: Sequence[tuple[Candidate, KeyLine | None]]
 
 
 def print_class_again(
@@ -31,10 +31,13 @@ def print_class_again(
 
     Raises ExamError where something else follows than the key says, BankError, TypesetError.
     """
-    shared_kept, shared_run = Shared(KeptExam(kept.exam)), Shared(run)
-    students = kept.exam.head.everybody
+    exam = kept.exam
+    shared_kept, shared_run = Shared(KeptExam(exam, run.bank)), Shared(run)
+    students = exam.head.everybody
     tasks = (
-        _ReprintTask(shared_kept, shared_run, students[part.start : part.stop])
+        _ReprintTask(
+            shared_kept, shared_run, list_with_keys(exam, students[part.start : part.stop])
+        )
         for part in split_class(len(students), jobs)
     )
     for part in map_in_order(workers, _print, tasks, AHEAD * jobs):
@@ -43,6 +46,6 @@ def print_class_again(
 
 def _print(task: _ReprintTask) -> list[Printed]:
     """A part of the class."""
-    papers = [task.kept.value.paper(each) for each in task.students]
+    papers = [task.kept.value.paper_by(*each) for each in task.students]
     run = task.run.value
     return print_papers(run, open_press(run.press_order), papers)

@@ -9,10 +9,10 @@ from concurrent.futures import Executor
 from dataclasses import dataclass
 
 from kinegrade.exam.folder.exam_folder import ExamFolder
-from kinegrade.exam.folder.records import Candidate
+from kinegrade.exam.folder.records import Candidate, KeyLine
 from kinegrade.exam.printing.class_printing import AHEAD, open_press, split_class
 from kinegrade.exam.printing.printing import PrintRun, print_solutions
-from kinegrade.exam.setting.kept_exam import KeptExam
+from kinegrade.exam.setting.kept_exam import KeptExam, list_with_keys
 from kinegrade.press.protocol import Printout
 from kinegrade.processes.executor import Shared, map_in_order
 
@@ -23,7 +23,7 @@ class _SolutionTask:
 
     kept: Shared[KeptExam]
     run: Shared[PrintRun]
-    students: Sequence[Candidate]
+    students: Sequence[tuple[Candidate, KeyLine | None]]
 
 
 def print_class_solutions(
@@ -33,10 +33,10 @@ def print_class_solutions(
 
     Raises ExamError where something else follows than the key says, BankError, TypesetError.
     """
-    kept = Shared(KeptExam(ExamFolder(exam.path, exam.head)))
+    kept = Shared(KeptExam(exam, run.bank))
     shared = Shared(run)
     tasks = (
-        _SolutionTask(kept, shared, students[part.start : part.stop])
+        _SolutionTask(kept, shared, list_with_keys(exam, students[part.start : part.stop]))
         for part in split_class(len(students), jobs)
     )
     for part in map_in_order(workers, _print, tasks, AHEAD * jobs):
@@ -45,6 +45,6 @@ def print_class_solutions(
 
 def _print(task: _SolutionTask) -> list[tuple[str, Printout]]:
     """The worked solutions of a part of the class."""
-    papers = [task.kept.value.paper(each) for each in task.students]
+    papers = [task.kept.value.paper_by(*each) for each in task.students]
     press = open_press(task.run.value.press_order)
     return list(print_solutions(task.run.value, press, papers).items())

@@ -7,6 +7,7 @@ from concurrent.futures import Executor
 from dataclasses import dataclass
 from functools import partial
 
+from kinegrade.errors import TemplateError
 from kinegrade.exam.printing.printable import find_printing_faults
 from kinegrade.language.message import Message
 from kinegrade.problem.template.library.library import load_template
@@ -32,7 +33,7 @@ def prove_templates(
 
     Raises TemplateError for one that cannot be read, when its turn comes.
     """
-    return map_in_order(workers, partial(_prove, sample), names)
+    return map_in_order(workers, partial(_prove, sample), map(_read, names))
 
 
 def prove_template(template: Template, sample: int) -> TemplateProof:
@@ -43,5 +44,15 @@ def prove_template(template: Template, sample: int) -> TemplateProof:
     return TemplateProof(write_verdict(report), findings, not report.faults)
 
 
-def _prove(sample: int, name: str) -> TemplateProof:
-    return prove_template(load_template(name), sample)
+def _read(name: str) -> Template | TemplateError:
+    """The template, or the fault of its file, which is raised when its turn comes."""
+    try:
+        return load_template(name)
+    except TemplateError as fault:
+        return fault
+
+
+def _prove(sample: int, template: Template | TemplateError) -> TemplateProof:
+    if isinstance(template, TemplateError):
+        raise template
+    return prove_template(template, sample)

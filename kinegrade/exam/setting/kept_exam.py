@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
 from typing import Literal, TypeAlias
 
+from kinegrade.errors import ExamError
 from kinegrade.exam.bank.bank import read_kept_bank
 from kinegrade.exam.bank.blueprint import Bank, BankQuestion
 from kinegrade.exam.choices import fits_paper
@@ -30,13 +31,18 @@ _Term: TypeAlias = Literal["code", "version", "questions", "printed"]
 class KeptExam:
     """An exam as its folder keeps it: the bank and the templates by copies, and for each student
     the values drawn.
+
+    With a bank that was `read` already, and `paper_by`, no file of the folder is needed.
     """
 
     exam: ExamFolder
+    read: Bank | None = None
 
     @cached_property
     def bank(self) -> Bank:
         """The bank from its copy. Raises BankError."""
+        if self.read is not None:
+            return self.read
         chosen = {each.question: each.template for each in self.exam.head.questions}
         bank = read_kept_bank(self.exam.path / BANK, self.exam.path / TEMPLATES, chosen)
         return replace(bank, earlier=self.exam.head.earlier)
@@ -82,7 +88,12 @@ class KeptExam:
 
         Raises ExamError where something else follows than the key says, BankError.
         """
-        line = self._line(candidate.student)
+        return self.paper_by(candidate, self.exam.find_line(candidate.student))
+
+    def paper_by(self, candidate: Candidate, line: KeyLine | None) -> SetPaper:
+        """The same, by the key of the paper; None where the folder has lost it."""
+        if line is None:
+            raise self._explain_lost(candidate.student)
         names = self._list_held(line)
         self._require_same_paper(candidate, line, names)
         stated = {each.question: each for each in line.questions}
@@ -109,8 +120,11 @@ class KeptExam:
         """The key of a paper. Raises ExamError where the folder has lost it."""
         line = self.exam.find_line(student)
         if line is None:
-            raise explain_broken(self.exam.key, [Message("exam.no-line", student=Quoted(student))])
+            raise self._explain_lost(student)
         return line
+
+    def _explain_lost(self, student: str) -> ExamError:
+        return explain_broken(self.exam.key, [Message("exam.no-line", student=Quoted(student))])
 
     def _require_same_paper(
         self, candidate: Candidate, line: KeyLine, names: Sequence[str]
@@ -148,6 +162,13 @@ class KeptExam:
     def _plans(self) -> Mapping[str, Plan | None]:
         """The plans by which `generate` solves, by question."""
         return {name: each.plan for name, each in self.unkeyed.filters.items()}
+
+
+def list_with_keys(
+    exam: ExamFolder, candidates: Iterable[Candidate]
+) -> tuple[tuple[Candidate, KeyLine | None], ...]:
+    """Students with the keys of their papers, for `paper_by`. Raises ExamError."""
+    return tuple((each, exam.find_line(each.student)) for each in candidates)
 
 
 def student_of(candidate: Candidate) -> Student:
