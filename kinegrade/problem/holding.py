@@ -58,6 +58,8 @@ def _meets_relation(relation: Relation, sign: int) -> bool:
             return sign >= 0
         case "==":
             return sign == 0
+        case "!=":
+            return sign != 0
         case _:
             assert_never(relation)
 

@@ -108,7 +108,8 @@ def _find_differences(
             with solution.arithmetic.context():
                 met = _is_met(template.asks[name], published, solution)
         except ExpressionError as error:
-            yield name, Fault(name, error.faults[0])
+            if not answer.at_infinity:  # where it is, neither has a value
+                yield name, Fault(name, error.faults[0])
         except Undecided:
             yield name, Fault(name, Message("template.stated-in-no-field"))
         else:

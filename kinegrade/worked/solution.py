@@ -37,7 +37,7 @@ from kinegrade.worked.steps.poles import find_poles
 from kinegrade.worked.steps.polygons import find_common_scale
 from kinegrade.worked.steps.steps import explain_step, find_stage
 from kinegrade.worked.steps.titles import name_step
-from kinegrade.worked.steps.used_points import find_used_points
+from kinegrade.worked.steps.used_points import find_placed_points, find_used_points
 from kinegrade.worked.vectors.facts import note_equation
 from kinegrade.worked.vectors.needed_rates import (
     NOTHING,
@@ -97,7 +97,7 @@ def _write_blocks(case: Case, asked: Sequence[Ask], boxes: AnswerBoxes) -> Itera
         yield Heading(case.write(Message("solution.kinds")), 1)
         yield from describe_motions(case)
     points = find_used_points(case, moving, (*velocities, *accelerations))
-    yield from _write_position_chapter(case, None if still else points)
+    yield from _write_position_chapter(case, [*points, *find_placed_points(case, still)])
     yield from explain_pose_answers(case, (ask.name for ask in still))
     yield from boxes.state_missing(still)
     if not moving:
@@ -137,10 +137,10 @@ def collect_needs(case: Case, asked: Iterable[Ask]) -> Needs:
     return needs
 
 
-def _write_position_chapter(case: Case, used: Collection[str] | None) -> Iterator[Block]:
-    """Where the points used are, or all points where answers are about the positions alone."""
+def _write_position_chapter(case: Case, used: Collection[str]) -> Iterator[Block]:
+    """Where the points used are."""
     yield Heading(case.write(Message("solution.positions")), 1)
-    yield from explain_positions(case, case.template.scheme.points if used is None else used)
+    yield from explain_positions(case, used)
 
 
 @dataclass

@@ -84,6 +84,8 @@ def test_the_bounds_of_sensible_answers_are_sensible_themselves() -> None:
         ("r > h", True),
         ("sqrt(3)*r == sqrt(12)", True),
         ("r == h", False),
+        ("r != h", True),
+        ("sqrt(3)*r != sqrt(12)", False),
         ("sin(r) == cos(r)", False),
     ],
 )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import radians
+from math import pi, radians
 
 import pytest
 from hypothesis import given
@@ -11,9 +11,11 @@ from hypothesis import strategies as st
 from kinegrade.figure.mechanism.layers import draw
 from kinegrade.figure.mechanism.paper import scale_to_paper
 from kinegrade.figure.mechanism.round.cam import trace_cam_profile
-from kinegrade.figure.plane import length, polar
-from kinegrade.figure.scene import PITCH, Disc, Outline
+from kinegrade.figure.plane import angle_of, length, polar
+from kinegrade.figure.scene import PITCH, Disc, Outline, Primitive, Strokes
 from kinegrade.mechanics.vector import Vector
+from kinegrade.problem.solving import solve_template
+from kinegrade.problem.template.library.library import load_template
 from tests.figure.mechanisms import follower_curvature
 from tests.figure.more_mechanisms import pointed_follower
 
@@ -65,6 +67,37 @@ def test_a_base_circle_touches_the_profile_from_inside() -> None:
     (profile,) = [part for part in primitives if isinstance(part, Outline) and part.fill == "grey"]
     assert base.centre == mechanism.points["O"] * 100.0
     assert base.radius == pytest.approx(min(length(at - base.centre) for at in profile.corners))
+
+
+def draw_tangent_cam() -> tuple[Primitive, ...]:
+    """That of the shipped template, in millimetres at half its size."""
+    solution = solve_template(
+        load_template("tangent-cam-with-roller"), {"r": "40", "q": "20", "theta": "30"}
+    )
+    mechanism = solution.assembly.mechanism.map(float)
+    return draw(scale_to_paper(mechanism, 500.0), solution.template.figure).primitives
+
+
+def test_the_circles_of_a_cam_lie_within_one_outline_with_straight_flanks() -> None:
+    primitives = draw_tangent_cam()
+    (base,) = [part for part in primitives if isinstance(part, Disc) and part.pen == PITCH]
+    (cam,) = [part for part in primitives if isinstance(part, Outline) and part.fill == "grey"]
+    edges = zip(cam.corners, cam.corners[1:] + cam.corners[:1], strict=True)
+    flanks = [end - start for start, end in edges if length(end - start) > base.radius / 4]
+    assert base.radius == pytest.approx(20.0)
+    assert min(length(at - base.centre) for at in cam.corners) == pytest.approx(base.radius)
+    assert len(flanks) == 2  # tangents of the base circle and of the nose
+    assert angle_of(-flanks[1]) % pi == pytest.approx(radians(30), abs=0.02)
+
+
+def test_the_guide_of_a_rod_is_clear_of_the_wheel_that_it_carries() -> None:
+    primitives = draw_tangent_cam()
+    discs = [part for part in primitives if isinstance(part, Disc) and part.fill == "grey"]
+    (roller,) = [disc for disc in discs if disc.radius == pytest.approx(10.0)]
+    guides = [part for part in primitives if isinstance(part, Strokes) and len(part.lines) > 4]
+    ends = [at for part in guides for line in part.lines for at in line if at.y > roller.centre.y]
+    assert ends
+    assert min(length(at - roller.centre) for at in ends) > roller.radius
 
 
 def test_a_follower_whose_point_runs_on_a_cam_has_a_pointed_head_and_no_dot() -> None:

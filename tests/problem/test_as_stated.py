@@ -4,6 +4,8 @@ minus is positive there too, and everything else follows from it as before.
 
 from __future__ import annotations
 
+import math
+
 import pytest
 
 from kinegrade.language import ENGLISH
@@ -34,6 +36,13 @@ def test_the_restated_template_at_positive_values_has_the_same_answers(name: str
     given = {name: quantity.exact or "" for name, quantity in stated.parameters.items()}
     assert not any(stated.parameters[name].is_reversed for name in NEGATIVE[name])
     assert dict(solve_template(stated.template, given)) == dict(solution)
+
+
+def test_a_restated_angle_goes_with_pi_where_no_field_holds_the_instance() -> None:
+    solution = solve_template(load_template("oscillating-flat-faced-follower"), {"phi": "-45"})
+    assert not solution.arithmetic.exact  # by the pi of 60 r/min
+    values = restate(solution).assembly.values
+    assert float(values["phi"] + values["pi"]) == pytest.approx(1.25 * math.pi)
 
 
 def test_a_driven_rate_is_taken_from_zero_where_its_sense_is_in_words() -> None:

@@ -31,7 +31,7 @@ FAULTS = [
     'crank.toml:2: familie: unknown table or key - did you mean "family"?',
     'crank.toml:4: joints[1]: "pin O ground OA": no such joint - did you mean "pin O: ground OA", "pin A: OA AB" or "open belt: circle(A, r1) of I, circle(B, r2) of II on ground"? (all of them: kinegrade words joints)',
     'crank.toml:5: inputs[1].motion: "OA spins": no such input - did you mean "OA turns", "A of W circles O" or "AB turns relative to OA"? (all of them: kinegrade words inputs)',
-    'crank.toml:6: conditions[1]: "r = 2" - expected "left < right", with one of <, <=, >, >=, ==',
+    'crank.toml:6: conditions[1]: "r = 2" - expected "left < right", with one of <, <=, >, >=, ==, !=',
     'crank.toml:7: title: a table of no language - expected a text, or texts by language like { en = "..." }',
     'crank.toml:11: parameters.r.unit: unit "fathom" - expected a product or quotient like m/s^2 of 1, cm, deg, ft, h, in, km, m, min, mm, r, rad, rpm, s',
     'crank.toml:12: parameters.phi.draw: "0 .. 90 step 0" - expected a step above zero, the last value not before the first, and at most 2000 values',

@@ -206,7 +206,7 @@ def test_the_small_template_is_sound() -> None:
             '"r < 2"',
             '"r = 2"',
             [
-                'crank.toml:6: conditions[1]: "r = 2" - expected "left < right", with one of <, <=, >, >=, =='
+                'crank.toml:6: conditions[1]: "r = 2" - expected "left < right", with one of <, <=, >, >=, ==, !='
             ],
         ),
         (

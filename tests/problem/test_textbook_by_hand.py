@@ -4,18 +4,15 @@ from the loop of the mechanism, differentiated.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 
 import pytest
-from mpmath import acos, arg, cos, diff, exp, mp, mpc, mpf, pi, radians, sqrt
+from mpmath import acos, arg, cos, diff, exp, mpc, mpf, pi, radians, sqrt
 
-import kinegrade
-
-Given = Mapping[str, mpf]
-MINUTE = mpf(60)
+from tests.problem.textbook import MINUTE, Answers, Case, Given, hold
 
 
-def turn_epicyclic_train(given: Given) -> dict[str, mpf]:
+def turn_epicyclic_train(given: Given) -> Answers:
     """Arcs that roll off each other: on the annular gear at rest, and on C seen from the arm."""
     tooth = given["l"] / 1000 / (given["z_A"] + given["z_C"])  # of the radius, by two
     annular, sun = 2 * tooth * given["z_A"], 2 * tooth * given["z_C"]
@@ -40,7 +37,7 @@ def turn_epicyclic_train(given: Given) -> dict[str, mpf]:
     }
 
 
-def pull_spool(given: Given) -> dict[str, mpf]:
+def pull_spool(given: Given) -> Answers:
     """The rim rolls off the floor, the hub off the cord, whose end has moved by u t + w t^2/2."""
     rim, hub = given["R"], given["r"]
 
@@ -62,7 +59,7 @@ def pull_spool(given: Given) -> dict[str, mpf]:
     }
 
 
-def index_geneva_wheel(given: Given) -> dict[str, mpf]:
+def index_geneva_wheel(given: Given) -> Answers:
     """The slot points from C to the pin."""
     crank = given["a"] / sqrt(mpf(2))
 
@@ -81,7 +78,7 @@ def index_geneva_wheel(given: Given) -> dict[str, mpf]:
     }
 
 
-def push_yoke(given: Given) -> dict[str, mpf]:
+def push_yoke(given: Given) -> Answers:
     """The pin stays above the point B of the yoke, at the distance r from O."""
     start = given["r"] * cos(radians(given["phi"]))
 
@@ -98,7 +95,7 @@ def push_yoke(given: Given) -> dict[str, mpf]:
     }
 
 
-CASES: tuple[tuple[str, Callable[[Given], dict[str, mpf]], dict[str, str | int]], ...] = (
+CASES: tuple[Case, ...] = (
     (
         "epicyclic-train-by-tooth-counts",
         turn_epicyclic_train,
@@ -120,11 +117,6 @@ CASES: tuple[tuple[str, Callable[[Given], dict[str, mpf]], dict[str, str | int]]
 
 @pytest.mark.parametrize(("name", "work_out", "given"), CASES)
 def test_answers_are_those_of_positions(
-    name: str, work_out: Callable[[Given], dict[str, mpf]], given: dict[str, str | int]
+    name: str, work_out: Callable[[Given], Answers], given: dict[str, int]
 ) -> None:
-    answers = kinegrade.template(name).solve(**given)
-    with mp.workdps(40):
-        expected = work_out({letter: mpf(value) for letter, value in given.items()})
-        assert set(expected) == set(answers)
-        for ask, value in expected.items():
-            assert answers[ask].value == pytest.approx(float(value), rel=1e-12, abs=1e-12), ask
+    hold(name, work_out, given)

@@ -7,6 +7,7 @@ from __future__ import annotations
 import math
 import re
 import subprocess
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -19,6 +20,7 @@ from kinegrade.problem.template.library.reading import read_template
 from kinegrade.proof.assemblies import close_otherwise, find_other_assemblies
 from kinegrade.proof.checking import check, choose_drawable
 from kinegrade.proof.neighbours import list_probed
+from kinegrade.proof.published import prove_published
 from kinegrade.proof.report import Report
 from kinegrade.proof.reporting import write_findings, write_verdict
 from tests.problem.crank import crank, crank_text
@@ -170,6 +172,13 @@ def test_a_formula_that_no_field_holds_at_its_values_proves_nothing() -> None:
     assert fault == (
         "published (by hand): no instance can be solved: the values lie in no small exact field"
     )
+
+
+def test_a_published_result_needs_no_value_where_the_answer_has_none() -> None:
+    template = load_template("stepped-drum-on-two-ropes")
+    report = Report(template, sound=("x_P",))
+    prove_published(report, replace(template.published[0], given={"u": "20", "v": "20"}))
+    assert (all_said(report.faults), report.proved) == ([], 5)
 
 
 def test_faults_of_the_statement_are_faults_of_the_template() -> None:

@@ -15,7 +15,7 @@ from kinegrade.files.fields.values import found
 from kinegrade.language.message import Message
 from kinegrade.problem.template.template import Condition, Relation
 
-_MARK = re.compile(r"([<>=]=?)")
+_MARK = re.compile(r"([<>=]=?|!=)")
 # Each mark with the relation it states, and whether the sides change places.
 _RELATIONS: Mapping[str, tuple[Relation, bool]] = {
     "<": ("<", False),
@@ -23,6 +23,7 @@ _RELATIONS: Mapping[str, tuple[Relation, bool]] = {
     ">": ("<", True),
     ">=": ("<=", True),
     "==": ("==", False),
+    "!=": ("!=", False),
 }
 
 

@@ -20,7 +20,7 @@ from kinegrade.problem.template.translated import Translated
 
 Method = Literal["base-point", "projection", "pole"]
 METHODS: tuple[Method, ...] = ("base-point", "projection", "pole")
-Relation = Literal["<", "<=", "=="]
+Relation = Literal["<", "<=", "==", "!="]
 
 
 @dataclass(frozen=True)

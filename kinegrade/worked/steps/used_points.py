@@ -4,7 +4,7 @@ others serve only to draw the mechanism.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 
 from kinegrade.expressions.tree import Call, Expression, find_names
 from kinegrade.mechanics.plan import Step
@@ -31,6 +31,17 @@ def find_used_points(case: Case, asked: Iterable[Ask], steps: Iterable[Step]) ->
     used = {name for tree in trees for name in find_names(tree)}
     used |= {name for term in terms for name in _list_points(term, case)}
     return tuple(point for point in case.template.scheme.points if point in used)
+
+
+def find_placed_points(case: Case, asked: Sequence[Ask]) -> tuple[str, ...]:
+    """The points of the mechanism where any answers are about positions alone, with those that
+    these refer to; not what only the figure marks. None without such answers.
+    """
+    if not asked:
+        return ()
+    placed = {point for body in case.template.scheme.bodies for point in body.points}
+    placed |= {name for ask in asked for name in find_names(ask.quantity)}
+    return tuple(point for point in case.template.scheme.points if point in placed)
 
 
 def _list_asked_terms(quantity: Expression, case: Case) -> Iterator[Term]:

@@ -33,7 +33,6 @@ KNOWN: Mapping[Law, frozenset[str]] = {
             "guided-rack-and-gear",
             "rolling-wheel-pin-slotted-rocker",
             "stone-crusher",
-            "triangle-pose-three-frames",
         )
     ),
     "closed": frozenset(),

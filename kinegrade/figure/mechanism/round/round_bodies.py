@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from math import pi
 from typing import assert_never
 
 from kinegrade.figure import symbols
 from kinegrade.figure.joints.symbol import Rim, Symbol, find_fixed_pin
 from kinegrade.figure.mechanism.anatomy import Anatomy
 from kinegrade.figure.mechanism.round.cam import trace_cam_profile
-from kinegrade.figure.plane import NEAR, length
+from kinegrade.figure.plane import NEAR, hull, length, polar
 from kinegrade.figure.scene import (
     FIRM,
     PITCH,
@@ -27,6 +28,7 @@ from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
 
 _BAND = 0.6  # millimetres of material behind the teeth of a fixed gear
+_STEPS = 180  # corners of a circle within an outline, two degrees apart
 _RING = 2.4  # millimetres of material around a circle that encloses others
 
 
@@ -72,13 +74,34 @@ def _draw_rim(anatomy: Anatomy, rim: Rim) -> tuple[Primitive, ...]:
         return _draw_fixed_rim(rim)
     match rim.kind:
         case "edge":
-            return (Disc(rim.at, rim.radius, FIRM, "grey"),)
+            return _draw_edge(anatomy, rim)
         case "cam":
             return _draw_cam(anatomy, rim)
         case "wheel" | "gear" | "slot":
             return _draw_ring(rim) if rim.ring else _draw_round(rim)
         case _:
             assert_never(rim.kind)
+
+
+def _draw_edge(anatomy: Anatomy, rim: Rim) -> tuple[Primitive, ...]:
+    """A circle of a body that no joint mentions. Those of a cam lie within one outline, whose
+    straight flanks touch them; the circle about its pivot is its base circle.
+    """
+    if anatomy.hints.shapes.get(rim.body) != "cam":
+        return (Disc(rim.at, rim.radius, FIRM, "grey"),)
+    first, *_ = edges = [
+        each for each in anatomy.rims if each.kind == "edge" and each.body == rim.body
+    ]
+    outline = Outline(_trace_around(edges), FIRM, "grey") if rim is first else None
+    is_base = rim.centre == find_fixed_pin(anatomy.symbols, rim.body)
+    base = Disc(rim.at, rim.radius, PITCH) if is_base else None
+    return tuple(drawn for drawn in (outline, base) if drawn)
+
+
+def _trace_around(rims: Sequence[Rim]) -> tuple[Vector, ...]:
+    """The outline around circles, as a taut belt would lie about them."""
+    turns = [2 * pi * number / _STEPS for number in range(_STEPS)]
+    return hull(rim.at + polar(turn, rim.radius) for rim in rims for turn in turns)
 
 
 def _draw_fixed_rim(rim: Rim) -> tuple[Primitive, ...]:

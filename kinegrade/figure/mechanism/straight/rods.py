@@ -7,13 +7,14 @@ from collections.abc import Iterator, Mapping, Sequence
 from kinegrade.figure.joints.symbol import Guide, Rim, Symbol
 from kinegrade.figure.mechanism.straight_parts import Bar, Rod, find_half_width
 from kinegrade.figure.plane import length, mean, nearest_of
+from kinegrade.mechanics.joints import GROUND
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
 
 _ROD = 14.0  # millimetres of a translating rod that are shown at least
 # millimetres a translating rod continues beyond its point when it has two free ends
 _THROUGH = 11.0
-_GUIDE_ROOM = 5.1  # millimetres between the middle of a rod's guide and the edge of any other bar
+_GUIDE_ROOM = 5.1  # millimetres between the middle of a rod's guide and the edge of a bar or wheel
 
 
 def find_rods(
@@ -24,7 +25,7 @@ def find_rods(
     bars: Sequence[Bar],
 ) -> Iterator[Rod]:
     """The translating rods, each pointing away from the other bodies and long enough to keep its
-    guide clear of the bars.
+    guide clear of the bars and wheels.
     """
     circles = [rim.at for rim in found]
     for guide in _find_guides_of_rods(symbols):
@@ -32,7 +33,10 @@ def find_rods(
         others = [at for name, at in mechanism.points.items() if name not in names]
         side = guide.along.dot(mean(others + circles) - guide.at)
         toward = guide.along * (-1.0 if side > 0.01 * _ROD else 1.0)
-        start, end = guide.at, guide.at + toward * (_ROD + _find_reach(guide.at, toward, bars))
+        start, end = (
+            guide.at,
+            guide.at + toward * (_ROD + _find_reach(guide.at, toward, bars, found)),
+        )
         if shapes.get(guide.body) == "through":
             start = start - toward * _THROUGH
         yield Rod(guide.body, start, end, tuple(at for at in (end, start) if at != guide.at))
@@ -45,13 +49,16 @@ def _find_guides_of_rods(symbols: Sequence[Symbol]) -> Iterator[Guide]:
     yield from (guide for guide in guides.values() if guide.body in level)
 
 
-def _find_reach(start: Vector, toward: Vector, bars: Sequence[Bar]) -> float:
-    """The millimetres by which a rod is longer than usual to keep its guide clear of all bars; none
-    when no length does.
+def _find_reach(start: Vector, toward: Vector, bars: Sequence[Bar], found: Sequence[Rim]) -> float:
+    """The millimetres by which a rod is longer than usual to keep its guide clear of all bars and
+    of the wheels that move; none when no length does.
     """
+    wheels = [rim for rim in found if rim.body != GROUND and not rim.ring]
     for more in range(0, 20, 2):
         guide = start + toward * (_ROD - 5.0 + more)
-        if all(_measure_gap(guide, bar) > _GUIDE_ROOM for bar in bars):
+        gaps = [_measure_gap(guide, bar) for bar in bars]
+        gaps += [length(guide - wheel.at) - wheel.radius for wheel in wheels]
+        if min(gaps, default=_GUIDE_ROOM) >= _GUIDE_ROOM:
             return more
     return 0
 
