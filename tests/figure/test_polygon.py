@@ -131,3 +131,33 @@ def test_a_polygon_has_at_most_the_scale_of_the_others() -> None:
     alone = draw_polygon(*TRIANGLE)
     assert draw_polygon(*TRIANGLE, scale=alone.scale / 2).scale == alone.scale / 2
     assert draw_polygon(*TRIANGLE, scale=alone.scale * 10).scale == alone.scale
+
+
+def test_the_origin_has_another_letter_where_a_corner_is_o() -> None:
+    assert symbols(draw_polygon(*TRIANGLE, {"o": A})) == ["o", "p", "v_A", "v_B", "v_{BA}"]
+
+
+def test_a_symbol_without_a_place_beside_its_arrow_is_led_to_it() -> None:
+    # The second arrow is a fiftieth of the others, both of its ends are corners
+    tick = Vector(0.1, 0.02)
+    right = [Arrow("v_1", A), Arrow(r"v_{2A}^{\mathrm{t}}", tick), Arrow("v_3", B - A)]
+    total = B + tick
+    scene = draw_polygon([Arrow("v", total)], right)
+    ((start, foot),) = lines(scene, THIN)
+    (led,) = [label for label in scene.labels if label.symbol.startswith("v_{2A}")]
+    (origin,) = dots(scene)
+    middle = origin + (A + tick * 0.5) * scene.scale
+    assert hypot(*(foot - middle)) < 0.5 * hypot(*tick) * scene.scale
+    assert hypot(*(start - led.centre)) < hypot(led.width, led.height) / 2 + 0.5
+    assert scene.crowded == ()
+
+
+def test_symbols_without_places_at_the_scale_of_the_others_have_a_larger_one() -> None:
+    small = [
+        Arrow(f"a_{{{n}A}}^{{\\mathrm{{t}}}}", Vector(cos(1.3 * n), sin(1.3 * n))) for n in range(8)
+    ]
+    total = sum((arrow.value for arrow in small), Vector(0.0, 0.0))
+    alone = draw_polygon([Arrow("a", total)], small)
+    shared = draw_polygon([Arrow("a", total)], small, scale=alone.scale / 2)
+    assert shared.crowded == alone.crowded == ()
+    assert shared.scale == alone.scale

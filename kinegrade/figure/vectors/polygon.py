@@ -5,7 +5,7 @@ common end.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from itertools import combinations, islice, pairwise, permutations, product
 from types import MappingProxyType
@@ -14,8 +14,9 @@ from kinegrade.figure.mechanism.fitting import make_scene
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.placing.place import Wish, list_spots_around
 from kinegrade.figure.plane import length
-from kinegrade.figure.scene import Disc, Primitive, Scene
+from kinegrade.figure.scene import Disc, Scene
 from kinegrade.figure.vectors.arrows import VectorArrow, look_like_one, put_side_by_side
+from kinegrade.figure.vectors.leaders import NOTHING, ONE_ARROW, write_symbol
 from kinegrade.figure.vectors.plain_mechanism import PICTURE
 from kinegrade.mechanics.vector import Vector
 from kinegrade.round_numbers import round_down
@@ -24,9 +25,11 @@ from kinegrade.round_numbers import round_down
 _WIDE, _HIGH = (52.0, 36.0)
 _NEGLIGIBLE = 0.01  # of the longest vector: shorter ones are not drawn
 _OFFSETS = (2.0, -6.0, 8.0, -12.0, 14.0)  # millimetres between arrows that would lie on one another
+_NEXT = 2.51  # times a round number, the next one is not above it
 _LEAST = 10.0  # millimetres: no polygon is made smaller than this, whatever its symbols take
 _TINY = 1e-12
-_ORIGIN = "o"
+_ORIGINS = ("o", "p")  # letters of the origin: another where it is that of a corner
+_TRIES = 4  # orders in which the symbols are placed
 _SAME = 0.05  # millimetres within which two corners coincide
 _PERMUTED, _ORDERS = 4, 150  # vectors of a side that may change places, orders that are tried
 _ZERO = Vector(0.0, 0.0)
@@ -56,21 +59,49 @@ def draw_polygon(
     in an order in which none runs along another; where there is no such order they are drawn side
     by side, with thin lines to their true positions. `vertices` are letters (LaTeX math) for the
     tips of vectors from the origin. The scale of the scene is millimetres per m/s (or m/s^2), a
-    round number: `scale`, that of other polygons, unless this one would be too large or too small.
+    round number: `scale`, that of other polygons, unless this one would be too large or too small,
+    or its symbols have no place at it.
     The figure is within PICTURE of `plain_mechanism`.
     """
     across, upward = _measure_spans(left, right)
     if across + upward == 0.0:
-        return make_scene(_compose(left, right, vertices, 1.0), 1.0)
+        return _fit(left, right, vertices, 1.0, 0.0)
     left, right = _arrange(left, right)
     largest = find_scale(left, right)
     common = min(scale or largest, largest)
-    scale = common if max(across, upward) * common >= _LEAST else largest
-    scene = make_scene(_compose(left, right, vertices, scale), scale)
-    while not _fits(scene) and max(across, upward) * scale > _LEAST:
+    least = _LEAST / max(across, upward)
+    scenes: list[Scene] = []
+    for size in _list_sizes(common if common > least else largest, largest):
+        scenes.append(_fit(left, right, vertices, size, least))
+        if not scenes[-1].crowded:
+            break
+    return min(scenes, key=lambda scene: len(scene.crowded))
+
+
+def _list_sizes(first: float, last: float) -> Iterator[float]:
+    """Round scales from the first to the last, those between among them."""
+    while last > first:
+        yield first
+        first = _round_down(first * _NEXT)
+    yield last
+
+
+def _fit(
+    left: Sequence[Arrow],
+    right: Sequence[Arrow],
+    vertices: Mapping[str, Vector],
+    scale: float,
+    least: float,
+) -> Scene:
+    """The polygon to a scale, or to the next smaller one above `least` with which it is within
+    PICTURE.
+    """
+    while True:
+        layout = _compose(left, right, vertices, scale)
+        scene = replace(make_scene(layout.primitives, scale), crowded=layout.crowded)
+        if scale <= least or (scene.width <= PICTURE.width and scene.height <= PICTURE.height):
+            return scene
         scale = _round_down(scale * 0.99)
-        scene = make_scene(_compose(left, right, vertices, scale), scale)
-    return scene
 
 
 def find_scale(left: Sequence[Arrow], right: Sequence[Arrow]) -> float:
@@ -114,10 +145,6 @@ def _count_overlaps(sides: tuple[Sequence[Arrow], Sequence[Arrow]]) -> int:
     return sum(look_like_one(one, other) for one, other in combinations(lines, 2))
 
 
-def _fits(scene: Scene) -> bool:
-    return scene.width <= PICTURE.width and scene.height <= PICTURE.height
-
-
 def _round_down(number: float) -> float:
     """The largest round number that is not above a positive number, as far as doubles tell: a
     scale with a leading figure of 1, 2 or 5, and so its reciprocal.
@@ -146,22 +173,50 @@ def _compose(
     right: Sequence[Arrow],
     vertices: Mapping[str, Vector],
     scale: float,
-) -> tuple[Primitive, ...]:
-    """The arrows, then the symbols, starting with the shortest arrow: it has the fewest places to
-    choose from.
-    """
+) -> Layout:
+    """The arrows with their symbols and the letters of their corners."""
     least = _NEGLIGIBLE * max((length(arrow.value) for arrow in (*left, *right)), default=0.0)
     laid = [arrow for side in (left, right) for arrow in _lay_arrows(side, scale, least)]
     arrows = put_side_by_side(laid, (), _OFFSETS)
-    origin = Disc(_ZERO, 0.5, None, "black")
-    ties = (tie for arrow in arrows for tie in arrow.ties())
-    layout = Layout.of((*ties, *(part for arrow in arrows for part in arrow.primitives()), origin))
-    for arrow in sorted(arrows, key=lambda arrow: length(arrow.end - arrow.start)):
-        layout = layout.written((arrow.wish_beside(arrows),))
     leaving = sum((arrow.end for arrow in arrows), _ZERO)
-    origin_letter = Wish(_ORIGIN, list_spots_around(_ORIGIN, _ZERO, away=-leaving))
+    origin = next(letter for letter in _ORIGINS if letter not in vertices)
+    origin_letter = Wish(origin, list_spots_around(origin, _ZERO, away=-leaving))
     corners = [arrow.end for arrow in arrows if arrow.aside == _ZERO]
-    return layout.written((origin_letter, *_name_corners(vertices, corners, scale))).primitives
+    return _name_arrows(arrows, (origin_letter, *_name_corners(vertices, corners, scale)))
+
+
+def _name_arrows(arrows: Sequence[VectorArrow], letters: Sequence[Wish]) -> Layout:
+    """The arrows with their symbols and the letters of corners: symbols first, or else letters,
+    which have to stand beside their corners, and at last with thin lines across other arrows.
+    """
+    ties = (tie for arrow in arrows for tie in arrow.ties())
+    parts = (part for arrow in arrows for part in arrow.primitives())
+    bare = Layout.of((*ties, *parts, Disc(_ZERO, 0.5, None, "black")))
+    found: list[Layout] = []
+    for crossed, letters_first in product((NOTHING, ONE_ARROW), (False, True)):
+        early, late = (letters, ()) if letters_first else ((), letters)
+        layout = _write_symbols(bare.written(early), arrows, crossed).written(late)
+        found.append(layout)
+        if not layout.crowded:
+            break
+    return min(found, key=lambda layout: len(layout.crowded))
+
+
+def _write_symbols(bare: Layout, arrows: Sequence[VectorArrow], crossed: float) -> Layout:
+    """The layout with all symbols, starting with the shortest arrow: it has the fewest places to
+    choose from. Symbols that find no place of their own start the next time, and the rest have
+    what is left.
+    """
+    order = sorted(arrows, key=lambda arrow: length(arrow.end - arrow.start))
+    layout = bare
+    for _ in range(_TRIES):
+        layout = bare
+        for arrow in order:
+            layout = write_symbol(layout, arrow, arrows, crossed)
+        if len(layout.crowded) == len(bare.crowded):
+            break
+        order.sort(key=lambda arrow: arrow.symbol not in layout.crowded)
+    return layout
 
 
 def _name_corners(
@@ -172,7 +227,8 @@ def _name_corners(
     for letter, vertex in vertices.items():
         place = vertex * scale
         if length(place) > _SAME and any(length(corner - place) < _SAME for corner in corners):
-            yield Wish(letter, list_spots_around(letter, place, away=place - middle))
+            spots = list_spots_around(letter, place, away=place - middle)
+            yield Wish(letter, spots, names=place)
 
 
 def _lay_arrows(chain: Sequence[Arrow], scale: float, least: float) -> Iterator[VectorArrow]:

@@ -23,6 +23,7 @@ _LEFT_OUT = 0.02  # of the longest arrow, what arrows too short to be drawn leav
 _ROUNDED = 0.005  # of a length, what four digits leave open
 _CORNER = re.compile(r"[a-z](_\{\d+\})?'*")  # the small letter of a corner
 _BETWEEN = 2.0  # millimetres by which a symbol longer than its arrow may be nearer to another
+_LEAVES = 0.4  # millimetres from a label to the leader that leaves it
 _ORIGIN = 0.5  # millimetres, radius of the dot at the origin
 
 
@@ -124,9 +125,21 @@ def _judge_labels(
         row = read_math(label.symbol, "")
         names = (name_magnitude(row), name_symbol(row))
         sizes = [abs(amounts[name].value) * scene.scale for name in names if name in amounts]
-        if sizes and arrows and not _stands_well(label, arrows, sizes):
+        named = _follow_leader(label, arrows, scene)
+        if sizes and named and not _stands_well(label, named, sizes):
             told = " or ".join(f"{size:.2f} mm" for size in sizes)
             yield PolygonFault("label", f"{label.symbol} is not beside an arrow of {told}")
+
+
+def _follow_leader(label: Label, arrows: tuple[_Arrow, ...], scene: Scene) -> tuple[_Arrow, ...]:
+    """The arrows to which a thin line leads from a label; all of them where none leaves it."""
+    for part in scene.primitives:
+        match part:
+            case Strokes(lines=((start, end),)) if part.pen == THIN:
+                if _measure_gap(label, _Arrow(start, start)) < _LEAVES:
+                    dot = Label("", end, 0.0, 0.0)
+                    return tuple(arrow for arrow in arrows if _measure_gap(dot, arrow) < _APART)
+    return arrows
 
 
 def _stands_well(label: Label, arrows: tuple[_Arrow, ...], sizes: Sequence[float]) -> bool:

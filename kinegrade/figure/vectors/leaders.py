@@ -1,0 +1,71 @@
+"""Symbols of arrows that leave them no place beside: they stand off, tied by a thin line."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+
+from kinegrade.figure.placing.layout import Layout
+from kinegrade.figure.placing.obstacles import COST_FIRM, Obstacles, Segment
+from kinegrade.figure.placing.place import Wish, is_covered, trace_leader
+from kinegrade.figure.plane import length
+from kinegrade.figure.scene import THIN, Label, Strokes
+from kinegrade.figure.vectors.arrows import VectorArrow
+from kinegrade.mechanics.vector import Vector
+
+_WAYS = np.arange(0.0, 2 * np.pi, np.pi / 12)  # directions from an arrow
+_OFF = np.arange(4.5, 15.0, 0.9)  # millimetres from there to the middle of a symbol
+_SHARES = (0.5, 0.3, 0.7)  # of an arrow, where a line may meet it
+# Millimetres, and of a short arrow: a line that meets an arrow nearer to another might be of either
+_APART, _APART_SHARE = (0.7, 0.2)
+# What a line may cross: nothing, or one other arrow
+NOTHING, ONE_ARROW = (0.0, COST_FIRM)
+
+
+def write_symbol(
+    layout: Layout, arrow: VectorArrow, arrows: Sequence[VectorArrow], crossed: float
+) -> Layout:
+    """The layout with the symbol of an arrow beside it; where other arrows leave it no place of
+    its own there, at the nearest free place, with a thin line to the arrow that crosses no more
+    than `crossed`.
+    """
+    beside = layout.written((arrow.wish_beside(arrows),))
+    if beside.crowded == layout.crowded:
+        return beside
+    for foot in _find_feet(arrow, [other for other in arrows if other is not arrow]):
+        for label, line in _list_leaders(arrow.symbol, foot):
+            if _is_free(label, line, layout.obstacles, crossed):
+                spot = Wish(arrow.symbol, np.array([label.centre]))
+                leader = Strokes(((line[0], foot),), THIN)
+                return layout.written((spot,)).drawn((leader,))
+    return beside
+
+
+def _find_feet(arrow: VectorArrow, others: Sequence[VectorArrow]) -> Iterator[Vector]:
+    """Points of an arrow that are not points of another as well."""
+    shafts = Obstacles.of((Strokes(tuple(other.line for other in others), THIN),))
+    start, end = arrow.line
+    room = min(_APART, _APART_SHARE * length(end - start))
+    for share in _SHARES:
+        foot = start + (end - start) * share
+        if not shafts.under_box(*foot, room, room):
+            yield foot
+
+
+def _list_leaders(symbol: str, foot: Vector) -> Iterator[tuple[Label, Segment]]:
+    """Places that stand off from a point of an arrow, the nearest first, and the lines from there
+    to just before it.
+    """
+    steps = np.stack((np.cos(_WAYS), np.sin(_WAYS)), axis=1) * _OFF[:, None, None]
+    wish = Wish(symbol, np.array(foot) + steps.reshape(-1, 2))
+    for place in range(len(wish.spots)):
+        label = wish.label_at(place)
+        line = trace_leader(label, foot, amid=True)
+        if line:
+            yield label, line
+
+
+def _is_free(label: Label, line: Segment, obstacles: Obstacles, crossed: float) -> bool:
+    """Whether nothing is under a label, and no more than that is crossed by its line."""
+    return not is_covered(label, obstacles) and obstacles.along((line,), shared=False) <= crossed
