@@ -4,12 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Set
 from dataclasses import replace
-from typing import Any
 
 from kinegrade.expressions.negating import negate_arguments, negate_names
 from kinegrade.expressions.tree import Call, Expression
-from kinegrade.numbers.angle import Angle
-from kinegrade.numbers.number import Arithmetic
 from kinegrade.problem.solution import Solution
 from kinegrade.problem.statement import find_unsigned_givens
 from kinegrade.problem.template.sentences import DriverSentence, JointSentence
@@ -25,20 +22,13 @@ def restate(solution: Solution) -> Solution:
     if not turned:
         return solution
     sizes = {name: solution.parameters[name].size for name in turned}
-    values = {name: _write_in(size.number, solution.arithmetic) for name, size in sizes.items()}
+    values = {name: -solution.assembly.values[name] for name in turned}
     return replace(
         solution,
         template=_turn_template(solution.template, turned),
         parameters={**solution.parameters, **sizes},
         assembly=replace(solution.assembly, values={**solution.assembly.values, **values}),
     )
-
-
-def _write_in(number: Any, arithmetic: Arithmetic) -> Any:
-    """An exact number or angle as the instance has its values."""
-    if arithmetic.exact:
-        return number
-    return number.ball() if isinstance(number, Angle) else arithmetic.number(number)
 
 
 def _turn_template(template: Template, names: Set[str]) -> Template:

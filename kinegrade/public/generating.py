@@ -82,7 +82,8 @@ def add_students(
     that roster, as `kinegrade generate --add` does.
 
     No other paper, solution or key changes; the exam with the late students is in what is given
-    back. Of the options only `strict`, `jobs`, `cluster` and `progress` matter. Raises KinegradeError.
+    back. Of the options only `strict`, `jobs`, `cluster` and `progress` matter. Raises
+    KinegradeError.
 
     >>> bank, roster = kinegrade.Bank.read("bank.toml"), kinegrade.Roster.read("roster.csv")
     >>> exam, late = kinegrade.open_exam("EXAM"), kinegrade.Roster.read("late.csv")

@@ -316,6 +316,13 @@ def lines_of(name: str, method: Method | None = None) -> list[str]:
     return displayed(blocks)
 
 
+def test_a_reversed_given_that_no_field_holds_is_told_as_stated() -> None:
+    # 35 degrees below the line: the statement says 35, the values are enclosures
+    values = {"a": "24", "phi": "-35", "n": "105"}
+    solution = solve_template(load_template("geneva-drive"), values)
+    assert r"\cos\varphi" in " ".join(displayed(told(solution)))
+
+
 def test_a_point_whose_motion_a_step_takes_as_known_is_told_before() -> None:
     lines = lines_of("rolling-wheel-pin-slotted-rocker")
     sizes = [line for line in lines if line.startswith("v_{B} &=")]
