@@ -208,14 +208,15 @@ def _write_symbols(bare: Layout, arrows: Sequence[VectorArrow], crossed: float) 
     what is left.
     """
     order = sorted(arrows, key=lambda arrow: length(arrow.end - arrow.start))
-    layout = bare
+    layout, crowded = bare, bare.crowded
     for _ in range(_TRIES):
         layout = bare
         for arrow in order:
             layout = write_symbol(layout, arrow, arrows, crossed)
-        if len(layout.crowded) == len(bare.crowded):
+        if len(layout.crowded) == len(bare.crowded) or layout.crowded == crowded:
             break
-        order.sort(key=lambda arrow: arrow.symbol not in layout.crowded)
+        crowded = layout.crowded
+        order.sort(key=lambda arrow: arrow.symbol not in crowded)
     return layout
 
 
