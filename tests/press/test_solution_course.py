@@ -122,6 +122,17 @@ def test_the_statement_stands_beside_the_figure_and_so_does_what_has_room_there(
     assert others
 
 
+@pytest.mark.parametrize("height", range(80, 200, 8))
+def test_a_statement_stays_with_its_figure_wherever_the_page_ends(height: float) -> None:
+    # the statement was set at the end of one page, and its figure on the next
+    first = WorkedQuestion(1, "q1", "A crank", "It turns.", (LONG_SAID,) * 3, None)
+    second = WorkedQuestion(2, "q2", "A rod", LONG_SAID.text, (LONG_SAID, SAID), polygon_scene())
+    _, (row, *_) = arrange_courses([first, second], TextArea(PAGE, height)).parts
+    assert isinstance(row, DrawingRow)
+    assert row.whole
+    assert row.beside[0].body == Paragraph(None, LONG_SAID.text)
+
+
 def test_text_beside_drawings_ends_at_the_next_chapter() -> None:
     parts = course(pictures(1), SAID, Heading("Accelerations", 1), SAID)
     row = parts[0]

@@ -85,13 +85,15 @@ class _Filling:
 
 
 def _arrange(question: WorkedQuestion, filling: _Filling) -> Iterator[Part]:
-    """The statement beside its figure, then all else."""
+    """The statement beside its figure, both on one page, then all else."""
     statement = (Placed(Prose(question.statement), stays=False),)
     items = (statement, *chain_blocks(tuple(join_sentences(question.blocks))))
     place = 0
     if question.figure is not None:
         chains = [item for item in takewhile(_is_text, items) if _is_text(item)]
-        place = yield from _set_passage((Drawing(question.figure, None),), chains, filling)
+        figure = Drawing(question.figure, None)
+        row, place = _choose_row((figure,), chains, filling.area.column)
+        yield from filling.place([replace(row, whole=True)])
     heading: Chain = ()  # what stays with the drawings that follow
     while place < len(items):
         item = items[place]

@@ -35,11 +35,14 @@ class Drawing:
 
 @dataclass(frozen=True)
 class DrawingRow:
-    """Drawings side by side at the right edge with text to their left, or alone in the middle."""
+    """Drawings side by side at the right edge with text to their left, or alone in the middle;
+    `whole` where no page may end within the text.
+    """
 
     drawings: tuple[Drawing, ...]
     beside: tuple[Setting, ...]
     spread: Spread = USUAL
+    whole: bool = False
 
     @property
     def width(self) -> float:

@@ -112,7 +112,7 @@ def _write_part(part: Part, where: Location) -> Sheet:
                     lambda setting: _write_setting(setting, where), part.beside
                 ),
             )
-            return written | {"kind": "drawings", "width": part.width}
+            return written | {"kind": "drawings", "width": part.width, "whole": part.whole}
         case _:
             assert_never(part)
 
