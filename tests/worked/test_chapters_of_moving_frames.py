@@ -78,12 +78,9 @@ def test_a_composition_of_velocities() -> None:
             $\boldsymbol{v}_{\mathrm{e}}$, eliminates $\boldsymbol{v}_{\mathrm{e}}$:
         v_{\mathrm{r}} &= v_{\mathrm{a}}\sin\psi_{OA} = 8\,\unit{m/s} \cdot \sin 36.87^\circ =
             4.8\,\unit{m/s}\quad(\text{from }O\text{ to }B)
-        $OB$ makes the acute angle $\psi_{OB}$ with the $x$ axis:
-        \tan\psi_{OB} &= \frac{y_{B}}{x_{B}} = \frac{6\,\unit{m}}{8\,\unit{m}} = 0.75
-        \psi_{OB} &\approx 36.87^\circ
         Projecting on the normal to $\boldsymbol{v}_{\mathrm{r}}$ eliminates
             $\boldsymbol{v}_{\mathrm{r}}$:
-        v_{\mathrm{e}} &= v_{\mathrm{a}}\cos\psi_{OB} = 8\,\unit{m/s} \cdot \cos 36.87^\circ =
+        v_{\mathrm{e}} &= v_{\mathrm{a}}\cos\psi_{OA} = 8\,\unit{m/s} \cdot \cos 36.87^\circ =
             6.4\,\unit{m/s}
         \omega &= \frac{v_{\mathrm{e}}}{OA} = \frac{6.4\,\unit{m/s}}{5\,\unit{m}} =
             1.28\,\unit{rad/s}\quad\text{(counter-clockwise)}
@@ -122,8 +119,8 @@ def test_a_composition_of_accelerations_with_coriolis() -> None:
         &= -4.608\,\unit{m/s^2}\quad(\text{from }B\text{ to }O)
         Projecting on the normal to $\boldsymbol{a}_{\mathrm{r}}$ eliminates
             $\boldsymbol{a}_{\mathrm{r}}$:
-        a_{\mathrm{a}}^{\mathrm{n}}\sin\psi_{OB} &= a_{\mathrm{e}}^{\mathrm{t}} + a_{\mathrm{C}}
-        a_{\mathrm{e}}^{\mathrm{t}} &= -a_{\mathrm{C}} + a_{\mathrm{a}}^{\mathrm{n}}\sin\psi_{OB} =
+        a_{\mathrm{a}}^{\mathrm{n}}\sin\psi_{OA} &= a_{\mathrm{e}}^{\mathrm{t}} + a_{\mathrm{C}}
+        a_{\mathrm{e}}^{\mathrm{t}} &= -a_{\mathrm{C}} + a_{\mathrm{a}}^{\mathrm{n}}\sin\psi_{OA} =
             -12.29\,\unit{m/s^2} + 16\,\unit{m/s^2} \cdot \sin 36.87^\circ
         &= -2.688\,\unit{m/s^2}\quad\text{(clockwise about }O\text{)}
         \alpha &= \frac{a_{\mathrm{e}}^{\mathrm{t}}}{OA} = \frac{-2.688\,\unit{m/s^2}}{5\,\unit{m}}

@@ -10,10 +10,12 @@ from kinegrade.figure.vectors.polygon import Arrow, draw_polygon
 from kinegrade.language import Language
 from kinegrade.language.math.reading import read_math
 from kinegrade.mechanics.vector import Vector
+from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.library.library import find_template_names, load_template
 from kinegrade.problem.template.texts import find_languages
 from kinegrade.worked.document import Block, Display, Picture, Pictures, Prose
-from tests.worked.draws import drawn, kept
+from kinegrade.worked.solution import write_worked_solution
+from tests.worked.draws import drawn, kept, told
 from tests.worked.reader.known import KNOWN
 from tests.worked.reader.laws import LAWS, Law, find_faults
 from tests.worked.telling import lines
@@ -126,3 +128,31 @@ def test_a_table_says_in_which_direction_an_unknown_vector_is_assumed() -> None:
     assert velocity.endswith("| $+x$")
     assert acceleration.endswith("| $+x$")
     assert _lines_with("slotted-bar-between-two-rods", r"_{\mathrm{r}} | ? | $A \to B$")
+
+
+def test_a_component_along_an_axis_has_the_given_angle() -> None:
+    # it had the angle between vector and axis, which nothing on the page told
+    values = {"R": "0.25", "phi": "60", "gamma": "-30", "delta": "105", "k_BC": "2"}
+    values |= {"k_OB": "3/2", "omega": "3", "alpha": "4"}
+    solution = solve_template(load_template("bar-pushing-rolling-disc"), values)
+    blocks = told(solution)
+    assert any(r"v_{B,x} &= -v_{B}\sin\delta" in line for line in lines(blocks))
+    assert [fault.line for fault in find_faults(blocks, solution) if fault.law == "angle"] == []
+
+
+def test_a_point_of_contact_is_placed_for_velocities_about_it_alone() -> None:
+    name = "planetary-gear-external-rim-accelerations"
+    solution = solve_template(load_template(name), {})
+    about_points, about_centre = (
+        list(lines(write_worked_solution(solution, (ask,), "en").blocks)) for ask in ("v_A", "a_A")
+    )
+    assert any("x_{C} &=" in line for line in about_points)
+    assert not any("x_{C} &=" in line for line in about_centre)
+
+
+def test_an_answer_in_the_sense_of_the_question_repeats_the_decimals_found() -> None:
+    # -51/22 came after a number that had been worked out from rounded ones
+    values = {"R": "0.3", "d": "0.82", "omega_1": "5", "omega_2": "3"}
+    solution = solve_template(load_template("pin-in-two-rings"), values)
+    page = lines(write_worked_solution(solution, ("v_rel_1",), "en").blocks)
+    assert any(r"v_{\mathrm{r}1} &\approx \boxed{-2.318\,\unit{m/s}}" in line for line in page)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from kinegrade.expressions.tree import Expression, find_names
@@ -18,6 +19,7 @@ from kinegrade.worked.vectors.inclinations import (
     is_inclination_known,
     is_line_found,
     name_along,
+    name_axis,
 )
 from kinegrade.worked.vectors.stage import multiply_by_cosine
 
@@ -47,11 +49,18 @@ def name_known_axis(direction: Expression, value: Vector, case: Case) -> Inclina
 
 def project(fact: Fact, direction: Vector, case: Case, named: Inclination | None = None) -> Working:
     """The component along a direction, `named` by an angle where one is known: from the
-    components, or each magnitude times a cosine; those normal to it add nothing.
+    components, or each magnitude times a cosine, in symbols where the angles have any; those normal
+    to it add nothing.
     """
     if fact.by_components and named is not None and named.angle is not None:
-        return Working(*project_on(fact, named, case))
+        return Working(*project_on(split(fact), named, case))
     axis = bearing(direction)
+    straight = named or name_axis(axis)
+    if not fact.by_components and straight is not None:
+        seen = [piece for piece in fact.parts if double(piece.value.squared())]
+        told = project_on(seen, straight, case)
+        if told[0] != ZERO:
+            return Working(*told)
     symbols, numbers = list[Formula](), list[Formula]()
     for piece in split(fact) if fact.by_components else fact.parts:
         angle = abs((bearing(piece.positive) - axis + 180) % 360 - 180)
@@ -66,24 +75,25 @@ def project(fact: Fact, direction: Vector, case: Case, named: Inclination | None
     return Working(add_terms(symbols), None if shown.is_decimal else shown)
 
 
-def project_on(fact: Fact, axis: Inclination, case: Case) -> tuple[Formula, Formula]:
-    """The projection of a vector known by its components, in symbols and in numbers."""
+def project_on(pieces: Sequence[Piece], axis: Inclination, case: Case) -> tuple[Formula, Formula]:
+    """The projection of the pieces of a vector, in symbols and in numbers; zero in symbols where
+    no known angle names the direction of a piece.
+    """
     symbols, numbers = (
-        add_terms(project_components(split(fact), axis, case, in_numbers=one))
-        for one in (False, True)
+        add_terms(project_components(pieces, axis, case, in_numbers=one)) for one in (False, True)
     )
     return symbols, numbers
 
 
 def _turn_to_axis(size: Formula, piece: Piece, angle: float, case: Case) -> Formula:
-    """A size times the cosine of a piece's angle with a direction, in degrees. For the components
-    of a vector, x and y, a sine and a cosine of one angle: that of a line that has been found, else
-    that of the direction with the x axis.
+    """A size times the cosine of a piece's angle with a direction, in degrees, or the sine of the
+    angle that is left to a right one where that is of a line that has been found. Of the components
+    of a vector, x and y, one has a sine and one a cosine.
     """
     rest = tidy(_QUARTER - angle)
     found, other = (is_line_found(one, case) for one in (angle, rest))
     by_sine = other if found != other else piece.symbol.axis == "y"
-    if piece.symbol.axis and by_sine and angle:
+    if by_sine and angle:
         return size * Function("sin", state_angle(rest))
     return multiply_by_cosine(size, angle)
 

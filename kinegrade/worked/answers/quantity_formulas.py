@@ -40,6 +40,7 @@ from kinegrade.worked.formulas.formula import Formula, Function
 from kinegrade.worked.formulas.measures import bearing, double, length
 from kinegrade.worked.formulas.numbers import measure, round_number, state_angle
 from kinegrade.worked.rates.speeds import find_rotation_value, name_rotation
+from kinegrade.worked.vectors.by_components import split
 from kinegrade.worked.vectors.components import find_heading, list_component
 from kinegrade.worked.vectors.summands import name_component
 from kinegrade.worked.vectors.vectors import UNITS
@@ -143,7 +144,7 @@ def _state_angle(tree: Call, case: Case) -> Working:
     if tree.function == "between" and axis and axis.angle and is_vector_call(vector):
         fact = find_fact(vector, case)
         if fact.by_components and fact.symbol in case.findings.sized:
-            symbols, numbers = project_on(fact, axis, case)
+            symbols, numbers = project_on(split(fact), axis, case)
             size = measure(length(fact.value, case.arithmetic), fact.symbol.unit)
             shares = symbols / fact.symbol, numbers / size
             return Working(*(Function("arccos", share) for share in shares))

@@ -16,7 +16,7 @@ from kinegrade.worked.answers.point_vectors import Found, explain_point_vector, 
 from kinegrade.worked.case import Case
 from kinegrade.worked.findings import Fact, Piece
 from kinegrade.worked.formulas.atoms import AXES, TWO, VectorSymbol, add_terms
-from kinegrade.worked.formulas.equation import Equation, equate
+from kinegrade.worked.formulas.equation import Equation, Link, equate
 from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.measures import double, length
 from kinegrade.worked.formulas.numbers import measure, state_number
@@ -100,8 +100,9 @@ def _find_coriolis(motion: Relative, case: Case) -> Found:
     value = case.motion.coriolis(*motion)
     name = name_coriolis(index_relative(motion, case), case)
     omega = abs(name_rotation(motion.frame, case, "velocity"))
-    links = equate(TWO * omega * abs(relative.symbol))
+    links: tuple[Link, ...] = ()
     if any(map(double, value)):
+        links = equate(TWO * omega * abs(relative.symbol))
         bold = replace(name, bold=True), replace(relative.symbol, bold=True)
         yield from explain_directions((Turned(*bold, motion.frame),), case)
         turned = abs(measure(find_rotation_value(motion.frame, case, "velocity"), "rad/s"))

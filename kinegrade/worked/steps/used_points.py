@@ -6,10 +6,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 
-from kinegrade.expressions.tree import Call, Expression, find_names
+from kinegrade.expressions.tree import Call, find_names
 from kinegrade.mechanics.plan import Step
 from kinegrade.mechanics.relations import Term
 from kinegrade.problem.quantities.functions import find_motion_calls
+from kinegrade.problem.quantities.motion_functions import MOTION_FUNCTIONS
 from kinegrade.problem.template.template import Ask
 from kinegrade.worked.case import Case
 from kinegrade.worked.formulas.leaves import count_quarter_turns
@@ -20,16 +21,22 @@ from kinegrade.worked.vectors.needed_rates import find_references
 def find_used_points(case: Case, asked: Iterable[Ask], steps: Iterable[Step]) -> tuple[str, ...]:
     """The points that answers and steps refer to, in the template's order."""
     trees = [*case.template.scheme.lengths.values()]
-    terms = list[Term]()
+    terms, turned = list[Term](), list[Term]()
     for ask in asked:
         trees.append(ask.quantity)
-        terms += _list_asked_terms(ask.quantity, case)
+        for call in find_motion_calls(ask.quantity):
+            found = tuple(_list_asked_terms(call, case))
+            terms += found
+            # An acceleration is never taken about the point of contact
+            turned += found if MOTION_FUNCTIONS[call.function].level != "acceleration" else ()
     for step in steps:
         for index in step.relations:
             relation = case.motion.frames.relations[index]
             terms += (*relation.left, *relation.right)
+            turned += (*relation.left, *relation.right)
     used = {name for tree in trees for name in find_names(tree)}
     used |= {name for term in terms for name in _list_points(term, case)}
+    used |= {name for term in turned for name in _list_contacts(term, case)}
     return tuple(point for point in case.template.scheme.points if point in used)
 
 
@@ -44,23 +51,26 @@ def find_placed_points(case: Case, asked: Sequence[Ask]) -> tuple[str, ...]:
     return tuple(point for point in case.template.scheme.points if point in placed)
 
 
-def _list_asked_terms(quantity: Expression, case: Case) -> Iterator[Term]:
-    """The terms that make up the vectors of which a quantity is measured."""
-    for call in find_motion_calls(quantity):
-        for body, point in find_references(call, case.reader).points:
-            yield from case.motion.frames.chain(body, point)
+def _list_asked_terms(call: Call, case: Case) -> Iterator[Term]:
+    """The terms that make up the vectors to which a function of the motion refers."""
+    for body, point in find_references(call, case.reader).points:
+        yield from case.motion.frames.chain(body, point)
 
 
 def _list_points(term: Term, case: Case) -> Iterator[str]:
     """The points of a term: that which moves, about which, and those that give its path."""
     yield from (term.point, term.base)
-    about_contact = turn_about_contact(term, case)
-    if about_contact is not None and not _is_rolling_centre(term.point, case):
-        yield about_contact.base
     sentence = case.joint(term)
     for shape in (sentence.on, sentence.circle) if sentence else ():
         if shape is not None and not _lies_along_axis(shape):
             yield from find_names(shape)
+
+
+def _list_contacts(term: Term, case: Case) -> Iterator[str]:
+    """The point of contact about which a point turns."""
+    about_contact = turn_about_contact(term, case)
+    if about_contact is not None and not _is_rolling_centre(term.point, case):
+        yield about_contact.base
 
 
 def _is_rolling_centre(point: str, case: Case) -> bool:

@@ -18,7 +18,7 @@ from kinegrade.worked.case import Case
 from kinegrade.worked.document import Block, Display
 from kinegrade.worked.formulas.atoms import TWO, Symbol, add_terms
 from kinegrade.worked.formulas.formula import Formula, Function, Sum
-from kinegrade.worked.formulas.measures import bearing, tidy
+from kinegrade.worked.formulas.measures import bearing, double, tidy
 from kinegrade.worked.formulas.numbers import state_angle
 from kinegrade.worked.formulas.symbols import index_letter, join_letters
 from kinegrade.worked.positions.algebra import make_positive, over
@@ -172,9 +172,23 @@ def _find_line(ends: tuple[str, str], case: Case) -> tuple[Formula, int, float] 
 
 
 def name_acute(ends: tuple[str, str], case: Case) -> Symbol:
-    """The acute angle between a line and the x axis, psi_AB; psi_BA where that has been found."""
-    order = ends[::-1] if ends[::-1] in case.findings.inclined else ends
+    """The acute angle between a line and the x axis, psi_AB; psi_BA, or psi_CB of the same line,
+    where that has been found.
+    """
+    order = _find_same_line(ends, case) or ends
     return index_letter(_ACUTE, join_letters(map(case.naming.letter, order)).row)
+
+
+def _find_same_line(ends: tuple[str, str], case: Case) -> tuple[str, str] | None:
+    """Two points of the line through `ends` whose angle has been found, `ends` first."""
+    points = case.motion.points
+    start, way = points[ends[0]], points[ends[1]] - points[ends[0]]
+
+    def lies(point: str) -> bool:
+        return not double(way.cross(points[point] - start))
+
+    found = (pair for pair in case.findings.inclined if all(map(lies, pair)))
+    return min(found, key=lambda pair: ({*pair} != {*ends}, pair != ends, pair), default=None)
 
 
 def is_direction_told(part: Part, case: Case) -> bool:
@@ -194,8 +208,8 @@ def is_inclination_known(found: Inclination, ends: tuple[str, str], case: Case) 
 
 
 def _is_found(ends: tuple[str, str], case: Case) -> bool:
-    """Whether the acute angle of the line through two points has been found, in either order."""
-    return bool({ends, ends[::-1]} & case.findings.inclined)
+    """Whether the acute angle of the line through two points has been found."""
+    return _find_same_line(ends, case) is not None
 
 
 def is_line_found(angle: float, case: Case) -> bool:

@@ -20,8 +20,6 @@ KNOWN: Mapping[Law, frozenset[str]] = {
     "symbol": frozenset(
         (
             "bent-rod-two-sleeves",
-            "crank-slider-in-floating-link",
-            "flat-faced-follower-curvature-radius",
             "triangle-pose-three-frames",
         )
     ),
