@@ -127,15 +127,20 @@ def test_the_pin_of_a_sleeve_is_whole_as_the_bar_slides_through_it(case: Case, p
     assert half_circles(drawing) == []
 
 
-def test_white_tells_the_point_where_two_gears_mesh_from_the_arm_over_it() -> None:
+def test_white_tells_the_point_where_two_gears_mesh_from_teeth_and_leaves_the_arm_whole() -> None:
     mechanism, hints = meshing_gears()
     points = {**mechanism.points, "D": polar(0.25, 20)}
     arm, sun, _ = mechanism.bodies
     bodies = (arm, sun, Body("planet", ("A", "D")))
     case = replace(mechanism, points=points, bodies=bodies), hints
-    white, dot = circles_at(drawing_of(case), place(case, "D"))
+    drawing, at = drawing_of(case), place(case, "D")
+    white, dot = circles_at(drawing, at)
     assert (white.fill, white.pen, dot.fill) == ("white", None, "black")
     assert white.radius > dot.radius > BOLD.width / 2
+    along = Vector(*(place(case, "A") / hypot(*place(case, "A")))) * white.radius
+    seen = drawing.primitives[layer(drawing, white) + 1 :]
+    lines = [part.lines[0] for part in seen if isinstance(part, Strokes) and part.pen == BOLD]
+    assert any(near(start, at - along) and near(end, at + along) for start, end in lines)
 
 
 def test_a_marked_point_does_not_interrupt_its_bar() -> None:

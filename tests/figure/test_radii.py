@@ -7,7 +7,7 @@ from dataclasses import replace
 from math import acos, degrees
 
 import pytest
-from shapely import LineString, Polygon
+from shapely import LineString, Point, Polygon
 
 from kinegrade.figure.joints.symbol import Kind, Rim
 from kinegrade.figure.marks.radii import add_radius
@@ -131,7 +131,13 @@ def test_the_head_of_an_arrow_stands_on_white_among_hatching() -> None:
     assert halos["W"] == []
     [halo] = halos[GROUND]
     assert halo.fill == "white"
-    assert max(length(corner) for corner in halo.corners) > 20.0
+    assert Polygon(halo.corners).contains(Point(find_tip(layout) * 0.95))
+    assert Polygon(halo.corners).disjoint(Point(ORIGIN).buffer(20.0).boundary.buffer(0.2))
+
+
+def test_the_head_of_an_arrow_has_no_white_where_the_hatching_is_behind_the_edge() -> None:
+    layout = mark([replace(make_rim(ORIGIN, 20.0), body=GROUND, ring=True)])
+    assert [each.fill for each in layout.lines if isinstance(each, Outline)] == ["black"]
 
 
 @pytest.mark.parametrize("turn", range(0, 360, 37))

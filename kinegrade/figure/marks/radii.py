@@ -129,8 +129,8 @@ def _draw_from_centre(
     tip = rim.at + toward * rim.radius
     hides = any(length(point - tip) < 2 * HEAD_LENGTH for point in points)
     others = tuple(other for other in found if length(other.at - rim.at) > NEAR)
-    hatched = rim.body == GROUND and rim.kind != "gear"
-    rough = rim.kind == "gear" or hatched
+    fixed = rim.body == GROUND and rim.kind != "gear"
+    rough, hatched = rim.kind == "gear" or fixed, fixed and not rim.ring
     arrow = RadiusFromCentre(rim.at, rim.radius, toward, symbol, demerit, others, rough, hatched)
     return replace(arrow, demerit=demerit + _AT_POINT * hides + arrow.rate_meetings())
 

@@ -10,14 +10,15 @@ from kinegrade.figure.joints.symbol import Rim
 from kinegrade.figure.placing.obstacles import Segment
 from kinegrade.figure.placing.place import Wish, list_spots_around, list_spots_beside
 from kinegrade.figure.plane import length, nearest_of, unit
-from kinegrade.figure.scene import THIN, Outline, Primitive, Strokes
+from kinegrade.figure.scene import FIRM, THIN, Outline, Primitive, Strokes
 from kinegrade.figure.symbols import HEAD_LENGTH, draw_arrowhead
 from kinegrade.figure.teeth import TOOTH_TIP
 from kinegrade.mechanics.vector import Vector
 
 # Cost of an arrow across another wheel, and of one towards a centre that is in its own circle
 _ACROSS, _TOWARD_CENTRE = 15.0, 1.5
-_HALO = 0.6  # millimetres of white about an arrowhead among hatching
+# Millimetres of white about an arrowhead among hatching, and from there to the middle of an edge
+_HALO, _OFF_EDGE = 0.6, FIRM.width / 2 + 0.1
 _BESIDE = 1.2  # millimetres beside another wheel within which an arrow seems to lie on its rim
 _PAST_TEETH = TOOTH_TIP + 1.0  # millimetres from a pitch circle to where an arrow is past its teeth
 _TOUCHING = 0.99  # share of a radius: nearer is within the circle
@@ -74,9 +75,12 @@ class RadiusFromCentre:
         return (self._draw_halo(), *arrow) if self.hatched else arrow
 
     def _draw_halo(self) -> Outline:
+        """White about the head that ends before the edge, which it would cut."""
         back = self._end() - self.toward * (HEAD_LENGTH + _HALO)
         across = self.toward.turned() * (HEAD_LENGTH / 4 + _HALO)
-        corners = (self._end() + self.toward * _HALO, back + across, back - across)
+        front = self._end() - self.toward * _OFF_EDGE
+        beside = across * ((_HALO + _OFF_EDGE) / (HEAD_LENGTH + 2 * _HALO))
+        corners = (front + beside, back + across, back - across, front - beside)
         return Outline(corners, None, "white")
 
     def _end(self) -> Vector:
