@@ -7,12 +7,14 @@ from dataclasses import replace
 from math import atan2, degrees, hypot
 
 import pytest
+from shapely import LineString, Point, Polygon
 
 from kinegrade.figure.mechanism.layers import Drawing, draw
 from kinegrade.figure.mechanism.paper import scale_to_paper
-from kinegrade.figure.scene import BOLD, FIRM, PITCH, Disc, Outline, Primitive, Strokes
+from kinegrade.figure.mechanism.straight_parts import Rod
+from kinegrade.figure.scene import BOLD, FIRM, PITCH, THIN, Disc, Outline, Primitive, Strokes
 from kinegrade.figure.sketch import sketch
-from kinegrade.mechanics.joints import GROUND, Line, Pin, Slide
+from kinegrade.mechanics.joints import GROUND, Line, Parallel, Pin, Slide
 from kinegrade.mechanics.mechanism import Body, Mechanism
 from kinegrade.mechanics.vector import Vector
 from tests.figure.mechanisms import RIGHT, UP, Case, hinted, polar, slider_crank, slotted_rocker
@@ -141,6 +143,31 @@ def test_white_tells_the_point_where_two_gears_mesh_from_teeth_and_leaves_the_ar
     seen = drawing.primitives[layer(drawing, white) + 1 :]
     lines = [part.lines[0] for part in seen if isinstance(part, Strokes) and part.pen == BOLD]
     assert any(near(start, at - along) and near(end, at + along) for start, end in lines)
+
+
+@pytest.mark.parametrize("turn", [90.0, 60.0, -75.0])
+def test_the_rod_of_a_yoke_is_welded_to_the_edge_of_its_bar_whose_slot_runs_on_past_it(
+    turn: float,
+) -> None:
+    along = polar(1.0, turn)
+    points = {"O": RIGHT * 0.3, "A": along * 0.2, "B": ORIGIN}
+    joints = (
+        Pin("O", ("OA", GROUND)),
+        Parallel("yoke", GROUND),
+        Slide("B", "yoke", Line(ORIGIN, RIGHT), GROUND),
+        Slide("A", "OA", Line(ORIGIN, along), "yoke"),
+    )
+    bodies = (Body("OA", ("O", "A")), Body("yoke", ("B",)))
+    case = hinted(Mechanism(points, bodies, joints, ()))
+    drawing, width = drawing_of(case), 3.5
+    (rod,) = [part for part in drawing.parts if isinstance(part, Rod)]
+    edge = LineString([along * -20.0, along * 20.0]).buffer(width / 2).boundary
+    assert Point(rod.start).distance(edge) == pytest.approx(0.0, abs=0.01)
+    gussets = [Polygon(part.corners) for part in black_triangles_of(case)]
+    assert len(gussets) == 2
+    assert all(edge.buffer(0.01).intersects(gusset) for gusset in gussets)
+    slots = [part for part in drawing.primitives if isinstance(part, Outline) and part.pen == THIN]
+    assert any(Polygon(slot.corners).contains(Point(along * -2.0)) for slot in slots)
 
 
 def test_a_marked_point_does_not_interrupt_its_bar() -> None:

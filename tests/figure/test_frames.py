@@ -5,10 +5,10 @@ point.
 from __future__ import annotations
 
 from dataclasses import replace
-from itertools import pairwise
 from math import hypot
 
 import pytest
+from shapely import LineString, Point, Polygon
 
 from kinegrade.figure.marks.frames import add_axes_aside, add_frames
 from kinegrade.figure.mechanism.layers import Drawing
@@ -74,18 +74,38 @@ def test_the_frame_of_a_body_has_y_a_quarter_turn_after_x(along: str, x: float, 
     assert (named.x, named.y) == (pytest.approx(0.5), pytest.approx(3**0.5 / 2))
 
 
-def test_an_axis_along_a_bar_begins_at_its_origin_and_ends_beyond_the_bar() -> None:
-    scene = draw_crank(frames=(BodyFrame("x_1", "y_1", "O", "O", "A"),))
+@pytest.mark.parametrize("origin", ["O", "A"])
+def test_an_axis_along_a_long_bar_has_its_head_on_the_bar_nearer_to_its_origin(origin: str) -> None:
+    far = "A" if origin == "O" else "O"
+    mechanism, _ = slider_crank(1.0, 1.75, 60)
+    frame = BodyFrame("x_1", "y_1", origin, origin, far)
+    scene = sketch(mechanism, FigureHints(frames=(frame,)))
+    pins = {name: mechanism.points[name] * scene.scale for name in "OA"}
+    first, second = (head.corners[0] for head in heads(scene))
+    crank, other = LineString(lines(scene, BOLD)[0]), pins[far] - pins[origin]
+    assert crank.distance(Point(first)) < 1e-6
+    start = nearest_end(lines(scene, BOLD)[0], first)
+    assert length(start - first) == pytest.approx(12.0)
+    assert length(first - start) < length(other) / 2
+    assert (second - start).dot(other) == pytest.approx(0.0, abs=1e-6)
+    [head] = [head for head in heads(scene) if head.corners[0] == first]
+    assert Polygon(head.corners).difference(crank.buffer(BOLD.width / 2)).area > 0.5
+
+
+def nearest_end(line: tuple[Vector, Vector], at: Vector) -> Vector:
+    return min(line, key=lambda end: length(end - at))
+
+
+def test_an_axis_along_a_short_bar_ends_beyond_it_and_does_not_cross_the_pin_there() -> None:
+    mechanism, _ = slider_crank(0.2, 4.0, 60)
+    scene = sketch(mechanism, FigureHints(frames=(BodyFrame("x_1", "y_1", "O", "O", "A"),)))
     tip, crank = heads(scene)[0].corners[0], lines(scene, BOLD)[0]
     along = (crank[1] - crank[0]) / hypot(*(crank[1] - crank[0]))
     assert abs(along.cross(tip - crank[0])) < 1e-6
     assert (tip - crank[1]).dot(along) == pytest.approx(6.0)
-
-
-def test_an_axis_along_a_bar_does_not_cross_the_pin_at_its_end() -> None:
-    scene = draw_crank(frames=(BodyFrame("x_1", "y_1", "O", "O", "A"),))
-    _, pin = lines(scene, BOLD)[0]
-    assert all(hypot(*(nearest_of(pin, *line) - pin)) > 0.8 for line in lines(scene, THIN))
+    assert all(
+        hypot(*(nearest_of(crank[1], *line) - crank[1])) > 0.8 for line in lines(scene, THIN)
+    )
 
 
 def test_an_axis_along_bare_ground_runs_on_beyond_it() -> None:
@@ -137,19 +157,18 @@ def test_the_arc_of_a_signed_angle_has_an_arrowhead_at_its_end(phi: float) -> No
     assert heads(draw_crank(phi, angles=(replace(angle, signed=False),))) == []
 
 
-def test_an_axis_along_the_edge_of_a_plate_stands_beside_it() -> None:
+def test_an_axis_along_the_edge_of_a_plate_has_its_head_on_it_and_its_letter_outside() -> None:
     scene = sketch(
         sliding_plate()[0], FigureHints(frames=(BodyFrame("x_2", "y_2", "B", "B", "C"),))
     )
     plate = next(
         part for part in scene.primitives if isinstance(part, Outline) and part.fill == "grey"
     )
-    tip = heads(scene)[0].corners[0]
-    gaps = [
-        abs(((end - start) / hypot(*(end - start))).cross(tip - start))
-        for start, end in pairwise((*plate.corners, plate.corners[0]))
-    ]
-    assert min(gaps) == pytest.approx(1.7)
+    tip, area = Point(heads(scene)[0].corners[0]), Polygon(plate.corners)
+    assert area.boundary.distance(tip) == pytest.approx(0.0, abs=1e-6)
+    (letter,) = (label for label in scene.labels if label.symbol == "x_2")
+    assert not area.contains(Point(letter.centre))
+    assert tip.distance(Point(letter.centre)) < 5.0
 
 
 def test_an_axis_to_a_block_on_a_line_runs_on_beyond_the_block() -> None:

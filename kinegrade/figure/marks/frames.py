@@ -10,7 +10,13 @@ from typing import assert_never
 
 import numpy as np
 
-from kinegrade.figure.marks.drawn import find_block, find_edge, measure_drawn, meets_face
+from kinegrade.figure.marks.drawn import (
+    find_block,
+    find_edge,
+    measure_bar,
+    measure_drawn,
+    meets_face,
+)
 from kinegrade.figure.mechanism.layers import Drawing
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.placing.mark import Mark, direction
@@ -32,9 +38,9 @@ _LENGTHS, _BODY_LENGTHS, _ASIDE = (
 _LEG_LENGTHS = (22.0, 25.0, 19.0)  # millimetres of an axis that is the leg of an angle
 _BEYOND_LEG = 4.0  # millimetres of an axis beyond the point that gives the side of an angle
 _BEYOND_BAR = (6.0, 7.5, 9.0)  # millimetres of an axis beyond the bar or the ground that it is on
-_ON_EDGE = 5.0  # millimetres of an edge beyond the longest axis along it
-# Millimetres between an edge and the axis beside it, which begins clear of a block at its origin
-_BESIDE_EDGE, _PAST_BLOCK = 1.7, 3.4
+_ON_EDGE = 5.0  # millimetres of an edge or a bar beyond the longest axis along it
+_HEAD_ON_EDGE, _HEAD_ON_BAR = 2.6, 3.2  # millimetres of the head of an axis that lies on one
+_AT_HEAD = 1.4  # millimetres on either side of a head on an edge or a bar that are kept clear
 _BEFORE_BLOCK = 18.0  # millimetres before a block that have no room for an axis and its letter
 _AT_ORIGIN = 3.0  # millimetres of an axis at its origin, where a pin and other axes are
 _CLEAR = 3.0  # millimetres about that square that are free as well
@@ -55,8 +61,8 @@ def add_frames(
 ) -> Layout:
     """The layout with the axes that stand at points: those of bodies, then x and y at the
     origin; their letters keep clear of lines that are still to come. An axis along a bar or the
-    ground runs on beyond it, as does one to a block; one along the edge of a plate stands beside
-    that; one that is the leg of an angle reaches beyond its arc.
+    ground runs on beyond it, as does one to a block; along a long bar or the edge of a plate it has
+    its head there; one that is the leg of an angle reaches beyond its arc.
     """
     axes = [axis for frame in hints.frames for axis in _name_axes(*_find_place(at, frame), frame)]
     if hints.axes == "origin":
@@ -69,14 +75,16 @@ def add_frames(
 def _list_ways(
     at: Mapping[str, Vector], hints: FigureHints, drawing: Drawing, axis: _NamedAxis
 ) -> list[Mark]:
-    """An axis in the lengths that it may have; beside an edge that has room for it, so that it is
-    seen to begin at its own origin.
+    """An axis in the lengths that it may have; on a long edge or bar, so that it is seen to begin
+    at its own origin.
     """
     symbol, origin, toward, usual = axis
-    edge, outward = find_edge(origin, toward, drawing)
-    if edge > max(usual) + _ON_EDGE:
-        beside = origin + outward * _BESIDE_EDGE + toward * _PAST_BLOCK
-        return list(_list_axes(beside, toward, symbol, tuple(size - _PAST_BLOCK for size in usual)))
+    (edge, outward), bar = find_edge(origin, toward, drawing), measure_bar(origin, toward, drawing)
+    if max(edge, bar) > max(usual) + _ON_EDGE:
+        ways = _list_axes(origin, toward, symbol, usual)
+        if edge:
+            return [replace(way, on=_HEAD_ON_EDGE, outward=outward) for way in ways]
+        return [replace(way, on=_HEAD_ON_BAR, outward=toward) for way in ways]
     begins, ends = find_block(origin, toward, drawing)
     if begins and (begins < _BEFORE_BLOCK or _has_line(at, hints, origin, origin + toward * ends)):
         line = (origin + toward * PIN, origin + toward * begins)
@@ -183,7 +191,10 @@ def _list_axes(
 
 @dataclass(frozen=True)
 class _Axis:
-    """A thin arrow with its letter at the tip; `before` is the part short of a block on it."""
+    """A thin arrow with its letter at the tip; `before` is the part short of a block on it. Where
+    it lies `on` an edge or a bar, that is the length of its head, the shaft is not drawn, and the
+    letter is rather `outward`.
+    """
 
     start: Vector
     toward: Vector
@@ -192,21 +203,31 @@ class _Axis:
     demerit: float
     before: tuple[Segment, ...] = ()
     free: bool = False
+    on: float = 0.0
+    outward: Vector = _RIGHT
     shared: bool = True
 
     def path(self) -> tuple[Segment, ...]:
         """The part before the tip, as the rest may run along a bar or over one; all that is clear
-        of its origin where it has to be `free`.
+        of its origin where it has to be `free`; on an edge or a bar what is beside the head.
         """
+        if self.on:
+            beside, back = self.toward.turned() * _AT_HEAD, self._tip() - self.toward * self.on
+            return tuple((back + aside, self._tip() + aside) for aside in (beside, -beside))
         size = max(_TIP, self.size - _AT_ORIGIN) if self.free else _TIP
         return ((self._tip() - self.toward * size, self._tip()),)
 
     def wish(self) -> Wish:
-        """Around the tip, beyond it first."""
-        return Wish(self.symbol, list_spots_around(self.symbol, self._tip(), away=self.toward))
+        """Around the tip, beyond it first; beside a head on an edge or a bar."""
+        away, at = self.toward, self._tip()
+        if self.on:
+            away, at = self.outward, at - self.toward * (self.on / 2)
+        return Wish(self.symbol, list_spots_around(self.symbol, at, away=away))
 
     def primitives(self) -> tuple[Primitive, ...]:
         """The shaft and its arrowhead."""
+        if self.on:
+            return (draw_arrowhead(self._tip(), self.toward, self.on),)
         shaft = (self.start, self._tip() - self.toward * HEAD_LENGTH * 0.8)
         return (Strokes((*self.before, shaft), THIN), draw_arrowhead(self._tip(), self.toward))
 

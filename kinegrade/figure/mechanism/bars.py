@@ -14,6 +14,7 @@ from kinegrade.figure.joints.symbol import Feature, Rim, Symbol, find_fixed_pin,
 from kinegrade.figure.mechanism.plates import Plate, find_outward_direction, find_plate
 from kinegrade.figure.mechanism.slotted_discs import find_slotted_disc
 from kinegrade.figure.mechanism.straight.rods import find_rods
+from kinegrade.figure.mechanism.straight.welded_rods import weld_rods
 from kinegrade.figure.mechanism.straight_parts import Bar, Part, SlottedDisc
 from kinegrade.figure.plane import NEAR, collinear, length, mean, on_line, same_line, unit
 from kinegrade.mechanics.mechanism import Body, Mechanism
@@ -46,7 +47,7 @@ def find_straight_parts(
         for part in parts
     ]
     bars = [part for part in parts if isinstance(part, Bar)]
-    return (*parts, *find_rods(mechanism, shapes, symbols, found, bars))
+    return weld_rods(parts, tuple(find_rods(mechanism, shapes, symbols, found, bars)))
 
 
 def _find_parts(

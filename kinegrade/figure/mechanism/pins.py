@@ -21,11 +21,9 @@ _LOWER = Vector(0.01, -0.1)  # where a pin sits when nothing else decides: below
 _DOT_IN_MESH = 0.5  # millimetres of radius: it fits on a tooth
 # Millimetres of radius among teeth on a bar that is not its body's, and of white about that
 _DOT_ON_BAR, _WHITE = 0.95, 0.45
-_HOUSING = 2.3  # millimetres, the radius of a motor
-_SEAM, _WELD = (
-    1.6,
-    2.6,
-)  # millimetres from its pin to its weld, and along the bar to the tip of that
+# Millimetres: the radius of a motor, and half the width of its neck there
+_HOUSING, _NECK = 2.3, 1.9
+_WELD = 5.5  # millimetres along the bar that carries it to the tip of its weld
 
 
 def draw_points(anatomy: Anatomy) -> Iterator[Primitive]:
@@ -55,15 +53,16 @@ def draw_motors(anatomy: Anatomy) -> Iterator[Primitive]:
         for symbol in anatomy.symbols:
             if bodies and symbol.point and set(bodies) <= set(symbol.turning):
                 at = anatomy.mechanism.points[symbol.point]
-                yield Disc(at, _HOUSING, FIRM, "grey")
                 yield from _weld_housing(anatomy, at, carrier=bodies[1])
+                yield Disc(at, _HOUSING, FIRM, "grey")
 
 
 def _weld_housing(anatomy: Anatomy, at: Vector, carrier: str) -> Iterator[Primitive]:
+    """A light neck, which makes no corner of the two bars, as a black one would."""
     bars = [part for part in anatomy.parts if is_slender(part) and part.body == carrier]
     for toward in (unit(way) for bar in bars for way in list_ways(bar, at)):
-        edge, across = at + toward * _SEAM, toward.turned() * _SEAM
-        yield Outline((edge + toward * _WELD, edge + across, edge - across), None, "black")
+        across = toward.turned() * _NECK
+        yield Outline((at + toward * _WELD, at + across, at - across), FIRM, "grey")
 
 
 def _find_pins(anatomy: Anatomy) -> set[str]:

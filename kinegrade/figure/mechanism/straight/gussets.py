@@ -1,5 +1,5 @@
-"""Rigid corners: where two bars of one body meet, or an arm meets the sleeve it carries, a gusset
-fills each angle between them.
+"""Rigid corners: where two bars of one body meet, an arm meets the sleeve it carries, or a rod its
+slotted bar, a gusset fills each angle between them.
 """
 
 from __future__ import annotations
@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from itertools import combinations, product
 
 from kinegrade.figure.joints.symbol import Symbol
+from kinegrade.figure.mechanism.straight.welded_rods import is_welded
 from kinegrade.figure.mechanism.straight_parts import Bar, Part, Rod, is_slender, list_ways
 from kinegrade.figure.plane import length, unit
 from kinegrade.figure.scene import Outline, Primitive
@@ -38,7 +39,9 @@ class Corner:
 def find_corners(
     parts: Sequence[Part], symbols: Sequence[Symbol], pins: Set[Vector]
 ) -> tuple[Corner, ...]:
-    """The corners between slender bars of one body, and those between an arm and its sleeve."""
+    """The corners between slender bars of one body, those between an arm and its sleeve, and those
+    between a rod and its slotted bar.
+    """
     slender = [part for part in parts if is_slender(part)]
     between = [
         corner
@@ -47,7 +50,15 @@ def find_corners(
         for corner in _find_corners_between(one, other, pins)
     ]
     arms = [corner for arm in find_welded_arms(parts, symbols) for corner in _weld(*arm)]
-    return (*between, *arms)
+    rods = [part for part in parts if isinstance(part, Rod)]
+    bars = [part for part in parts if isinstance(part, Bar)]
+    welded = [
+        Corner(rod.start, (unit(rod.end - rod.start), side), _SLEEVE_LEG)
+        for rod, bar in product(rods, bars)
+        if is_welded(rod, bar)
+        for side in (unit(bar.end - bar.start), unit(bar.start - bar.end))
+    ]
+    return (*between, *arms, *welded)
 
 
 def find_welded_arms(
