@@ -85,7 +85,7 @@ def test_an_axis_along_a_long_bar_has_its_head_on_the_bar_nearer_to_its_origin(o
     crank, other = LineString(lines(scene, BOLD)[0]), pins[far] - pins[origin]
     assert crank.distance(Point(first)) < 1e-6
     start = nearest_end(lines(scene, BOLD)[0], first)
-    assert length(start - first) == pytest.approx(12.0)
+    assert length(start - first) == pytest.approx(10.0)
     assert length(first - start) < length(other) / 2
     assert (second - start).dot(other) == pytest.approx(0.0, abs=1e-6)
     [head] = [head for head in heads(scene) if head.corners[0] == first]

@@ -39,6 +39,7 @@ _LEG_LENGTHS = (22.0, 25.0, 19.0)  # millimetres of an axis that is the leg of a
 _BEYOND_LEG = 4.0  # millimetres of an axis beyond the point that gives the side of an angle
 _BEYOND_BAR = (6.0, 7.5, 9.0)  # millimetres of an axis beyond the bar or the ground that it is on
 _ON_EDGE = 5.0  # millimetres of an edge or a bar beyond the longest axis along it
+_ON_BAR = (10.0, 8.5, 12.0)  # millimetres of an axis on a bar, away from the letter of its length
 _HEAD_ON_EDGE, _HEAD_ON_BAR = 2.6, 3.2  # millimetres of the head of an axis that lies on one
 _AT_HEAD = 1.4  # millimetres on either side of a head on an edge or a bar that are kept clear
 _BEFORE_BLOCK = 18.0  # millimetres before a block that have no room for an axis and its letter
@@ -81,10 +82,10 @@ def _list_ways(
     symbol, origin, toward, usual = axis
     (edge, outward), bar = find_edge(origin, toward, drawing), measure_bar(origin, toward, drawing)
     if max(edge, bar) > max(usual) + _ON_EDGE:
-        ways = _list_axes(origin, toward, symbol, usual)
+        ways = _list_axes(origin, toward, symbol, usual if edge else _ON_BAR)
         if edge:
             return [replace(way, on=_HEAD_ON_EDGE, outward=outward) for way in ways]
-        return [replace(way, on=_HEAD_ON_BAR, outward=toward) for way in ways]
+        return [replace(way, on=_HEAD_ON_BAR, outward=-toward.turned()) for way in ways]
     begins, ends = find_block(origin, toward, drawing)
     if begins and (begins < _BEFORE_BLOCK or _has_line(at, hints, origin, origin + toward * ends)):
         line = (origin + toward * PIN, origin + toward * begins)
