@@ -21,12 +21,12 @@ from kinegrade.figure.marks.body_names import add_body_names
 from kinegrade.figure.marks.dimensions import add_length
 from kinegrade.figure.marks.frames import add_axes_aside, add_frames
 from kinegrade.figure.marks.imposed import drop_still
-from kinegrade.figure.marks.motions import add_motions, draw_likely_motions
+from kinegrade.figure.marks.motions import add_motions, draw_likely_motions, list_likely_motions
 from kinegrade.figure.marks.names import label_points
 from kinegrade.figure.marks.radii import add_radius
 from kinegrade.figure.marks.right_angles import add_right_angle
 from kinegrade.figure.marks.rotations import add_rotations
-from kinegrade.figure.marks.sides import find_sides
+from kinegrade.figure.marks.sides import find_sides, hide_sides
 from kinegrade.figure.mechanism.fitting import HEIGHT, WIDTH, fit_scene, measure_span
 from kinegrade.figure.mechanism.layers import Drawing, draw
 from kinegrade.figure.mechanism.paper import scale_to_paper
@@ -160,18 +160,20 @@ def _place_frames_and_angles(
     at = paper.points
     for points in hints.right_angles:
         layout = add_right_angle(layout, at, points, drawing)
+    moving = [given for given in hints.arrows if isinstance(given, Moving)]
+    likely = list_likely_motions(paper, moving)
     sides = [find_sides(at, angle, drawing) for angle in hints.angles]
     legs = [draw_least_legs(at, *each) for each in zip(hints.angles, sides, strict=True)]
     sparing = [line for lines in legs for line in lines]
-    moving = [given for given in hints.arrows if isinstance(given, Moving)]
     layout = add_frames(layout, at, hints, drawing, sparing)
     around = find_neighbours(drawing)
-    arrows = draw_likely_motions(paper, moving)
+    arrows = draw_likely_motions(likely)
     for number, angle in enumerate(hints.angles, start=1):
         to_come = [*arrows, *(line for lines in legs[number:] for line in lines)]
         drawn = tuple(part for part in layout.lines if isinstance(part, Bow) and part.pen == THIN)
         near = replace(around, arcs=drawn)
-        for arcs in mark_angles(at, angle, sides[number - 1], near):
+        shown = hide_sides(sides[number - 1], at[angle.at], likely, layout.lines)
+        for arcs in mark_angles(at, angle, shown, near):
             layout = layout.marked(arcs, to_come, partial(list_led_arcs, arcs, layout.obstacles))
     return layout
 

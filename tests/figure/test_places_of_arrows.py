@@ -7,7 +7,7 @@ from math import degrees, hypot, radians
 
 import pytest
 
-from kinegrade.figure.marks.motions import add_motions, draw_likely_motions
+from kinegrade.figure.marks.motions import add_motions, draw_likely_motions, list_likely_motions
 from kinegrade.figure.mechanism.paper import scale_to_paper
 from kinegrade.figure.mechanism.rails import Rail
 from kinegrade.figure.placing.layout import Layout
@@ -215,11 +215,11 @@ def test_an_arrow_does_not_end_at_a_rim_as_a_radius_does() -> None:
 def test_the_letter_of_an_angle_leaves_its_side_to_the_arrow_along_it() -> None:
     mechanism = slider(-1, 0)
     at = mechanism.points["B"]
-    [part] = draw_likely_motions(mechanism, BOTH[:1])
+    [part] = draw_likely_motions(list_likely_motions(mechanism, BOTH[:1]))
     assert isinstance(part, Strokes)
     assert {round(end.x - at.x, 6) for _, end in part.lines} == {-9.0}
     assert sorted(round(start.y - at.y, 6) for start, _ in part.lines) == [-0.85, 0.85]
-    assert draw_likely_motions(mechanism, ()) == ()
+    assert draw_likely_motions(()) == ()
 
 
 def test_the_arc_of_an_angle_leaves_room_for_an_arrow_at_another_point() -> None:

@@ -14,10 +14,11 @@ from kinegrade.figure.placing.place import Wish, list_spots_around, rate_nearnes
 from kinegrade.figure.placing.wedge import list_spots_in_wedge, rate_outside, rate_parted
 from kinegrade.figure.plane import length, polar
 from kinegrade.figure.scene import THIN, Bow, Disc, Primitive, Strokes
-from kinegrade.figure.symbols import draw_arc_head
+from kinegrade.figure.symbols import BAR_WIDTH, draw_arc_head
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import Angle
 
+_PAST_BAR = 0.9  # millimetres from the round end of a broad bar to a line past it
 _TRIM = 1.5  # millimetres at either end of an arc where it meets its sides, as it should
 # Millimetres of the leader from an arc to a letter that has no room at it, and the demerit of one,
 # which grows with the millimetres beyond the shortest
@@ -74,8 +75,9 @@ class AngleArc:
     def _list_far_lines(self) -> Iterator[Segment]:
         bow = self.bow
         for leg in self.legs:
-            line = None if leg.broad else leg.line(bow.centre, bow.radius)
-            near = max(leg.drawn + LEFT / 2 if leg.drawn else 0.0, LEFT)
+            line = leg.line(bow.centre, bow.radius)
+            past = BAR_WIDTH / 2 + _PAST_BAR if leg.broad else LEFT / 2
+            near = max(leg.drawn + past if leg.drawn else 0.0, LEFT)
             if line and length(line[1] - bow.centre) > near:
                 yield bow.centre + polar(leg.angle) * near, line[1]
 

@@ -29,7 +29,10 @@ _WIDEST = 17.0  # millimetres that are still preferred for a narrow angle
 _SHARE = 0.45  # largest radius of an arc over the distance to the next point on a side
 _LETTER = 1.8  # millimetres from an arc to the middle of its letter
 
-_EXTENDED = 2.5  # demerit of an arc beyond the end of a bar, which needs a thin line to reach it
+# Demerits of an arc beyond the end of a bar, or of a broad one, which needs a thin line to reach it
+_EXTENDED, _EXTENDED_BROAD = 2.5, 5.0
+# Demerit of an arc that ends on an arrow along a side, and millimetres of the side past the arrow
+_HIDDEN, _SEEN = 8.0, 3.5
 # Demerits of an arc that ends within so many millimetres of a point on a side
 _ON_PIN, _ON_BLOCK = 12.0, 4.0
 _PIN_ROOM, _BLOCK_ROOM = 1.6, 3.2
@@ -123,10 +126,12 @@ def draw_least_legs(
 
 def _rate_demerit(radius: float, nicest: float, legs: Iterable[Side]) -> float:
     """The demerit grows with the distance from the preferred radius, and more where a bar has to be
-    prolonged.
+    prolonged, or an arrow would hide a side as far as the arc.
     """
-    prolonged = sum(0 < leg.drawn < radius for leg in legs)
-    return 0.6 * abs(radius - nicest) + _EXTENDED * prolonged
+    extended = [leg for leg in legs if 0 < leg.drawn < radius]
+    prolonged = sum(_EXTENDED_BROAD if leg.broad else _EXTENDED for leg in extended)
+    hidden = any(not leg.drawn and leg.hidden and radius < leg.hidden + _SEEN for leg in legs)
+    return 0.6 * abs(radius - nicest) + prolonged + _HIDDEN * hidden
 
 
 def _rate_ends(radius: float, reaches: Iterable[float]) -> float:

@@ -10,7 +10,7 @@ from kinegrade.figure.marks.moving_arrow import ARROW, LEAVING, MovingArrow
 from kinegrade.figure.mechanism.rails import Rail
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.placing.mark import direction
-from kinegrade.figure.placing.obstacles import Obstacles
+from kinegrade.figure.placing.obstacles import Obstacles, Segment
 from kinegrade.figure.plane import NEAR, length, mean, polar, unit
 from kinegrade.figure.scene import THIN, Bow, Primitive, Strokes
 from kinegrade.figure.symbols import PIN
@@ -27,7 +27,8 @@ _AHEAD = {
     (_AT_PIN, LEAVING, 12.0): 2.0,
     (_AT_PIN, 5.4, 12.0): 2.4,
 }
-_HEAD_AT_RIM = 3.5  # demerit of an arrow that ends at a rim, as a radius would
+# Demerits of an arrow that ends at a rim, as a radius would, and at the arc of an angle
+_HEAD_AT_RIM, _HEAD_AT_ARC = 3.5, 8.0
 # Millimetres beside the line of motion, on the free side first, and along it to the tail: level
 # with the point, unless a bar leaves it there
 _OFFSETS = {3.6: 1.0, -3.6: 1.3, 2.8: 1.6, -2.8: 1.9, 5.0: 2.0, -5.0: 2.3, 6.6: 3.0, -6.6: 3.3}
@@ -54,9 +55,10 @@ def add_motions(
     arrows: list[MovingArrow] = []
     for hint in hints:
         ways = _list_arrows(mechanism, hint)
-        across = [arc for arc in arcs if not _begins_along(arc, ways[0])]
+        along = [arc for arc in arcs if _begins_along(arc, ways[0])]
+        across = Obstacles.of(arc for arc in arcs if arc not in along)
         rims = Obstacles((), layout.obstacles.rings)
-        around = _Surroundings(tuple(rails), Obstacles.of(across), rims)
+        around = _Surroundings(tuple(rails), across, Obstacles.of(along), rims)
         layout, _ = layout.chosen([around.rate(arrow.among(arrows)) for arrow in ways])
         arrows += [mark for mark in layout.marks[-1:] if isinstance(mark, MovingArrow)]
     for arrow in arrows:
@@ -66,13 +68,19 @@ def add_motions(
     return layout
 
 
-def draw_likely_motions(mechanism: Mechanism, hints: Iterable[Moving]) -> tuple[Primitive, ...]:
-    """Lines on either side of where arrows will be, if nothing is in the way, from where these
-    leave the parts at their points; angles keep clear of them.
+def list_likely_motions(mechanism: Mechanism, hints: Iterable[Moving]) -> list[Segment]:
+    """Where arrows will be, if nothing is in the way, from their points to their tips."""
+    starts = [(mechanism.points[hint.point], _find_direction(mechanism, hint)) for hint in hints]
+    return [(at, at + toward * (_AT_PIN + ARROW)) for at, toward in starts]
+
+
+def draw_likely_motions(arrows: Iterable[Segment]) -> tuple[Primitive, ...]:
+    """Lines on either side of likely arrows, from where these leave the parts at their points;
+    angles keep clear of them.
     """
     lanes = []
-    for hint in hints:
-        at, toward = mechanism.points[hint.point], _find_direction(mechanism, hint)
+    for at, tip in arrows:
+        toward = unit(tip - at)
         for aside in (_LANE, -_LANE):
             beside = at + toward.turned() * aside
             lanes.append((beside + toward * LEAVING, beside + toward * ARROW))
@@ -88,10 +96,13 @@ def _begins_along(arc: Bow, arrow: MovingArrow) -> bool:
 
 @dataclass(frozen=True)
 class _Surroundings:
-    """What else decides where an arrow may stand: rails, the arcs of angles, and rims."""
+    """What else decides where an arrow may stand: rails, the arcs of angles, those of them that
+    begin `along` it, and rims.
+    """
 
     rails: tuple[Rail, ...]
     angles: Obstacles
+    along: Obstacles
     rims: Obstacles
 
     def rate(self, arrow: MovingArrow) -> MovingArrow:
@@ -101,6 +112,8 @@ class _Surroundings:
         worse, past, ground = 0.0, arrow.past, 0.0
         if self.angles.lines and self.angles.along(arrow.path(), arrow.shared) > 0:
             worse += _ACROSS_ARC
+        if self.along.lines and self.along.along((arrow.head(),), arrow.shared) > 0:
+            worse += _HEAD_AT_ARC
         if self.rims.rings and self.rims.along((arrow.head(),), arrow.shared) > 0:
             worse += _HEAD_AT_RIM
         for rail in self.rails:

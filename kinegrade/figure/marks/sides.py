@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
 
 from kinegrade.figure.marks.drawn import measure_drawn
 from kinegrade.figure.mechanism.layers import Drawing
@@ -11,7 +11,7 @@ from kinegrade.figure.mechanism.straight_parts import Bar, is_slender
 from kinegrade.figure.placing.mark import direction
 from kinegrade.figure.placing.obstacles import Segment
 from kinegrade.figure.plane import NEAR, angle_of, length, on_line, polar, unit
-from kinegrade.figure.scene import FIRM, Strokes
+from kinegrade.figure.scene import FIRM, THIN, Primitive, Strokes
 from kinegrade.figure.symbols import PIN
 from kinegrade.mechanics.joints import Line
 from kinegrade.mechanics.vector import Vector
@@ -27,8 +27,8 @@ LEFT = 4.2  # millimetres from a vertex in which its own bars leave beside a sid
 class Side:
     """A side of an angle: its direction, how far a bar is drawn along it, how far away the point
     on it is (0 for none), whether the bar is so broad that its axis has to be drawn, how far
-    outside the angle the ground runs that takes the place of a line, and how far a line goes
-    `beyond` the arc.
+    outside the angle the ground runs that takes the place of a line, how far a line goes `beyond`
+    the arc, and how far the arrow of a motion is likely to hide it.
     """
 
     angle: float
@@ -37,6 +37,7 @@ class Side:
     broad: bool
     lag: float
     beyond: float = _BEYOND
+    hidden: float = 0.0
 
     def line(self, vertex: Vector, radius: float) -> Segment | None:
         """The thin line that an arc of this radius needs; None when the bar is long enough."""
@@ -67,6 +68,30 @@ def find_sides(at: Mapping[str, Vector], hint: Angle, drawing: Drawing) -> tuple
             )
         )
     return tuple(legs)
+
+
+def hide_sides(
+    sides: Iterable[Side], vertex: Vector, arrows: Sequence[Segment], drawn: Iterable[Primitive]
+) -> tuple[Side, ...]:
+    """The sides of an angle with how far arrows from its vertex hide them, except where what is
+    drawn shows a side farther out than the arrow.
+    """
+    thin = (each for each in drawn if isinstance(each, Strokes) and each.pen == THIN)
+    lines = [line for strokes in thin for line in strokes.lines]
+    hidden = []
+    for side in sides:
+        toward = polar(side.angle)
+        over = max((_measure_along(vertex, toward, arrow) for arrow in arrows), default=0.0)
+        seen = max((_measure_along(vertex, toward, line) for line in lines), default=0.0)
+        hidden.append(replace(side, hidden=over if over > seen - LEFT else 0.0))
+    return tuple(hidden)
+
+
+def _measure_along(vertex: Vector, toward: Vector, line: Segment) -> float:
+    """How far, in millimetres, a line from near a vertex lies on a side in a direction."""
+    steps = sorted((end - vertex for end in line), key=toward.dot)
+    along = all(abs(step.cross(toward)) < NEAR for step in steps)
+    return steps[1].dot(toward) if along and steps[0].dot(toward) < LEFT else 0.0
 
 
 def _is_broad(vertex: Vector, toward: Vector, drawing: Drawing) -> bool:
