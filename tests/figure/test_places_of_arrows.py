@@ -182,15 +182,60 @@ def test_an_arrow_in_the_ground_is_worse_than_one_across_the_arc_of_an_angle() -
     assert start.y == pytest.approx(at.y)
 
 
+def list_shafts(layout: Layout) -> list[tuple[Vector, Vector]]:
+    """The shafts of the arrows of a layout as they are drawn."""
+    firm = (part for part in layout.lines if isinstance(part, Strokes) and part.pen == FIRM)
+    return [line for part in firm for line in part.lines]
+
+
 def test_two_arrows_of_one_sense_both_begin_at_their_point() -> None:
     mechanism = slider(1, 1)
     at = mechanism.points["B"]
+    layout = add_motions(Layout.of(()), mechanism, BOTH, [lay_floor(at)])
+    one, other = list_shafts(layout)
+    assert all(at.x <= start.x <= at.x + 4.0 < end.x for start, end in (one, other))
+    assert abs(one[0].y - other[0].y) > 2.5
+
+
+def test_where_there_is_no_room_beside_it_an_arrow_lies_on_a_longer_one_of_its_sense() -> None:
+    mechanism = slider(1, 1)
+    at = mechanism.points["B"]
     above = Strokes(((at + Vector(-30.0, 2.6), at + Vector(30.0, 2.6)),), BOLD)
-    for bare in (Layout.of(()), Layout.of([above])):
-        layout = add_motions(bare, mechanism, BOTH, [lay_floor(at)])
-        shafts = [mark.path()[0] for mark in layout.marks]
-        assert all(at.x <= start.x <= at.x + 4.0 < end.x for start, end in shafts)
-        assert abs(shafts[0][0].y - shafts[1][0].y) > 2.5
+    layout = add_motions(Layout.of([above]), mechanism, BOTH, [lay_floor(at)])
+    one, other = list_shafts(layout)
+    assert one[0] == other[0]
+    assert hypot(*(one[0] - at)) < 1.2
+    assert other[1].y == pytest.approx(at.y)
+    assert other[1].x > one[1].x + 8.0
+    letters = {label.symbol: label.centre for label in layout.labels}
+    assert letters["v"].x < one[1].x + 2.0 < letters["a"].x
+    opposed = add_motions(Layout.of([above]), slider(1, -1), BOTH, [lay_floor(at)])
+    assert max(hypot(*(end - start)) for start, end in list_shafts(opposed)) < 12.0
+
+
+def test_where_an_arrow_would_hide_the_side_of_an_angle_at_its_arc_no_other_lies_on_it() -> None:
+    mechanism = slider(1, 1)
+    at = mechanism.points["B"]
+    above = Strokes(((at + Vector(-30.0, 2.6), at + Vector(30.0, 2.6)),), BOLD)
+    arc = Bow(at, 14.0, 0.0, 0.3, THIN)
+    layout = add_motions(Layout.of([above, arc]), mechanism, BOTH, [lay_floor(at)])
+    one, other = list_shafts(layout)
+    assert abs(one[0].y - other[0].y) > 1.0
+
+
+@pytest.mark.parametrize("velocity", [1.0, -1.0])
+def test_the_arrow_of_a_bare_end_begins_at_it_just_above_the_ground(velocity: float) -> None:
+    mechanism = slider(velocity, 0)
+    at = mechanism.points["B"]
+    ends = at - RIGHT * 12.0, at + RIGHT * 12.0
+    floor = Rail(at, RIGHT, Vector(0.0, -1.0), *ends, 0.0, None)
+    bare = Layout.of([Strokes((ends,), FIRM)])
+    layout = add_motions(bare, mechanism, BOTH[:1], [floor])
+    _, (start, end) = list_shafts(layout)
+    assert hypot(*(start - at)) < 1.8
+    assert 0.75 < start.y - at.y < 1.8
+    assert (end.x - start.x) * velocity > 7.0
+    assert len([part for part in layout.lines if isinstance(part, Strokes)]) == 2
 
 
 def test_an_arrow_leaves_its_pin_close_to_a_bar_rather_than_beside_its_point() -> None:

@@ -29,6 +29,9 @@ _AHEAD = {
 }
 # Demerits of an arrow that ends at a rim, as a radius would, and at the arc of an angle
 _HEAD_AT_RIM, _HEAD_AT_ARC = 3.5, 8.0
+_OVER_SIDE = 18.0  # demerit of a longer arrow that hides the side of an angle at its arc
+# Millimetres of an arrow above the ground on which it lies otherwise, and the demerit
+_ABOVE, _OFF_GROUND = 1.1, 0.2
 # Millimetres beside the line of motion, on the free side first, and along it to the tail: level
 # with the point, unless a bar leaves it there
 _OFFSETS = {3.6: 1.0, -3.6: 1.3, 2.8: 1.6, -2.8: 1.9, 5.0: 2.0, -5.0: 2.3, 6.6: 3.0, -6.6: 3.3}
@@ -54,7 +57,7 @@ def add_motions(
     arcs = [line for line in layout.lines if isinstance(line, Bow) and line.pen == THIN]
     arrows: list[MovingArrow] = []
     for hint in hints:
-        ways = _list_arrows(mechanism, hint)
+        ways = _list_arrows(mechanism, hint, rails)
         along = [arc for arc in arcs if _begins_along(arc, ways[0])]
         across = Obstacles.of(arc for arc in arcs if arc not in along)
         rims = Obstacles((), layout.obstacles.rings)
@@ -112,8 +115,9 @@ class _Surroundings:
         worse, past, ground = 0.0, arrow.past, 0.0
         if self.angles.lines and self.angles.along(arrow.path(), arrow.shared) > 0:
             worse += _ACROSS_ARC
-        if self.along.lines and self.along.along((arrow.head(),), arrow.shared) > 0:
-            worse += _HEAD_AT_ARC
+        over = arrow.path() if arrow.short else (arrow.head(),)
+        if self.along.lines and self.along.along(over, arrow.shared) > 0:
+            worse += _OVER_SIDE if arrow.short else _HEAD_AT_ARC
         if self.rims.rings and self.rims.along((arrow.head(),), arrow.shared) > 0:
             worse += _HEAD_AT_RIM
         for rail in self.rails:
@@ -126,9 +130,9 @@ class _Surroundings:
         return replace(arrow, demerit=arrow.demerit + worse, past=past, ground=ground)
 
 
-def _list_arrows(mechanism: Mechanism, hint: Moving) -> list[MovingArrow]:
-    """Arrows in the direction of the motion: from the point, then beside it, first those clear of
-    the mechanism; never behind something.
+def _list_arrows(mechanism: Mechanism, hint: Moving, rails: Sequence[Rail]) -> list[MovingArrow]:
+    """Arrows in the direction of the motion: from the point, just above the ground where a bare end
+    slides, then beside it, first those clear of the mechanism; never behind something.
     """
     point = mechanism.points[hint.point]
     toward = _find_direction(mechanism, hint)
@@ -138,6 +142,13 @@ def _list_arrows(mechanism: Mechanism, hint: Moving) -> list[MovingArrow]:
     ahead = [
         MovingArrow(point + toward * gap, toward, hint, demerit, point, size=size, leaving=leaving)
         for (gap, leaving, size), demerit in _AHEAD.items()
+    ]
+    above = [-rail.side for rail in rails if rail.bare and length(rail.at - point) < NEAR]
+    ahead += [
+        replace(arrow, start=arrow.start + side * _ABOVE, demerit=arrow.demerit + _OFF_GROUND)
+        for side in above
+        for arrow in ahead
+        if abs(side.dot(toward)) < NEAR
     ]
     beside = [
         MovingArrow(point + across * offset + toward * shift, toward, hint, nearby + level, point)

@@ -29,7 +29,10 @@ _OPPOSED, _OVER = 8.0, 100.0
 _APART, _TIGHT = 2.5, 6.0
 _MISTAKEN = 3.0  # demerit of a symbol about as near to another arrow at the same point
 _PARTED = 4.0  # demerit of a symbol on the other side of the rail of the arrow's point
-_LEAST_OFFSET = 1.0  # millimetres from which on an arrow stands beside its point
+_LEAST_OFFSET = 1.3  # millimetres from which on an arrow stands beside its point
+_ONE_LINE = 1.0  # millimetres within which two arrows lie on one line
+# Millimetres by which an arrow is longer than another one on whose line it is, and the demerit
+_LONGER, _ON_ONE_LINE = 8.5, 9.0
 _BEYOND_TIP = 1  # spots for the symbol there
 # Millimetres from a point within which an arrow may lie close to a bar, and sideways its block
 LEAVING, _BLOCK = 3.0, 2.0
@@ -43,6 +46,7 @@ _PAST_ARROW = 1.6  # millimetres from an arrow to the way past it
 class MovingArrow:
     """A straight arrow from `start` in the direction `toward`; `ground` is how far from its point
     the ground is that lies between them, 0 for none, and `leaving` from where on it keeps off bars.
+    Where a `short` one from the same point lies on it, that is the length of that one.
     """
 
     start: Vector
@@ -54,6 +58,7 @@ class MovingArrow:
     ground: float = 0.0
     size: float = ARROW
     leaving: float = LEAVING
+    short: float = 0.0
     shared: bool = False
 
     def among(self, others: Sequence[MovingArrow]) -> MovingArrow:
@@ -61,6 +66,12 @@ class MovingArrow:
         if not others:
             return self
         aside = self._find_aside(self.start)
+        for other in others:
+            apart = aside - self._find_aside(other.start)
+            alike = self.toward.dot(other.toward) > 0 and abs(apart) < _ONE_LINE
+            if self.is_ahead() and other.is_ahead() and alike:
+                worse = self.demerit + _ON_ONE_LINE
+                return replace(self, size=other.size + _LONGER, short=other.size, demerit=worse)
         levels = [(other, self._find_aside(other.start)) for other in others]
         worse = sum(self._rate_beside(other, aside - level) for other, level in levels)
         within = [abs(level) for _, level in levels if 0 < level * aside < aside**2]
@@ -73,8 +84,8 @@ class MovingArrow:
         """
         away = (self.start + self._end()) / 2 - self.point
         aside = abs(self._find_aside(self.start))
-        if aside < _LEAST_OFFSET:
-            near = self.leaving - length(self.start - self.point)
+        if self.is_ahead():
+            near = max(self.leaving - length(self.start - self.point), self.short)
             return ((self.start + self.toward * near, self._end()),)
         past, line = self.point + away * (self.past / aside), self._trace_line(self.past)
         return ((self.start, self._end()), (past, self.point + away), *([line] if line else []))
@@ -82,6 +93,10 @@ class MovingArrow:
     def head(self) -> Segment:
         """The piece under its arrowhead."""
         return (self._end() - self.toward * HEAD_LENGTH, self._end())
+
+    def is_ahead(self) -> bool:
+        """Whether it begins at its point, ahead of which it stands."""
+        return abs(self._find_aside(self.start)) < _LEAST_OFFSET
 
     def is_level(self) -> bool:
         """Whether its tail is level with its point, or on its line of motion."""
@@ -95,7 +110,7 @@ class MovingArrow:
         """The demerit of an arrow too close beside another one at its point, or on one line with
         it: over it, or beside their point in opposite senses.
         """
-        if abs(apart) >= _LEAST_OFFSET:
+        if abs(apart) >= _ONE_LINE:
             return _TIGHT if abs(apart) < _APART else 0.0
         if self.toward.dot(other.toward) >= 0:
             return _OVER
@@ -105,7 +120,7 @@ class MovingArrow:
     def wish(self) -> Wish:
         """Beside the arrow, beyond its tip, farther beside it, else around its tip."""
         symbol, end = self.hint.symbol, self._end()
-        shaft = list_spots_beside(symbol, self.start + self.toward * 3, end)
+        shaft = list_spots_beside(symbol, self.start + self.toward * max(3.0, self.short), end)
         tip = list_spots_around(symbol, end, away=self.toward)[:_BEYOND_TIP]
         close = len(shaft) // 3
         spots = np.concatenate((shaft[:close], tip, shaft[close:]))
@@ -128,12 +143,15 @@ class MovingArrow:
         return replace(wish, demerits=_MISTAKEN * mistaken + _PARTED * parted)
 
     def _list_stations(self) -> list[Vector]:
-        """Points along the arrow, a millimetre apart."""
-        return [self.start + self.toward * step for step in range(int(self.size) + 1)]
+        """Points along the arrow, a millimetre apart, past a short one that lies on it."""
+        steps = range(round(self.short), int(self.size) + 1)
+        return [self.start + self.toward * step for step in steps]
 
     def primitives(self) -> tuple[Primitive, ...]:
         """The shaft and its arrowhead; beside its point also the line from there to its tail."""
         arrow = draw_arrow(self.start, self._end(), HEADS[self.hint.level])
+        if self.is_ahead():
+            return arrow
         line = self._trace_line(self._find_aside_at_pin())
         if not line:
             return arrow
