@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
+from kinegrade.figure.placing.extent import measure_symbol
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.placing.obstacles import Segment
 from kinegrade.figure.placing.place import LOST, Wish, list_spots_around
@@ -93,6 +94,18 @@ def test_a_mark_through_a_letter_is_named_by_its_symbol() -> None:
 def test_what_is_only_spared_crowds_nothing() -> None:
     letter = Label("A", Vector(0.0, 2.0), 2.0, 2.0)
     assert Layout.of(()).marked([Rule(0.0, 0.0)], [letter]).crowded == ()
+
+
+def test_the_symbol_of_a_mark_does_not_stand_in_one_row_with_another_as_if_they_were_a_product() -> (
+    None
+):
+    for aside, row in ((2.0, False), (4.0, True)):
+        letter = Label("d", Vector(0.0, 0.0), 2.0, 3.0)
+        layout = replace(Layout.of((letter,)), labels=(letter,))
+        width, _ = measure_symbol("a")
+        beside = np.array([[1.0 + aside + width / 2, 0.0], [10.0, 6.0]])
+        [_, symbol] = layout.captioned(Wish("a", beside)).labels
+        assert (symbol.centre.y == 0.0) is row
 
 
 def test_a_symbol_too_far_from_its_mark_to_be_found_has_no_good_place() -> None:

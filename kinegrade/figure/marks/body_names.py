@@ -61,10 +61,7 @@ def add_body_names(
             spots = _list_spots(body, symbol, drawing)
             taken = around.rate(symbol, spots) + around.find_outside(spots)
             wish = Wish(symbol, spots[np.argsort(taken, kind="stable")])
-            leaders = [
-                around.rate_leader(leader) for leader in _list_leaders(body, symbol, drawing)
-            ]
-            layout = _write_name(layout, wish, around, leaders)
+            layout = _write_name(layout, wish, around, _list_leaders(body, symbol, drawing))
     return layout
 
 
@@ -76,7 +73,7 @@ def _write_name(
     spot = np.array([placed.label.centre])
     lost = around.rate(wish.symbol, spot) + around.find_outside(spot)
     if leaders and (placed.faulty or lost[0] > 0):
-        led = layout.marked(leaders)
+        led = layout.marked([around.rate_leader(leader) for leader in leaders])
         if led.costs[-1] < _DEAR:
             return led
     return layout.written((wish,))

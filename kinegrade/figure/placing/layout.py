@@ -10,9 +10,7 @@ from heapq import heappop, heappush
 from itertools import chain, repeat
 from math import inf
 
-import numpy as np
-
-from kinegrade.figure.placing.extent import measure_symbol
+from kinegrade.figure.placing.beside import adjoins, keep_from_labels, makes_word
 from kinegrade.figure.placing.mark import Mark
 from kinegrade.figure.placing.obstacles import COST_LABEL, Obstacles, Segment
 from kinegrade.figure.placing.place import (
@@ -20,20 +18,16 @@ from kinegrade.figure.placing.place import (
     Wish,
     is_covered,
     measure_crowding,
-    measure_gap,
     place_label,
     place_letter,
     trace_leader,
 )
 from kinegrade.figure.plane import length, unit
 from kinegrade.figure.scene import THIN, Label, Primitive, Strokes
-from kinegrade.mechanics.vector import Vector
 
 # Alternatives of a mark that are judged together: usually one of the first is accepted
 _BATCHES = (4, 12, 36)
 
-# Millimetres between a letter and a label that make one word of them, and its demerit: no fault
-_ADJOINS, _ONE_WORD = 1.5, 0.45
 _CHEAP = 8.0  # cost of a mark up to which no further alternatives are made
 _LITTLE = 6.0  # cost by which a mark may be worse so that its label has a good place
 _HARD = 20.0  # cost from which on a leader would cross too much to be of use
@@ -77,8 +71,8 @@ class Layout:
         for wish in wishes:
             placed = place_letter(wish, layout.obstacles)
             leader = _trace_leader(wish, placed)
-            if leader and layout._adjoins(placed.label):
-                placed = place_label(layout._keep_from_labels(wish), layout.obstacles)
+            if leader and adjoins(placed.label, layout.labels):
+                placed = place_label(keep_from_labels(wish, layout.labels), layout.obstacles)
                 leader = _trace_leader(wish, placed)
             crossed = layout._measure_leader(leader, wish.amid) if leader else 0.0
             layout = layout._labelled(placed)
@@ -86,24 +80,21 @@ class Layout:
                 layout = layout.drawn((Strokes((leader,), THIN),))
         return layout
 
+    def _keep_apart(self, wish: Wish, placed: Placed, crowded: Obstacles) -> Placed:
+        """The label where it was placed, or where it does not stand in one row with another one,
+        if there is such a place without a fault.
+        """
+        if placed.faulty or not makes_word(placed.label, self.labels):
+            return placed
+        apart = place_label(keep_from_labels(wish, self.labels), crowded)
+        return placed if apart.faulty else apart
+
     def _measure_leader(self, leader: Segment, amid: float) -> float:
         """What a leader crosses before it is so many millimetres from its end."""
         start, end = leader
         if length(end - start) <= amid:
             return 0.0
         return self.obstacles.along(((start, end - unit(end - start) * amid),), shared=True)
-
-    def _keep_from_labels(self, wish: Wish) -> Wish:
-        """The wish, rather not beside another label, of which the letter would seem to be the
-        index.
-        """
-        size = measure_symbol(wish.symbol)
-        labels = [Label(wish.symbol, Vector(x, y), *size) for x, y in wish.spots.tolist()]
-        worse = np.array([_ONE_WORD * self._adjoins(label) for label in labels])
-        return replace(wish, demerits=worse if wish.demerits is None else wish.demerits + worse)
-
-    def _adjoins(self, label: Label) -> bool:
-        return any(measure_gap(label, other) < _ADJOINS for other in self.labels)
 
     def marked(
         self,
@@ -170,7 +161,7 @@ class Layout:
         it, or where it is lost.
         """
         crowded = self.obstacles.with_drawn(sparing) if sparing else self.obstacles
-        placed = place_label(wish, crowded)
+        placed = self._keep_apart(wish, place_label(wish, crowded), crowded)
         faulty = placed.faulty and (placed.lost or is_covered(placed.label, self.obstacles))
         return self._labelled(replace(placed, faulty=faulty))
 

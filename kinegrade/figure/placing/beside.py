@@ -1,0 +1,42 @@
+"""Labels that stand beside others, with which they would read as one word or as a product."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import replace
+
+import numpy as np
+
+from kinegrade.figure.placing.extent import measure_symbol
+from kinegrade.figure.placing.place import Wish, measure_gap
+from kinegrade.figure.scene import Label
+from kinegrade.mechanics.vector import Vector
+
+# Millimetres between a letter and a label that make one word of them, and its demerit: no fault
+_ADJOINS, _ONE_WORD = 1.5, 0.45
+# Millimetres between two labels in one row that do not read as a product, and the share of its
+# height by which one of them may be raised and still stand in the row
+_SPACE, _IN_ROW = 2.5, 0.5
+
+
+def adjoins(label: Label, others: Iterable[Label]) -> bool:
+    """Whether a label is so close to another one that it would seem to be its index."""
+    return any(measure_gap(label, other) < _ADJOINS for other in others)
+
+
+def makes_word(label: Label, others: Iterable[Label]) -> bool:
+    """Whether a label stands in one row with another one, close beside it."""
+    return any(
+        measure_gap(label, other) < _SPACE
+        and abs(label.centre.y - other.centre.y) < _IN_ROW * min(label.height, other.height)
+        for other in others
+    )
+
+
+def keep_from_labels(wish: Wish, labels: Iterable[Label]) -> Wish:
+    """The wish, rather not beside another label, with which the symbol would make a word."""
+    size, others = measure_symbol(wish.symbol), tuple(labels)
+    places = [Label(wish.symbol, Vector(x, y), *size) for x, y in wish.spots.tolist()]
+    beside = [adjoins(place, others) or makes_word(place, others) for place in places]
+    worse = _ONE_WORD * np.array(beside)
+    return replace(wish, demerits=worse if wish.demerits is None else wish.demerits + worse)
