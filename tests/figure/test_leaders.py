@@ -58,7 +58,7 @@ def test_a_letter_that_would_stand_off_is_looked_a_closer_place_for() -> None:
     fence = Strokes(((Vector(1.0, 2.5), Vector(3.0, 2.5)),), FIRM)
     for drawn, centre in (((), Vector(2.0, 2.5)), ((fence,), Vector(7.0, 0.0))):
         only = replace(near, spots=near.spots[:1])
-        layout = Layout.of(drawn).written((replace(far, closely=lambda only=only: only),))
+        layout = Layout.of(drawn).written((replace(far, closely=lambda _, only=only: only),))
         assert layout.labels[0].centre == centre
 
 
@@ -68,3 +68,14 @@ def test_a_letter_that_stands_off_is_no_index_of_another_label() -> None:
     start = replace(Layout.of((beside,)), labels=(beside,))
     [_, letter] = start.written((wish,)).labels
     assert letter.centre == Vector(0.0, -7.0)
+
+
+def test_a_letter_does_not_stand_behind_a_wall_if_there_is_room_before_it() -> None:
+    wall = (Vector(-5.0, 1.7), Vector(5.0, 1.7))
+    behind, before = [0.0, 3.4], [2.4, -2.4]
+    close = Wish("B", np.array([behind, before]), names=POINT)
+    wish = Wish("B", np.array([behind]), names=POINT, closely=lambda _: close, walls=(wall,))
+    fence = Strokes(((Vector(2.0, -3.0), Vector(3.0, -2.0)),), FIRM)
+    for drawn, level in (((), -2.4), ((fence,), 3.4)):
+        [letter] = Layout.of(drawn).written((wish,)).labels
+        assert letter.centre.y == level

@@ -83,14 +83,15 @@ def _label_point(
         _TEETH * _meshes(at, drawing),
         partial(_look_closely, symbol, at, others, wedges),
     )
-    return Wish(symbol, spots, demerits=demerits, names=at, amid=amid, closely=closely)
+    walls = tuple(wall for rail in drawing.rails if not rail.bare for wall in rail.walls)
+    return Wish(symbol, spots, demerits=demerits, names=at, amid=amid, closely=closely, walls=walls)
 
 
 def _look_closely(
-    symbol: str, at: Vector, others: Sequence[Vector], wedges: Sequence[_Wedge]
+    symbol: str, at: Vector, others: Sequence[Vector], wedges: Sequence[_Wedge], farthest: float
 ) -> Wish:
     """The many places close to a point for its letter, outside the angles there."""
-    spots = list_close_spots(symbol, at)
+    spots = list_close_spots(symbol, at, farthest)
     mistaken = rate_nearness(symbol, spots, [at], others) + _find_within(spots, at, wedges)
     return Wish(symbol, spots, demerits=_MISTAKEN * mistaken)
 

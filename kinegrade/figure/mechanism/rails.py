@@ -54,6 +54,11 @@ class Rail:
         """The line of the ground."""
         return Line(self.at + self.side * self.level, self.along)
 
+    @property
+    def walls(self) -> tuple[tuple[Vector, Vector], ...]:
+        """What is drawn of the ground, on either side of the guide."""
+        return ((self.start, self.end), *([self.beyond] if self.beyond else []))
+
 
 def find_rails(anatomy: Anatomy) -> tuple[Rail, ...]:
     """The rail of each block or bare end on a ground guide; two on outer sides meet where their

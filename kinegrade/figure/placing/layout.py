@@ -11,6 +11,7 @@ from itertools import chain, repeat
 from math import inf
 
 from kinegrade.figure.placing.beside import adjoins, keep_from_labels, makes_word
+from kinegrade.figure.placing.letters import place_letter, trace_leader
 from kinegrade.figure.placing.mark import Mark
 from kinegrade.figure.placing.obstacles import COST_LABEL, Obstacles, Segment
 from kinegrade.figure.placing.place import (
@@ -19,8 +20,6 @@ from kinegrade.figure.placing.place import (
     is_covered,
     measure_crowding,
     place_label,
-    place_letter,
-    trace_leader,
 )
 from kinegrade.figure.plane import length, unit
 from kinegrade.figure.scene import THIN, Label, Primitive, Strokes

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinegrade.figure.placing.extent import measure_symbol
-from kinegrade.figure.placing.obstacles import Obstacles
+from kinegrade.figure.placing.obstacles import Obstacles, Segment
 from kinegrade.figure.plane import length, polar
 from kinegrade.figure.scene import Bow, Label
 from kinegrade.mechanics.vector import Vector
@@ -24,9 +24,6 @@ _LABEL_WEIGHT = 3.0  # a symbol on a line is worse than a line across a line
 _AMBIGUOUS = 0.4  # millimetres by which a letter has to be nearer to its point than to any other
 LOST = 20.0  # demerit of a spot at which a symbol is too far from its mark to be found
 _FAULT = 0.5  # cost of a spot from which on there is a fault: less than covering a thin line
-# Millimetres from which on a letter has a leader, and of paper at its two ends
-_STANDS_OFF, _BEFORE, _SHORT_OF = 3.3, 0.2, 1.3
-_STANDS_OFF_AMID, _AT_DOT = 2.2, 0.8  # the same for a point amid teeth, where it has a dot
 _AT_ONCE = 16  # spots checked together; nearly always one of the first is free
 _TURNS = np.array((2, 6, -2, -6, 4, -4, 0, 8, 1, 3, 5, 7, -1, -3, -5, -7)) * (pi / 8)
 _TOWARD = np.stack((np.cos(_TURNS), np.sin(_TURNS)), axis=1).round(9)
@@ -35,7 +32,7 @@ _RINGS = np.array((1.2, 1.8, 2.6, 3.4, 4.2, 5.0, 6.2))
 # Of the spots of a closer look: directions, and millimetres of paper between letter and point
 _FINE = np.arange(0.0, 2 * pi, pi / 20)
 _FINELY = np.stack((np.cos(_FINE), np.sin(_FINE)), axis=1).round(9)
-_CLOSE_RINGS, _NEAREST, _CLOSE = np.arange(1.2, 3.4, 0.3), 1.1, 2.9
+_CLOSE_RINGS, _NEAREST = np.arange(1.2, 4.3, 0.3), 1.1
 _BOW_STATIONS = np.array((0.5, 0.38, 0.62, 0.25, 0.75))
 _BOW_SIDES, _BOW_GAPS = np.array((1, -1, 1, -1, 1)), np.array((0.4, 0.5, 1.4, 1.4, 2.4))
 _STATIONS = (0.5, 0.38, 0.62, 0.26, 0.74, 0.12, 0.88)
@@ -49,7 +46,7 @@ class Wish:
     When none of its spots is free, any other spot around that point is allowed. A spot may have a
     demerit as well. A letter far from the point that it `names` gets a leader, whose last
     millimetres may cross what the point lies `amid`; before that its places are looked for more
-    `closely`.
+    `closely`, as they are where it would stand behind one of the `walls`.
     """
 
     symbol: str
@@ -58,7 +55,8 @@ class Wish:
     demerits: Floats | None = None
     names: Vector | None = None
     amid: float = 0.0
-    closely: Callable[[], Wish] | None = None
+    closely: Callable[[float], Wish] | None = None
+    walls: tuple[Segment, ...] = ()
 
     def label_at(self, spot: int) -> Label:
         """The label at one of its spots."""
@@ -92,40 +90,6 @@ def widen(wish: Wish) -> Wish:
         return wish
     around = list_spots_around(wish.symbol, wish.at)
     return replace(wish, spots=np.concatenate((wish.spots, around)), at=None, demerits=None)
-
-
-def place_letter(wish: Wish, obstacles: Obstacles) -> Placed:
-    """The letter of a point, for which one that would stand off from it is found a place closer to
-    it if there is any.
-    """
-    placed = place_label(wish, obstacles)
-    if (
-        wish.names is None
-        or wish.closely is None
-        or _measure_off(placed.label, wish.names) < _CLOSE
-    ):
-        return placed
-    nearer = place_label(wish.closely(), obstacles)
-    return placed if nearer.faulty else nearer
-
-
-def trace_leader(label: Label, point: Vector, amid: bool = False) -> tuple[Vector, Vector] | None:
-    """The thin line from a label that stands off to just before its point; None where it is near
-    enough to be read as that point's, which it is less far off `amid` other things.
-    """
-    if _measure_off(label, point) < (_STANDS_OFF_AMID if amid else _STANDS_OFF):
-        return None
-    across, upward = point - label.centre
-    wide, high = label.width / 2, label.height / 2
-    share = min(wide / max(abs(across), 1e-9), high / max(abs(upward), 1e-9))
-    toward = (point - label.centre) / hypot(across, upward)
-    start = label.centre + (point - label.centre) * share + toward * _BEFORE
-    return start, point - toward * (_AT_DOT if amid else _SHORT_OF)
-
-
-def _measure_off(label: Label, point: Vector) -> float:
-    """Millimetres of paper between a label and a point."""
-    return measure_gap(label, Label("", point, 0.0, 0.0))
 
 
 def measure_gap(one: Label, other: Label) -> float:
@@ -191,14 +155,16 @@ def list_spots_around(
     return np.asarray(np.array(anchor) + steps.reshape(-1, 2))
 
 
-def list_close_spots(symbol: str, anchor: Vector) -> Floats:
-    """Spots for a symbol close to a point, in many directions, the nearest to the point first."""
+def list_close_spots(symbol: str, anchor: Vector, farthest: float) -> Floats:
+    """Spots for a symbol close to a point, in many directions, the nearest to the point first, so
+    many millimetres from it at most.
+    """
     half = np.array(measure_symbol(symbol)) / 2
     reach = (half / np.maximum(np.abs(_FINELY), 1e-9)).min(axis=1)
     steps = (_FINELY * (_CLOSE_RINGS[:, None] + reach)[:, :, None]).reshape(-1, 2)
     gaps = np.hypot(*np.maximum(np.abs(steps) - half, 0.0).T).round(6)
     order = np.argsort(gaps, kind="stable")
-    close = (gaps[order] > _NEAREST) & (gaps[order] < _CLOSE)
+    close = (gaps[order] > _NEAREST) & (gaps[order] < farthest)
     return np.asarray(np.array(anchor) + steps[order][close])
 
 

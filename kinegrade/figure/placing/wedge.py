@@ -81,11 +81,17 @@ def rate_outside(symbol: str, spots: Floats, bow: Bow) -> Floats:
 
 def rate_parted(spots: Floats, bow: Bow, lines: Sequence[Segment]) -> Floats:
     """For each spot 1 where a line passes between it and the arc, else 0."""
-    if not lines:
-        return np.zeros(len(spots))
     steps = spots - np.array(bow.centre)
     distances = np.maximum(np.hypot(steps[:, 0], steps[:, 1]), 1e-9)
-    feet = np.array(bow.centre) + steps * (bow.radius / distances)[:, None]
+    return rate_cut_off(
+        spots, np.array(bow.centre) + steps * (bow.radius / distances)[:, None], lines
+    )
+
+
+def rate_cut_off(spots: Floats, feet: Floats, lines: Sequence[Segment]) -> Floats:
+    """For each spot 1 where a line passes between it and its foot, else 0."""
+    if not lines:
+        return np.zeros(len(spots))
     starts, ends = np.array(lines).transpose(1, 0, 2)
     parted = _lie_apart(starts, ends, spots, feet) & _lie_apart(spots, feet, starts, ends).T
     return np.asarray(parted.any(axis=1), dtype=float)

@@ -1,0 +1,68 @@
+"""The letter of a point: close to it, where nothing parts the two, else at a leader."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from math import hypot
+
+import numpy as np
+
+from kinegrade.figure.placing.obstacles import Obstacles, Segment
+from kinegrade.figure.placing.place import Placed, Wish, measure_gap, place_label
+from kinegrade.figure.placing.wedge import rate_cut_off
+from kinegrade.figure.scene import Label
+from kinegrade.mechanics.vector import Vector
+
+# Millimetres from which on a letter has a leader, and of paper at its two ends
+_STANDS_OFF, _BEFORE, _SHORT_OF = 3.3, 0.2, 1.3
+_STANDS_OFF_AMID, _AT_DOT = 2.2, 0.8  # the same for a point amid teeth, where it has a dot
+_BEHIND = 20.0  # demerit of a letter behind a wall, as of one that may be read as another's
+_FAR = 2.9  # millimetres from which on a letter is looked a place closer to its point
+
+
+def place_letter(wish: Wish, obstacles: Obstacles) -> Placed:
+    """The letter of a point, for which one that would stand off from it, or behind a wall, is
+    found a place closer to it, or before the wall, if there is any.
+    """
+    placed = place_label(wish, obstacles)
+    if wish.names is None or wish.closely is None:
+        return placed
+    if _measure_off(placed.label, wish.names) >= _FAR:
+        nearer = place_label(wish.closely(_FAR), obstacles)
+        placed = placed if nearer.faulty else nearer
+    if not _lies_behind(placed.label, wish.names, wish.walls):
+        return placed
+    before = place_label(_keep_before(wish.walls, wish.closely(_STANDS_OFF), wish.names), obstacles)
+    return placed if before.faulty else before
+
+
+def _lies_behind(label: Label, point: Vector, walls: Sequence[Segment]) -> bool:
+    """Whether a wall passes between a label and a point."""
+    return bool(rate_cut_off(np.array([label.centre]), np.array([point]), walls).any())
+
+
+def _keep_before(walls: Sequence[Segment], close: Wish, point: Vector) -> Wish:
+    """The wish for a letter close to a point, which has a fault behind a wall."""
+    feet = np.tile(np.array(point), (len(close.spots), 1))
+    behind = _BEHIND * rate_cut_off(close.spots, feet, walls)
+    return replace(close, demerits=behind if close.demerits is None else behind + close.demerits)
+
+
+def trace_leader(label: Label, point: Vector, amid: bool = False) -> tuple[Vector, Vector] | None:
+    """The thin line from a label that stands off to just before its point; None where it is near
+    enough to be read as that point's, which it is less far off `amid` other things.
+    """
+    if _measure_off(label, point) < (_STANDS_OFF_AMID if amid else _STANDS_OFF):
+        return None
+    across, upward = point - label.centre
+    wide, high = label.width / 2, label.height / 2
+    share = min(wide / max(abs(across), 1e-9), high / max(abs(upward), 1e-9))
+    toward = (point - label.centre) / hypot(across, upward)
+    start = label.centre + (point - label.centre) * share + toward * _BEFORE
+    return start, point - toward * (_AT_DOT if amid else _SHORT_OF)
+
+
+def _measure_off(label: Label, point: Vector) -> float:
+    """Millimetres of paper between a label and a point."""
+    return measure_gap(label, Label("", point, 0.0, 0.0))
