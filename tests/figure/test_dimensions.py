@@ -8,12 +8,13 @@ from collections.abc import Iterable
 from dataclasses import replace
 
 from kinegrade.figure.marks.dimensions import add_length
+from kinegrade.figure.marks.turning_arrow import TurningArrow
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.placing.obstacles import Obstacles
-from kinegrade.figure.scene import BOLD, FIRM, THIN, Disc, Label, Primitive, Strokes
+from kinegrade.figure.scene import BOLD, FIRM, THIN, Bow, Disc, Label, Primitive, Strokes
 from kinegrade.figure.symbols import STAND, draw_pivot
 from kinegrade.mechanics.vector import Vector
-from kinegrade.problem.template.hints import Length
+from kinegrade.problem.template.hints import Length, Turning
 from tests.figure.clear import heads
 
 A, B = Vector(-20.0, 0.0), Vector(20.0, 0.0)
@@ -116,3 +117,23 @@ def test_a_rod_between_the_points_takes_the_symbol_alone() -> None:
     plain = _add(Length("d", "A", "B"), (ROD,))
     assert heads(plain) == []
     assert abs(plain.labels[0].centre.y) < 3.0
+
+
+def test_extension_lines_cross_an_outline_rather_than_the_dimension_line() -> None:
+    upright = Strokes(
+        tuple((Vector(0.0, 2.0 * side), Vector(0.0, 9.0 * side)) for side in (1, -1)), FIRM
+    )
+    level = Strokes(
+        tuple((Vector(15.0, 9.5 * side), Vector(25.0, 9.5 * side)) for side in (1, -1)), FIRM
+    )
+    for _, end in _find_extensions(_add(Length("d", "A", "B"), (upright, level))):
+        assert abs(end.y) > 10.0
+
+
+def test_a_dimension_crosses_an_outline_rather_than_the_arrow_of_a_motion() -> None:
+    lower = Strokes(((Vector(15.0, -4.5), Vector(25.0, -4.5)),), FIRM)
+    arrow = TurningArrow(Bow(A, 5.0, 1.2, 1.3, THIN), Turning(r"\omega", "b"), 0.0)
+    layout = Layout.of((lower,))
+    for marked, sign in ((layout, 1.0), (layout.marked([arrow]), -1.0)):
+        found = add_length(marked, AB, Length("d", "A", "B"), layout.obstacles, Obstacles.of(()))
+        assert {sign * end.y > 0 for _, end in _find_extensions(found)} == {True}

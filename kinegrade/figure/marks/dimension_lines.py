@@ -31,7 +31,7 @@ class DimensionLine:
 
     def path(self) -> tuple[Segment, ...]:
         """The dimension line, and the extension lines from where they have left their points."""
-        return (self._line(), *self._extensions(_LEFT))
+        return (self.line(), *self._extensions(_LEFT))
 
     def beginnings(self) -> tuple[Segment, ...]:
         """The extension lines, up to where they have left their points."""
@@ -52,18 +52,19 @@ class DimensionLine:
 
     def wish(self) -> Wish:
         """Beside the dimension line."""
-        return Wish(self.symbol, list_spots_beside(self.symbol, *self._line()))
+        return Wish(self.symbol, list_spots_beside(self.symbol, *self.line()))
 
     def primitives(self) -> tuple[Primitive, ...]:
         """Thin lines and two arrowheads, from outside where there is no room between the feet."""
         along = unit(self.feet[1] - self.feet[0]) * (1.0 if self._outside() else -1.0)
         heads = (draw_arrowhead(self.feet[0], along), draw_arrowhead(self.feet[1], -along))
-        return (Strokes((*self._extensions(), self._line()), THIN), *heads)
+        return (Strokes((*self._extensions(), self.line()), THIN), *heads)
 
     def _outside(self) -> bool:
         return length(self.feet[1] - self.feet[0]) < 2 * HEAD_LENGTH + 1.5
 
-    def _line(self) -> Segment:
+    def line(self) -> Segment:
+        """The dimension line, as far as it is drawn beyond the feet."""
         tail = unit(self.feet[1] - self.feet[0]) * (3.0 if self._outside() else 0.0)
         return (self.feet[0] - tail, self.feet[1] + tail)
 

@@ -5,11 +5,13 @@ line or at the end of a leader.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from math import copysign, inf, pi
 from typing import assert_never
 
 from kinegrade.figure.marks.dimension_lines import DimensionLine, Leader, SymbolBeside
+from kinegrade.figure.marks.moving_arrow import MovingArrow
+from kinegrade.figure.marks.turning_arrow import TurningArrow
 from kinegrade.figure.placing.joining import Join, find_join
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.placing.mark import Mark
@@ -37,6 +39,7 @@ _LEADERS = (6.0, 9.0)
 _TURNS = tuple(turn * pi / 6 for turn in range(12))
 # Demerits of a symbol alone beside a part of a bar that runs on, and beside a thin line
 _PART, _LEG = 20.0, 3.0
+_ON_ARROW = 20.0  # demerit of a dimension across the arrow of a motion
 _CLOSE = 6.0  # demerit of a dimension line close beside another
 _DRAWN_GAP = 2.5  # millimetres by which a line between two points may miss either of them
 
@@ -61,11 +64,8 @@ def add_length(
     alone where a line is drawn exactly between the two points; `drawn` is the mechanism, and
     `ground` are its supports and guides.
     """
-    written = Obstacles.of(layout.labels)
-    dimensions = [
-        replace(mark, demerit=mark.demerit + written.along(mark.beginnings(), mark.shared))
-        for mark in _list_dimensions(at, hint, drawn, ground)
-    ]
+    company = _Company.of(layout)
+    dimensions = [company.rate(mark) for mark in _list_dimensions(at, hint, drawn, ground)]
     earlier = [mark for mark in layout.marks if isinstance(mark, DimensionLine)]
     if earlier:
         dimensions = [
@@ -77,6 +77,34 @@ def add_length(
     if find_join(layout.obstacles, start, end, _DRAWN_GAP) == "whole":
         demerit = min(demerit, _LEG)
     return layout.marked([*dimensions, *_list_letters(at, hint, demerit)])
+
+
+@dataclass(frozen=True)
+class _Company:
+    """What a dimension has to keep off as a whole: letters, the arrows of motions, and with its
+    line, other than with its extension lines, all that is firm.
+    """
+
+    written: Obstacles
+    arrows: Obstacles
+    firm: Obstacles
+
+    @staticmethod
+    def of(layout: Layout) -> _Company:
+        """What there is in a layout."""
+        arrows = [mark for mark in layout.marks if isinstance(mark, TurningArrow | MovingArrow)]
+        return _Company(
+            Obstacles.of(layout.labels),
+            Obstacles.of(part for arrow in arrows for part in arrow.primitives()),
+            layout.obstacles.firm(),
+        )
+
+    def rate(self, mark: DimensionLine) -> DimensionLine:
+        """The dimension with its demerit here."""
+        worse = self.written.along(mark.beginnings(), mark.shared)
+        worse += _ON_ARROW * (self.arrows.along(mark.path(), mark.shared) > 0)
+        worse += self.firm.along((mark.line(),), mark.shared)
+        return replace(mark, demerit=mark.demerit + worse) if worse else mark
 
 
 def _list_dimensions(

@@ -86,6 +86,11 @@ class Obstacles:
         """The obstacles that may reach into a box."""
         return Obstacles(_find_near(self.lines, box), _find_near(self.rings, box))
 
+    def firm(self) -> Obstacles:
+        """Those of them that are more than thin lines, without letters."""
+        lines = [each for each in self.lines if COST_THIN < each[4][-1] < COST_LABEL]
+        return Obstacles(lines, self.rings)
+
     def under_box(
         self, x: float, y: float, width: float, height: float, enough: float = inf
     ) -> float:
