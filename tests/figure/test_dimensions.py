@@ -131,9 +131,14 @@ def test_extension_lines_cross_an_outline_rather_than_the_dimension_line() -> No
 
 
 def test_a_dimension_crosses_an_outline_rather_than_the_arrow_of_a_motion() -> None:
-    lower = Strokes(((Vector(15.0, -4.5), Vector(25.0, -4.5)),), FIRM)
+    lower = Strokes(
+        tuple(
+            (Vector(15.0, level), Vector(25.0, level)) for level in (-4.8, -4.5, -4.2, -3.9, -3.6)
+        ),
+        FIRM,
+    )
     arrow = TurningArrow(Bow(A, 5.0, 1.2, 1.3, THIN), Turning(r"\omega", "b"), 0.0)
     layout = Layout.of((lower,))
-    for marked, sign in ((layout, 1.0), (layout.marked([arrow]), -1.0)):
+    for marked, sign in ((layout, 1.0), (layout.chosen([arrow])[0], -1.0)):
         found = add_length(marked, AB, Length("d", "A", "B"), layout.obstacles, Obstacles.of(()))
         assert {sign * end.y > 0 for _, end in _find_extensions(found)} == {True}
