@@ -249,6 +249,22 @@ def test_a_leader_passes_the_end_of_a_side_rather_than_going_through_it() -> Non
     assert min(through[False]) < min(through[True]) - 10.0
 
 
+def test_no_leader_ends_at_a_side_beyond_which_its_letter_would_stand() -> None:
+    side = Side(0.0, 0.0, 0.0, broad=False, lag=0.0)
+    arc = AngleArc(Bow(VERTEX, 12.0, 0.0, 0.3, THIN), (side,), Angle("x", "O", "right", "up"), 0.0)
+    downward = LedAngleArc(arc, Vector(11.8, 2.2), radians(210), 4.0, 0.0)
+    assert downward.path()[0][1].y > 0.0
+    assert downward.crosses_side()
+    assert not replace(downward, turn=radians(10)).crosses_side()
+
+
+def test_a_leader_may_leave_a_narrow_angle_between_its_sides() -> None:
+    sides = tuple(Side(turn, 0.0, 0.0, broad=False, lag=0.0) for turn in (0.0, 0.3))
+    arc = AngleArc(Bow(VERTEX, 7.0, 0.0, 0.3, THIN), sides, Angle("x", "O", "right", "up"), 0.0)
+    ends = [led.path()[0][1] for led in list_led_arcs([arc], Layout.of(()).obstacles, 9.0)]
+    assert any(0.03 < angle_of(end) < 0.27 for end in ends)
+
+
 def test_a_letter_stands_on_the_side_of_a_bar_on_which_its_arc_is() -> None:
     bow = Bow(VERTEX, 7.0, 0.0, 1.2, THIN)
     bar = (Vector(11.0, -2.0), Vector(4.0, 12.0))

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from itertools import product
 from math import pi
 
 from kinegrade.figure.marks.sides import LEFT, SHORT, Side
@@ -31,6 +30,7 @@ _PARTED, _MISTAKEN, _STATIONS = 20.0, 6.0, 0.25
 # Demerits of a letter outside the angle at the end of a leader, and of a leader through a side;
 # millimetres from the end of a side to a leader that passes it
 _OUTSIDE, _THROUGH, _PAST_SIDE = 3.0, 20.0, 0.8
+_IN_LETTER = 1.5  # millimetres from the end of a leader to the middle of its letter
 _TWELFTHS = tuple(turn * pi / 6 for turn in range(12))
 
 
@@ -113,12 +113,14 @@ def add_leaders(arc: AngleArc, obstacles: Obstacles, dear: float) -> Iterator[Le
         return
     bow = arc.bow
     arc = replace(arc, legs=tuple(replace(leg, beyond=SHORT) for leg in arc.legs))
-    starts = [bow.centre + polar(bow.start + share * bow.sweep, bow.radius) for share in _PLACES]
+    outward = [bow.start + share * bow.sweep for share in _PLACES]
+    leaving = [(way, turn) for way in outward for turn in (way, *_TWELFTHS)]
     for reach in _LEADERS:
         demerit = arc.demerit + covered + _LED + _LONGER * (reach - _LEADERS[0])
         if demerit >= dear:
             return
-        for start, turn in product(starts, _TWELFTHS):
+        for way, turn in leaving:
+            start = bow.centre + polar(way, bow.radius)
             led = LedAngleArc(arc, start, turn, reach, demerit)
             yield replace(led, demerit=demerit + _THROUGH) if led.crosses_side() else led
 
@@ -137,8 +139,10 @@ class LedAngleArc:
     shared: bool = True
 
     def crosses_side(self) -> bool:
-        """Whether the leader crosses a side of the angle as far as that is drawn."""
-        centre, end = self.arc.bow.centre, self._end()
+        """Whether the leader, or its letter at its end, crosses a side of the angle as far as that
+        is drawn.
+        """
+        centre, end = self.arc.bow.centre, self.start + polar(self.turn, self.reach + _IN_LETTER)
         for leg in self.arc.legs:
             toward, line = polar(leg.angle), leg.line(centre, self.arc.bow.radius)
             drawn = length(line[1] - centre) if line else leg.drawn
