@@ -259,10 +259,10 @@ def test_no_leader_ends_at_a_side_beyond_which_its_letter_would_stand() -> None:
 
 
 def test_a_leader_may_leave_a_narrow_angle_between_its_sides() -> None:
-    sides = tuple(Side(turn, 0.0, 0.0, broad=False, lag=0.0) for turn in (0.0, 0.3))
-    arc = AngleArc(Bow(VERTEX, 7.0, 0.0, 0.3, THIN), sides, Angle("x", "O", "right", "up"), 0.0)
+    sides = tuple(Side(turn, 0.0, 0.0, broad=False, lag=0.0) for turn in (0.15, 0.35))
+    arc = AngleArc(Bow(VERTEX, 7.0, 0.15, 0.2, THIN), sides, Angle("x", "O", "right", "up"), 0.0)
     ends = [led.path()[0][1] for led in list_led_arcs([arc], Layout.of(()).obstacles, 9.0)]
-    assert any(0.03 < angle_of(end) < 0.27 for end in ends)
+    assert any(0.22 < angle_of(end) < 0.28 for end in ends)
 
 
 def test_a_letter_stands_on_the_side_of_a_bar_on_which_its_arc_is() -> None:
