@@ -37,6 +37,12 @@ def test_no_leader_crosses_a_bar() -> None:
     assert write(7.0, Strokes(((Vector(3.0, -5.0), Vector(3.0, 5.0)),), BOLD)) == []
 
 
+def test_a_long_leader_may_cross_two_outlines_without_which_its_point_would_not_be_found() -> None:
+    outlines = [Strokes(((Vector(x, -9.0), Vector(x, 9.0)),), FIRM) for x in (2.5, 3.2, 3.9)]
+    assert [len(write(distance, *outlines[:2])) for distance in (5.3, 7.0)] == [0, 1]
+    assert write(7.0, *outlines) == []
+
+
 def test_a_leader_crosses_only_what_its_point_lies_amid() -> None:
     wish = Wish("E", np.array([[9.0, 0.0]]), names=POINT)
     for teeth, amid, led in ((2.0, 2.0, True), (2.0, 0.0, False), (4.5, 2.0, False)):

@@ -13,7 +13,7 @@ from math import inf
 from kinegrade.figure.placing.beside import adjoins, keep_from_labels, makes_word
 from kinegrade.figure.placing.letters import place_letter, trace_leader
 from kinegrade.figure.placing.mark import Mark
-from kinegrade.figure.placing.obstacles import COST_LABEL, Obstacles, Segment
+from kinegrade.figure.placing.obstacles import COST_FIRM, COST_LABEL, Obstacles, Segment
 from kinegrade.figure.placing.place import (
     Placed,
     Wish,
@@ -29,7 +29,9 @@ _BATCHES = (4, 12, 36)
 
 _CHEAP = 8.0  # cost of a mark up to which no further alternatives are made
 _LITTLE = 6.0  # cost by which a mark may be worse so that its label has a good place
-_HARD = 20.0  # cost from which on a leader would cross too much to be of use
+# Costs from which on a leader would cross too much to be of use: of a short one, and of one so many
+# millimetres long across two outlines at most, without which nobody would find its point
+_HARD, _HARDER, _LONG = 20.0, 60.0, 3.0
 
 
 @dataclass(frozen=True)
@@ -73,9 +75,9 @@ class Layout:
             if leader and adjoins(placed.label, layout.labels):
                 placed = place_label(keep_from_labels(wish, layout.labels), layout.obstacles)
                 leader = _trace_leader(wish, placed)
-            crossed = layout._measure_leader(leader, wish.amid) if leader else 0.0
+            useful = leader is not None and layout._is_useful(leader, wish.amid)
             layout = layout._labelled(placed)
-            if leader and crossed < _HARD:
+            if leader and useful:
                 layout = layout.drawn((Strokes((leader,), THIN),))
         return layout
 
@@ -88,12 +90,19 @@ class Layout:
         apart = place_label(keep_from_labels(wish, self.labels), crowded)
         return placed if apart.faulty else apart
 
-    def _measure_leader(self, leader: Segment, amid: float) -> float:
-        """What a leader crosses before it is so many millimetres from its end."""
+    def _is_useful(self, leader: Segment, amid: float) -> bool:
+        """Whether a leader does not cross too much before it is so many millimetres from its
+        end.
+        """
         start, end = leader
-        if length(end - start) <= amid:
-            return 0.0
-        return self.obstacles.along(((start, end - unit(end - start) * amid),), shared=True)
+        size = length(end - start)
+        if size <= amid:
+            return True
+        before = ((start, end - unit(end - start) * amid),)
+        crossed = self.obstacles.along(before, shared=True)
+        if crossed < _HARD or crossed >= _HARDER or size <= _LONG:
+            return crossed < _HARD
+        return self.obstacles.firm().along(before, shared=True) <= 2 * COST_FIRM
 
     def marked(
         self,
