@@ -7,8 +7,9 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from kinegrade.figure.placing.layout import Layout
+from kinegrade.figure.placing.letters import trace_leader
 from kinegrade.figure.placing.obstacles import COST_FIRM, Obstacles, Segment
-from kinegrade.figure.placing.place import Wish, is_covered, trace_leader
+from kinegrade.figure.placing.place import Wish, is_covered
 from kinegrade.figure.plane import length
 from kinegrade.figure.scene import THIN, Label, Strokes
 from kinegrade.figure.vectors.arrows import VectorArrow

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from typing import Literal, TypeAlias
+from unicodedata import name
 
 Kind: TypeAlias = Literal[
     "ordinary", "relation", "binary", "opening", "closing", "punctuation", "large"
@@ -148,3 +149,12 @@ def find_letter(name: str) -> str:
     ('A', 'ω')
     """
     return GREEK[name].character if name in GREEK else name
+
+
+def name_sign(latex: str) -> str:
+    r"""What the catalogues call a sign: its name in Unicode.
+
+    >>> name_sign(r"\approx"), name_sign(r"\leq")
+    ('almost-equal-to', 'less-than-or-equal-to')
+    """
+    return name(SIGNS[latex].character).lower().replace(" ", "-")

@@ -1,11 +1,13 @@
-"""The formulas of the shipped templates in all five writings, read by a person once and held."""
+"""The formulas of the shipped templates in all writings and in words, read by a person once and held."""
 
 from __future__ import annotations
 
+from kinegrade.language.known import known_languages
 from kinegrade.language.math.latex import TEX, write_latex_math
 from kinegrade.language.math.mathml import write_mathml
 from kinegrade.language.math.plain import write_plain_math
 from kinegrade.language.math.runs import Run, split_symbol
+from kinegrade.language.math.spoken.speaking import speak_math
 from kinegrade.language.math.typst import write_typst_math
 from tests.golden_files import Hold
 from tests.language.math.formulas import list_formulas
@@ -26,6 +28,7 @@ def write_all(latex: str) -> str:
             write_mathml(latex, "corpus"),
             write_plain_math(latex, "corpus"),
             " ".join(map(write_run, split_symbol(latex, "corpus"))),
+            *(speak_math(latex, "corpus", language) for language in known_languages()),
         )
     )
 
