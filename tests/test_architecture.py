@@ -50,6 +50,7 @@ FLOORS = {
     "draws": 6,
     "worked": 7,
     "choosing": 8,
+    "description": 8,
     "press": 8,
     "proof": 9,
     "exam": 10,
@@ -275,12 +276,19 @@ def test_only_mechanics_tests_for_a_law_others_match_all_or_ask_it() -> None:
     assert {module: asked for module, asked in found.items() if asked} == {}
 
 
-def test_no_module_asks_which_joint_or_driver_it_has_but_the_symbol_table_of_figures() -> None:
-    rooms = ("kinegrade.mechanics.joints", "kinegrade.mechanics.drivers", "kinegrade.figure.joints")
+def test_no_module_asks_which_joint_or_driver_it_has_but_those_that_draw_or_describe_it() -> None:
+    rooms = (
+        "kinegrade.mechanics.joints",
+        "kinegrade.mechanics.drivers",
+        "kinegrade.figure.joints",
+        "kinegrade.description.",
+    )
     parts = {part.__name__ for kinds in (Joint, Driver) for part in get_args(kinds)}
     assert {"Pin", "Mesh", "Rotation"} <= parts
     found = {module: parts & set(list_asked_classes(tree)) for module, tree in TREES.items()}
-    assert found["kinegrade.figure.joints.table"] == {part.__name__ for part in get_args(Joint)}
+    joints = {part.__name__ for part in get_args(Joint)}
+    assert found["kinegrade.figure.joints.table"] == joints
+    assert found["kinegrade.description.joints"] == joints
     assert {
         name: asked for name, asked in found.items() if asked and not name.startswith(rooms)
     } == {}

@@ -57,6 +57,8 @@ EXCEPTIONS = {
     "row": "what has no scripts has nothing above it",
     "worked/positions/vectors.py: if isinstance(factor, "
     "Quotient)": "a fraction stands before a vector, any other factor as an expression has it",
+    "description/places.py: match (function, arguments): "
+    "_": "what no sentence is for is said by its coordinates",
     "worked/formulas/leaves.py: match tree: "
     "_": "what is not the difference of two points is no vector between points",
     "lms/grades/item_groups.py: 'feedback' if known == 'feedback' else "

@@ -46,6 +46,12 @@ def describe_driven(driven: Driven, givens: Mapping[str, Given], *, changes: boo
     return Message(f"statement.{driven.path}-{pace}", **parts)
 
 
+def name_sense(driven: Driven, givens: Mapping[str, Given]) -> Message | None:
+    """The way that a body or a point goes; None where it has no velocity."""
+    velocity = _find_sign(driven.velocity, givens)
+    return _SENSES[driven.positive, velocity] if velocity else None
+
+
 def _find_sign(rate: Imposed, givens: Mapping[str, Given]) -> int:
     """1, 0 or -1: the sign of a rate at the values given."""
     quantity = givens[rate.given].quantity

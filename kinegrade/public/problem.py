@@ -6,6 +6,7 @@ from contextlib import suppress
 from dataclasses import dataclass
 from os import PathLike, fspath
 
+from kinegrade.description.description import Description, describe
 from kinegrade.errors import KinegradeError
 from kinegrade.exam.printing.pages import QuestionPlace, ShownInstance, lay_out_question
 from kinegrade.figure.back_ends.svg import to_svg
@@ -61,6 +62,25 @@ class Problem:
         kinegrade.errors.MechanismError: pose-four-bar-coupler: no driver moves the mechanism: ...
         """
         return animate(self.solve(**values), self._language)
+
+    def describe(
+        self, language: str | None = None, /, **values: str | int | float
+    ) -> Description | None:
+        """The figure at the given values in words, in a language of the template (by default its
+        own), for those who cannot see it; None where there is no figure.
+
+        `.short` is what stands for the image, `.long` paragraphs from which the problem can be set
+        up without it. Values as for `solve`. Raises TemplateError.
+
+        >>> template("slider-crank").describe(phi=30).short
+        'Slider-crank mechanism, drawn to scale: points O, A, B; OA turns clockwise'
+        >>> template("slider-crank").describe("fr")
+        Traceback (most recent call last):
+        kinegrade.errors.TemplateError: ... no text in "fr" - expected one of ...
+        """
+        spoken = self._language if language is None else Language(language)
+        self.template.about.title.in_language(spoken)
+        return describe(self.solve(**values), spoken)
 
     def _repr_html_(self) -> str:
         language = self._language

@@ -96,6 +96,7 @@ def state_doubling(law, case, level):
 WORDS = {
     "words": '\nmsgctxt "joint-doubling"\nmsgid "One turns twice as fast."\nmsgstr ""\n',
     "mechanics": '\n#, noun\nmsgctxt "doubling"\nmsgid "the doubling of <of> by <body>"\nmsgstr ""\n',
+    "description": '\nmsgctxt "doubling"\nmsgid "<Body> turns twice as fast as <of>."\nmsgstr ""\n',
     "solution": '\nmsgctxt "title-doubling"\nmsgid "<body> turns with <other>"\nmsgstr ""\n'
     '\nmsgctxt "doubling"\nmsgid "Twice as fast at all times:"\nmsgstr ""\n',
 }
@@ -110,6 +111,16 @@ from position import moving
 solution = solve_template(load_template("twice", Path(".")), {})
 moved = moving(solution.motion.frames.mechanism)
 print([round(float(rate), 9) for rate in (moved.omega["II"], moved.alpha["II"])])
+"""
+DESCRIBED = """
+from pathlib import Path
+from kinegrade.description.description import describe
+from kinegrade.language import Language
+from kinegrade.problem.solving import solve_template
+from kinegrade.problem.template.library.library import load_template
+
+solution = solve_template(load_template("twice", Path(".")), {})
+print(describe(solution, Language("en")).long[2].text)
 """
 TEMPLATE = """
 family = "wheels"
@@ -210,6 +221,30 @@ def add_symbol(room: Path) -> None:
     )
 
 
+def add_sentence(room: Path) -> None:
+    joined = (
+        "from kinegrade.problem.template.sentences",
+        "from kinegrade.mechanics.joints.doubling import Doubling\n"
+        "from kinegrade.problem.template.sentences",
+    )
+    edit(
+        package(room, "description/joints.py"),
+        joined,
+        (
+            "        case Parallel(body=body, of=of) if",
+            "        case Doubling(body=body, of=of):\n"
+            "            names = {'body': subject.body(body), 'of': subject.body(of)}\n"
+            "            yield Message('description.doubling', **names)\n"
+            "        case Parallel(body=body, of=of) if",
+        ),
+    )
+    edit(
+        package(room, "description/determined.py"),
+        joined,
+        ("        case Pin() | Parallel()", "        case Doubling() | Pin() | Parallel()"),
+    )
+
+
 def add_words(room: Path) -> None:
     for domain, entries in WORDS.items():
         file = package(room, f"language/catalogues/en/{domain}.po")
@@ -240,6 +275,11 @@ def solve(room: Path) -> str:
     return run(room, "solve", "twice.toml", "-o", "solution.pdf", "--force").stderr
 
 
+def describe(room: Path) -> str:
+    done = run_python(room, "-c", DESCRIBED)
+    return done.stderr + done.stdout
+
+
 def prove(room: Path) -> str:
     done = run_python(room, "-c", PROOF)
     return done.stderr + done.stdout
@@ -251,6 +291,7 @@ STEPS = (
     Step("Its name in the room", add_name, '"II turns twice with I": no such joint', check),
     Step("Its step in worked solutions", add_statement, "DoubledRotation(", solve),
     Step("How it is drawn", add_symbol, "Doubling(", show),
+    Step("How it is said", add_sentence, "Doubling(", describe),
     Step("Its words", add_words, "no entry solution.doubling", solve),
     Step("Its proof", add_proof, "Doubling(", prove),
 )
@@ -273,6 +314,7 @@ def test_the_new_joint_is_proved_drawn_and_explained(room: Path) -> None:
     checked = run(room, "check", "twice.toml", "--sample", "20")
     assert checked.stdout.startswith("twice: sound"), checked.stderr
     assert show(room) == solve(room) == ""
+    assert " turns twice as fast as " in describe(room)
     assert prove(room) == "[4.0, 4.0]\n"
     listed = run(room, "words", "joints").stdout
     assert "BODY turns twice with BODY\n    One turns twice as fast." in listed

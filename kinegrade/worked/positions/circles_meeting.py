@@ -37,7 +37,7 @@ def explain_circles(
     """The third corner of a triangle with known sides, by the law of cosines."""
     (first, radius), (second, opposite) = (circle.arguments for circle in circles)
     name, start, end = (instance.text(corner) for corner in (Name(point), first, second))
-    left = _turns_left(point, first, second, instance)
+    left = turns_left(point, first, second, instance)
     axis, towards = Call("distance", (first, second)), Call("direction", (first, second))
     cosine = _solve_for_cosine(radius, opposite, axis)
     corner = instance.free("corner")
@@ -110,7 +110,7 @@ def _solve_triangle(
     )
 
 
-def _turns_left(point: str, first: Expression, second: Expression, instance: Instance) -> bool:
+def turns_left(point: str, first: Expression, second: Expression, instance: Instance) -> bool:
     """Whether a point lies to the left of the directed line from the first to the second."""
     axes = instance.axes
     axis, arm = (

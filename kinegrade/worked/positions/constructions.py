@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import Literal, assert_never
+from typing import assert_never
 
 from kinegrade.expressions.tree import Call, Expression, Name, Number, Operation, list_parts
 from kinegrade.language.math.tree import Row
@@ -21,16 +21,13 @@ from kinegrade.worked.document import (
     Prose,
     TermTable,
 )
-from kinegrade.worked.formulas.leaves import count_quarter_turns
-from kinegrade.worked.positions.algebra import ZERO, minus, over, plus
+from kinegrade.worked.positions.algebra import ZERO, over, plus
 from kinegrade.worked.positions.axes import length_of, scale
 from kinegrade.worked.positions.construction_steps import Step
 from kinegrade.worked.positions.instance import Instance
 from kinegrade.worked.positions.intersections import explain_foot, explain_meeting
-from kinegrade.worked.positions.vectors import describe_vector, negate
-
-_Heading = Literal["x", "y", "minus-x", "minus-y"]
-_HEADINGS: tuple[_Heading, ...] = ("x", "y", "minus-x", "minus-y")  # by quarter turns
+from kinegrade.worked.positions.polar import find_polar_way
+from kinegrade.worked.positions.vectors import describe_vector, negate, write_way
 
 
 @dataclass(frozen=True)
@@ -136,31 +133,20 @@ def _describe_place(step: Step, instance: Instance) -> Message | None:
 def _describe_polar_place(
     point: str, parts: tuple[Expression, Expression, Expression], instance: Instance
 ) -> Message:
-    """Distance and direction from a centre; a negative distance becomes one in the opposite
-    direction.
-    """
-    centre, radius, angle = parts
-    quarters = count_quarter_turns(angle)
-    against = instance.sign(radius) < 0
-    start, distance = (
-        instance.text(centre),
-        instance.text(minus(ZERO, radius) if against else radius),
-    )
-    if quarters is not None:
-        heading = _HEADINGS[(quarters + 2 * against) % 4]
-        return Message(f"solution.towards-{heading}", point=point, centre=start, radius=distance)
-    way = instance.text(angle, degrees=True)
-    if against:
-        return Message(
-            "solution.polar-against", point=point, centre=start, radius=distance, angle=way
-        )
-    return Message("solution.polar", point=point, centre=start, radius=distance, angle=way)
+    """Distance and direction from a centre."""
+    way = find_polar_way(parts, instance)
+    named = {"point": point, "centre": way.centre, "radius": way.distance}
+    if way.heading is not None:
+        return Message(f"solution.towards-{way.heading}", **named)
+    if way.against:
+        return Message("solution.polar-against", **named, angle=way.angle)
+    return Message("solution.polar", **named, angle=way.angle)
 
 
 def _explain_toward(step: Step, instance: Instance) -> tuple[Block, ...]:
     """A point at a distance from one point towards another, or along a vector."""
     start, end, distance = list_parts(step.tree)
-    vector = _write_way(start, end, instance)
+    vector = write_way(start, end, instance)
     size, direction = length_of(vector, instance.axes), instance.axes.pair(vector)
     base = instance.axes.pair(start)
     sentence = instance.say(_describe_reached_place(step, vector, instance))
@@ -193,21 +179,6 @@ def _describe_reached_place(step: Step, vector: Expression, instance: Instance) 
                 vector=describe_vector(vector, instance),
                 distance=instance.text(distance),
             )
-        case _:
-            assert_never(end)
-
-
-def _write_way(start: Expression, end: Expression, instance: Instance) -> Expression:
-    """The vector from one point to another; a vector that is added to the first point is itself the
-    result.
-    """
-    match end:
-        case Operation(sign="+", left=same, right=added) if same == start:
-            return added
-        case Operation(sign="-", left=same, right=taken) if same == start:
-            return negate(taken, instance)
-        case Number() | Name() | Operation() | Call():
-            return Operation("-", end, start)
         case _:
             assert_never(end)
 

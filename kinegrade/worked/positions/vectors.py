@@ -21,6 +21,21 @@ def negate(vector: Expression, instance: Instance) -> Expression:
     return minus(ZERO, vector)
 
 
+def write_way(start: Expression, end: Expression, instance: Instance) -> Expression:
+    """The vector from one point to another; a vector that is added to the first point is itself the
+    result.
+    """
+    match end:
+        case Operation(sign="+", left=same, right=added) if same == start:
+            return added
+        case Operation(sign="-", left=same, right=taken) if same == start:
+            return negate(taken, instance)
+        case Number() | Name() | Operation() | Call():
+            return Operation("-", end, start)
+        case _:
+            assert_never(end)
+
+
 def describe_vector(vector: Expression, instance: Instance) -> Text:
     """A vector in a sentence."""
     if isinstance(vector, Call) and vector.function == "turned":

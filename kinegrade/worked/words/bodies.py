@@ -11,6 +11,7 @@ _Kind = Literal[
     "bar",
     "cam",
     "carrier",
+    "cord",
     "coupler",
     "crank",
     "disc",
@@ -27,15 +28,18 @@ _Kind = Literal[
     "roller",
     "sleeve",
     "slider",
+    "spool",
     "strut",
     "sun-gear",
     "table",
     "wheel",
+    "yoke",
 ]
 _KINDS: Mapping[str, _Kind] = {  # by the words that templates use for bodies
     "arm": "carrier",
     "bar": "bar",
     "cam": "cam",
+    "cord": "cord",
     "coupler": "coupler",
     "crank": "crank",
     "disc": "disc",
@@ -53,11 +57,13 @@ _KINDS: Mapping[str, _Kind] = {  # by the words that templates use for bodies
     "roller": "roller",
     "sleeve": "sleeve",
     "slider": "slider",
+    "spool": "spool",
     "strut": "strut",
     "sun": "sun-gear",
     "table": "table",
     "tappet": "follower",
     "wheel": "wheel",
+    "yoke": "yoke",
 }
 
 

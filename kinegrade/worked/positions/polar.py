@@ -1,0 +1,45 @@
+"""A point at a distance from a centre in a direction: how a sentence says it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+from kinegrade.expressions.tree import Expression
+from kinegrade.worked.formulas.leaves import count_quarter_turns
+from kinegrade.worked.positions.algebra import ZERO, minus
+from kinegrade.worked.positions.instance import Instance
+
+_Heading = Literal["x", "y", "minus-x", "minus-y"]
+_HEADINGS: tuple[_Heading, ...] = ("x", "y", "minus-x", "minus-y")  # by quarter turns
+
+
+@dataclass(frozen=True)
+class PolarWay:
+    """From a centre along an axis, where `heading` names it, else in the direction of an angle or,
+    `against` it, in the opposite one; distances are positive.
+    """
+
+    centre: str
+    distance: str
+    angle: str
+    heading: _Heading | None
+    against: bool
+
+
+def find_polar_way(
+    parts: tuple[Expression, Expression, Expression], instance: Instance
+) -> PolarWay:
+    """Distance and direction from a centre; a negative distance becomes one in the opposite
+    direction.
+    """
+    centre, radius, angle = parts
+    quarters = count_quarter_turns(angle)
+    against = instance.sign(radius) < 0
+    return PolarWay(
+        instance.text(centre),
+        instance.text(minus(ZERO, radius) if against else radius),
+        instance.text(angle, degrees=True),
+        None if quarters is None else _HEADINGS[(quarters + 2 * against) % 4],
+        against,
+    )
