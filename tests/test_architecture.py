@@ -51,7 +51,7 @@ FLOORS = {
     "worked": 7,
     "choosing": 8,
     "description": 8,
-    "press": 8,
+    "press": 9,
     "proof": 9,
     "exam": 10,
     "grading": 11,

@@ -8,6 +8,7 @@ from typing import assert_never
 
 from kinegrade.cycles.curves import find_followed
 from kinegrade.cycles.graphs import name_input
+from kinegrade.description.description import describe
 from kinegrade.exam.setting.setting import SetQuestion
 from kinegrade.figure.back_ends.svg import to_svg
 from kinegrade.language import Language
@@ -23,6 +24,7 @@ from kinegrade.practice.patterns import pool_texts
 from kinegrade.practice.poses import PracticeMotion, write_motion
 from kinegrade.practice.sections import split_sections
 from kinegrade.practice.skeleton import PracticeSkeleton, make_skeleton
+from kinegrade.press.html.described import write_described
 from kinegrade.press.html.solution import IN_MATHML, write_blocks
 from kinegrade.press.places import locate_part
 from kinegrade.problem.template.template import Template
@@ -88,8 +90,13 @@ def _find_skeleton(
 def _list_texts(drawn: DrawnQuestion, language: Language) -> Iterator[str]:
     """The texts of a draw, as `PracticeDraw` lists them."""
     sheet, question = drawn.sheet, drawn.question
-    yield write_page_prose(sheet.statement, locate_part(sheet.template, "statement"))
-    yield "" if sheet.figure is None else to_svg(sheet.figure)
+    statement = locate_part(sheet.template, "statement")
+    described = describe(question.drawn.solution, language, [ask.ask.name for ask in question.asks])
+    yield write_page_prose(sheet.statement, statement) + write_described(
+        described, language, lambda text: write_page_prose(text, statement)
+    )
+    short = sheet.described.short if sheet.described else ""
+    yield "" if sheet.figure is None else to_svg(sheet.figure, short)
     for row in sheet.rows:
         where = locate_part(sheet.template, "tolerance")
         lines = (write_decimals_of_prose(each, language) for each in row.tolerance)

@@ -17,6 +17,7 @@ from fractions import Fraction
 from itertools import islice
 from typing import Literal
 
+from kinegrade.description.description import Description
 from kinegrade.figure.scene import Scene
 from kinegrade.language import Language
 from kinegrade.press.paper_head import PLAIN_HEAD, PaperHead
@@ -53,6 +54,7 @@ class QuestionSheet:
     template: str = ""  # plain, named where its texts cannot be typeset
     space: float = 0.0  # millimetres, at least left for working
     bonus: bool = False  # its points come on top of the total
+    described: Description | None = None  # the figure in words
 
 
 @dataclass(frozen=True)

@@ -7,12 +7,15 @@ from dataclasses import dataclass
 
 from markupsafe import Markup
 
+from kinegrade.description.description import describe
+from kinegrade.description.short import describe_briefly
 from kinegrade.exam.printing.pages import draw_figure
 from kinegrade.figure.back_ends.svg import to_svg
 from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.html_text import write_unit_html
 from kinegrade.language.prose.html import write_page_line, write_page_prose
+from kinegrade.press.html.described import write_described
 from kinegrade.press.html.filled_page import load_layout
 from kinegrade.press.html.short_texts import write_symbol_html
 from kinegrade.press.places import locate_part
@@ -33,6 +36,7 @@ class _Worded:
     tag: str
     title: Markup
     statement: Markup
+    described: Markup
     asked: tuple[Markup, ...]
 
 
@@ -53,7 +57,7 @@ def write_problem(subject: Subject, language: Language) -> str:
     worded = [_word(instance, each) for each in _choose_languages(instance, language)]
     return load_layout("preview-problem.html").render(
         words=open_catalogue(language).raw("preview", "page."),
-        picture=_draw(instance),
+        picture=_draw(instance, _choose_languages(instance, language)[0]),
         worded=worded,
         rows=list(_list_rows(instance)),
     )
@@ -69,21 +73,24 @@ def _choose_languages(instance: Instance, first: Language) -> list[Language]:
     return sorted(known, key=lambda language: language != first)
 
 
-def _draw(instance: Instance) -> Markup:
+def _draw(instance: Instance, language: Language) -> Markup:
     """The figure as on a paper; "" for a problem of steps alone."""
     template, mechanism = instance.question.template, instance.solution.assembly.mechanism
     figure = draw_figure(template, mechanism.map(float), mark_question(template, instance.asks))
-    return Markup("" if figure is None else to_svg(figure))
+    short = describe_briefly(template, instance.solution.parameters, language)
+    return Markup("" if figure is None else to_svg(figure, short))
 
 
 def _word(instance: Instance, language: Language) -> _Worded:
     template, asks = instance.question.template, instance.asks
     statement = write_statement(template, instance.solution.parameters, language, asks)
+    described = describe(instance.solution, language, asks)
     title, place = template.about.title.in_language(language), template.name
     return _Worded(
         open_catalogue(language).text("language.tag"),
         Markup(write_page_line(title, locate_part(place, "title"))),
         Markup(write_page_prose(statement, locate_part(place, "statement"))),
+        Markup(write_described(described, language, lambda text: write_page_prose(text, place))),
         tuple(
             Markup(
                 write_page_line(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from os import PathLike, fspath
 
 from kinegrade.description.description import Description, describe
@@ -76,7 +76,7 @@ class Problem:
         'Slider-crank mechanism, drawn to scale: points O, A, B; OA turns clockwise'
         >>> template("slider-crank").describe("fr")
         Traceback (most recent call last):
-        kinegrade.errors.TemplateError: ... no text in "fr" - expected one of ...
+        kinegrade.errors.TemplateError: no text in "fr" - expected one of en, zh or de
         """
         spoken = self._language if language is None else Language(language)
         self.template.about.title.in_language(spoken)
@@ -88,7 +88,7 @@ class Problem:
             sheet = self._lay_out()
             asks = self.template.asks.items()
             return write_question(
-                sheet, {name: ask.means.in_language(language) for name, ask in asks}
+                sheet, {name: ask.means.in_language(language) for name, ask in asks}, language
             )
         except KinegradeError as error:  # a notebook would print a traceback
             return f"<pre>{write_plain_html(str(error))}</pre>"
@@ -113,7 +113,8 @@ class Problem:
             self.template, solution.parameters, mechanism, tuple(self.template.asks)
         )
         place = QuestionPlace(1, self.template.name)
-        return lay_out_question(place, shown, (), self._language)
+        sheet = lay_out_question(place, shown, (), self._language)
+        return replace(sheet, described=describe(solution, self._language))
 
 
 def template(name: str | PathLike[str]) -> Problem:

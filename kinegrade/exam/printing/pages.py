@@ -7,6 +7,8 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from kinegrade.deadlines.moment import write_moment
+from kinegrade.description.description import Description
+from kinegrade.description.short import describe_briefly
 from kinegrade.exam.bank.blueprint import Bank
 from kinegrade.exam.bank.by_hand import HandQuestion
 from kinegrade.exam.printing.row_tolerance import write_row_tolerance
@@ -149,8 +151,11 @@ def lay_out_question(
     language: Language,
     figure: Sketcher = sketch,
 ) -> QuestionSheet:
-    """A question with its statement, figure to scale and answer table, for a paper or a quiz."""
+    """A question with its statement, figure to scale and answer table, for a paper or a quiz; the
+    figure is described in one line.
+    """
     template = shown.template
+    short = describe_briefly(template, shown.parameters, language)
     return QuestionSheet(
         place.number,
         place.identifier,
@@ -160,6 +165,7 @@ def lay_out_question(
         draw_figure(template, shown.mechanism, mark_question(template, shown.asks), figure),
         rows,
         template=template.name,
+        described=Description(short, ()) if template.scheme.has_mechanism else None,
     )
 
 

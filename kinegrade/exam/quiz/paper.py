@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any
 
+from kinegrade.description.description import describe
 from kinegrade.errors import ExamError, FieldError, KinegradeError
 from kinegrade.exam.folder.contents import HEAD
 from kinegrade.exam.folder.exact_keys import find_exact_value, read_mistakes, read_rule
@@ -37,7 +38,7 @@ from kinegrade.problem.assemble import assemble
 from kinegrade.problem.given_values import find_certain_values, find_parameter_values, read_values
 from kinegrade.problem.quantity import express_in_unit
 from kinegrade.problem.solution import Solution
-from kinegrade.problem.solving import solve_certified
+from kinegrade.problem.solving import solve_certified, solve_template
 from kinegrade.problem.template.template import Method, Template
 from kinegrade.stated_marking import find_identifier
 from kinegrade.students.mistaking.mistake_names import describe_all_mistakes
@@ -117,11 +118,12 @@ def _make_question(
             template.asks[ask].symbol: source.rule(name, ask, stated)
             for ask, stated in entry.asks.items()
         }
+        rows = tuple(ask.row for ask in asks)
+        sheet = lay_out_question(QuestionPlace(place + 1, name), shown, rows, language)
+        solved = solve_template(template, entry.values)
         return QuizQuestion(
             f"{source.identifier}-{code}-{name}",
-            lay_out_question(
-                QuestionPlace(place + 1, name), shown, tuple(ask.row for ask in asks), language
-            ),
+            replace(sheet, described=describe(solved, language, tuple(entry.asks))),
             asks,
             _write_solution(solution, tuple(entry.asks), language, wishes.method)
             if solution

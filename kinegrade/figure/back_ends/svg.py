@@ -40,12 +40,16 @@ CLOSE = "</g>\n</svg>\n"  # the end of a document
 _HALF = pi * 0.999  # the longest sweep of one arc, whose two ends must determine its circle
 
 
-def to_svg(scene: Scene) -> str:
-    """An SVG document for the scene, of its width and height in millimetres.
+def to_svg(scene: Scene, description: str = "") -> str:
+    """An SVG document for the scene, of its width and height in millimetres, with a text that is
+    read in its place.
 
     Raises TypesetError for a label that is not a LaTeX symbol.
     """
-    return _write_document(scene.width, scene.height, scene.primitives)
+    document = _write_document(scene.width, scene.height, scene.primitives)
+    if not description:
+        return document
+    return document.replace("<svg ", f'<svg role="img" aria-label="{escape(description)}" ', 1)
 
 
 @lru_cache(maxsize=256)

@@ -13,6 +13,7 @@ from kinegrade.language.html_text import (
 )
 from kinegrade.language.message import Location, Message, Text
 from kinegrade.language.prose.html import write_line, write_prose
+from kinegrade.press.html.described import write_described
 from kinegrade.press.paper_parts import write_points_in_words
 from kinegrade.press.places import locate_part
 from kinegrade.press.sheet import AnswerRow, QuestionSheet
@@ -20,20 +21,27 @@ from kinegrade.press.sheet import AnswerRow, QuestionSheet
 _PIXELS = 5.0  # for a millimetre on paper: symbols are then as large as the text around the figure
 
 
-def write_statement(sheet: QuestionSheet, picture: str, language: Language) -> str:
-    """The statement, and its figure at the address `picture`, never wider than the page, described
-    for students who cannot see it. Raises TypesetError.
+def write_statement(sheet: QuestionSheet, picture: str) -> str:
+    """The statement, and its figure at the address `picture`, never wider than the page, with a
+    short text for those who cannot see it. Raises TypesetError.
     """
     statement = write_prose(sheet.statement, locate_part(sheet.identifier, "statement"))
     if sheet.figure is None:
         return statement
-    title = sheet.title.replace("$", "")
-    description = open_catalogue(language).text("paper.figure", title=title)
+    description = sheet.described.short if sheet.described else ""
     return (
         f'{statement}<p><img src="{write_plain_html(picture)}" '
         f'alt="{write_plain_html(description)}" width="{round(sheet.figure.width * _PIXELS)}" '
         'style="max-width:100%;height:auto"/></p>\n'
     )
+
+
+def write_description(sheet: QuestionSheet, language: Language) -> str:
+    """The figure in words; "" where there are none. Formulas as in the statement. Raises
+    TypesetError.
+    """
+    where = locate_part(sheet.identifier, "statement")
+    return write_described(sheet.described, language, lambda text: write_prose(text, where))
 
 
 def draw_picture(figure: Scene) -> bytes:

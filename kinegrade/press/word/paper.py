@@ -151,7 +151,7 @@ def _write_question(
         picture = make_image(
             figures[question.number],
             question.figure.width,
-            f"{words.text('paper.layout.number-column')} {question.number}",
+            question.described.short if question.described else "",
         )
         blocks.append(make_styled("Figure", [make_paragraph([picture])]))
     if question.rows:

@@ -10,10 +10,12 @@ from fractions import Fraction
 from itertools import pairwise
 from typing import Literal
 
+from kinegrade.description.description import Description
 from kinegrade.exam.quiz.document import Quiz, QuizAsk, QuizMistake, QuizPaper, QuizQuestion
 from kinegrade.figure.scene import FIRM, Scene, Strokes
 from kinegrade.mechanics.vector import Vector
 from kinegrade.press.sheet import AnswerRow, QuestionSheet
+from kinegrade.worked.document import Prose
 
 ROOT = Fraction("1.732050807568877293527446341505872366943")  # sqrt(3)
 CORNERS = (Vector(5.0, 45.0), Vector(30.0, 10.0), Vector(75.0, 45.0))
@@ -122,7 +124,9 @@ def make_sheet(
     """The sheet of a question that asks for these."""
     rows = tuple(ask.row for ask in asks)
     points = sum((row.points for row in rows), Fraction(0))
-    return QuestionSheet(int(name[1:]), name, title, points, statement, figure, rows)
+    described = Description(f"{name} in words & numbers", (Prose("$A$ lies to the right."),))
+    sheet = QuestionSheet(int(name[1:]), name, title, points, statement, figure, rows)
+    return sheet if figure is None else replace(sheet, described=described)
 
 
 def papers(language: Literal["en", "zh"] = "en") -> tuple[QuizPaper, ...]:

@@ -299,7 +299,7 @@ def test_figures_and_solutions_travel(small_class: Path, target: Path) -> None:
     questions = read(written(put, target))
     assert all(question.files["figure.svg"].startswith(b"<svg") for question in questions)
     assert all(r"\begin{aligned}" in question.feedback for question in questions)
-    assert all('alt="Figure to scale: ' in question.text for question in questions)
+    assert all(", drawn to scale: points " in question.text for question in questions)
 
 
 def test_our_shares_are_moodles() -> None:

@@ -16,6 +16,7 @@ from zipfile import ZipFile
 
 import pytest
 
+from kinegrade.description.description import Description
 from kinegrade.errors import TypesetError
 from kinegrade.language.math.tokens import COMMANDS
 from kinegrade.press.program_run import ProgramRun
@@ -65,7 +66,9 @@ def with_figure(paper: Paper) -> Paper:
     """The paper with a figure in its first question, and a second question named otherwise than its
     number.
     """
-    first = replace(paper.questions[0], figure=polygon_scene())
+    first = replace(
+        paper.questions[0], figure=polygon_scene(), described=Description("Gear & rod", ())
+    )
     return replace(
         paper,
         questions=(
@@ -163,7 +166,7 @@ def test_a_figure_has_its_size_and_its_description(press: PandocPress) -> None:
     assert int(extent.get("cx", "0")) / 36000 == pytest.approx(scene.width, rel=0.01)
     assert int(extent.get("cy", "0")) / 36000 == pytest.approx(scene.height, rel=0.01)
     (picture,) = Page(press.html(with_figure(ENGLISH))).named("img")
-    assert picture["alt"] == "Question 1"
+    assert picture["alt"] == "Gear & rod"
     assert str(picture["src"]).startswith("data:image/svg+xml;base64,")
 
 

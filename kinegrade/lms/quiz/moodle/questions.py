@@ -29,7 +29,7 @@ from kinegrade.lms.quiz.question_html import (
     write_asked_html,
     write_rules_html,
 )
-from kinegrade.press.html.question import draw_picture, write_statement
+from kinegrade.press.html.question import draw_picture, write_description, write_statement
 
 Form = Literal["cloze", "numerical"]
 _FIGURE = "figure.svg"
@@ -187,7 +187,8 @@ def _write_element(
 
 
 def _write_statement(question: QuizQuestion, language: Language) -> str:
-    return write_statement(question.sheet, f"@@PLUGINFILE@@/{_FIGURE}", language)
+    statement = write_statement(question.sheet, f"@@PLUGINFILE@@/{_FIGURE}")
+    return statement + write_description(question.sheet, language)
 
 
 def _write_file(question: QuizQuestion) -> str:

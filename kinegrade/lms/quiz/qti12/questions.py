@@ -27,7 +27,7 @@ from kinegrade.lms.quiz.question_html import (
     write_rules_html,
 )
 from kinegrade.lms.quiz.remarks import Remarks
-from kinegrade.press.html.question import write_statement
+from kinegrade.press.html.question import write_description, write_statement
 
 _FILES = "$IMS-CC-FILEBASE$/"  # Canvas puts the address of the course's files here
 
@@ -49,7 +49,8 @@ def make_numerical_items(
     """
     try:
         picture = _FILES + name_picture(question)
-        statement = write_statement(question.sheet, picture, asking.language)
+        statement = write_statement(question.sheet, picture)
+        statement += write_description(question.sheet, asking.language)
         text = statement + write_rules_html(question, "canvas", asking.language)
         found = [(ask, _make_item(question, ask, text, asking)) for ask in question.asks]
     except TypesetError as fault:

@@ -63,7 +63,7 @@ def write_item_document(question: QuizQuestion, language: Language, picture: str
 
 def _write_body(question: QuizQuestion, language: Language, picture: str) -> str:
     """Statement and figure, then the asks, each with its box before the unit."""
-    statement = write_statement(question.sheet, picture, language)
+    statement = write_statement(question.sheet, picture)
     boxes = (_write_asked(place, ask, language) for place, ask in enumerate(question.asks, start=1))
     return "".join((statement, write_rules_html(question, "qti21", language), *boxes))
 
