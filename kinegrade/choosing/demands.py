@@ -16,7 +16,7 @@ from kinegrade.mechanics.vector_equation import Level, Part
 from kinegrade.problem.quantities.functions import find_motion_calls
 from kinegrade.problem.quantities.motion_functions import MOTION_FUNCTIONS
 from kinegrade.problem.solving import solve_template
-from kinegrade.problem.template.tags import find_kind
+from kinegrade.problem.template.tags import Tag, find_kind
 from kinegrade.problem.template.template import METHODS, Ask, Template
 from kinegrade.sign_conventions import UNSIGNED
 from kinegrade.worked.case import Case
@@ -93,6 +93,20 @@ def find_demands(template: Template) -> Demands:
         + sum(map(_measure_point, template.scheme.points.values()))
         + len(template.scheme.bodies) * _BODY,
     )
+
+
+def suggest_tags(template: Template, demands: Demands) -> tuple[str, ...]:
+    """The tags that a template should have by what solving it takes, and lacks: its methods, a
+    Coriolis acceleration, several independent motions.
+    """
+    due: set[Tag] = {
+        method for method in ("base-point", "relative-motion") if method in demands.methods
+    }
+    if demands.coriolis:
+        due.add("coriolis")
+    if len(template.scheme.drivers) > 1:
+        due.add("two-inputs")
+    return tuple(sorted(due - set(template.about.tags)))
 
 
 def _list_asked(template: Template) -> Iterator[str]:

@@ -8,7 +8,8 @@ from __future__ import annotations
 
 from math import isfinite
 
-from kinegrade.draws.examining import Refused, explain_rounding, name_reason
+from kinegrade.draws.examining import Refused, explain_rounding
+from kinegrade.language.message import Message
 from kinegrade.students.rounding.accuracy import Accuracy
 from kinegrade.students.separation import Comparison, Separation
 
@@ -20,13 +21,19 @@ def screen(separation: Separation, accuracy: Accuracy, seen: Comparison) -> list
     found: list[Refused | None] = []
     for place, unmet in enumerate(seen.unmet.tolist()):
         if confused[place]:
-            found.append(Refused("mistake", name_reason("mistake")))
+            found.append(_name_mistake(separation, seen, place))
         elif unmet >= 0:
             found.append(Refused("condition", conditions[unmet].text))
         else:
             valued = separation.template.scheme.has_mechanism or _has_values(seen, place)
             found.append(_find_strayed(accuracy, seen, place) if valued else None)
     return found
+
+
+def _name_mistake(separation: Separation, seen: Comparison, place: int) -> Refused:
+    """The refusal for the first mistake that lands too near the truth, with its ask."""
+    ask, mistake = separation.find_confusing(seen, place)
+    return Refused("mistake", Message("template.mistake-lands", ask=ask, mistake=mistake), ask)
 
 
 def _has_values(seen: Comparison, place: int) -> bool:

@@ -22,6 +22,8 @@ from kinegrade.problem.template.template import Template
 from kinegrade.problem.template.texts import find_unfinished_translations
 from kinegrade.proof.answerable import find_answerable, write_values
 from kinegrade.proof.assemblies import close_otherwise, find_other_assemblies
+from kinegrade.proof.causes import find_causes, write_causes
+from kinegrade.proof.demanding import describe_demands
 from kinegrade.proof.published import prove_published
 from kinegrade.proof.report import SECRET, Report
 from kinegrade.proof.searching import find_breaking_values
@@ -67,6 +69,7 @@ def check(template: Template, sample: int = 200, secret: str = SECRET) -> Report
     _weigh(report)
     _note_assemblies(report)
     _search(report, min(sample, _SEARCHED))
+    describe_demands(report)
     report.following = find_connections(template, _select_asked(report))
     return report
 
@@ -122,7 +125,9 @@ def _draw(report: Report, draws: Sequence[Combination]) -> None:
     if draw_filter.separation is not None:
         report.near = find_near_mistakes(draw_filter.separation)
     start = perf_counter()
-    for found in draw_filter.examine(draws):
+    verdicts = draw_filter.examine(draws)
+    report.causes += write_causes(template, find_causes(draws, verdicts), draws)
+    for found in verdicts:
         match found:
             case Refused(reason=reason, ask=ask):
                 report.refused[reason] += 1

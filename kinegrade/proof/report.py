@@ -28,8 +28,9 @@ class Report:
     were held to their printed figures. `near` are the mistakes that lead to right answers.
     `shares` are for each ask the relative tolerances that honest rounding takes in the
     instances, `special` counts those in which a given is zero or a multiple of a right angle.
-    `examples` are the first few instances, `assemblies` says how else they close. `seconds` is
-    the mean time of an instance; `remarks` are for the author to weigh.
+    `causes` say why draws were refused, `demands` what solving takes. `examples` are the first
+    few instances, `assemblies` says how else they close. `seconds` is the mean time of an
+    instance; `remarks` are for the author to weigh.
     """
 
     template: Template
@@ -45,6 +46,8 @@ class Report:
     near: NearMistakes = field(default_factory=NearMistakes)
     examples: list[Solution] = field(default_factory=list)
     assemblies: list[Message] = field(default_factory=list)
+    causes: list[Message] = field(default_factory=list)
+    demands: Message | None = None
     following: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     seconds: float = 0.0
     remarks: list[Message] = field(default_factory=list)

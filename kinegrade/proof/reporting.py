@@ -37,6 +37,9 @@ def write_findings(report: Report) -> Iterator[Message]:
     )
     milliseconds = f"{report.seconds * 1e3:.1f}"
     yield Message("template.report-distinct", number=report.distinct, milliseconds=milliseconds)
+    if report.demands is not None:
+        yield report.demands
+    yield from report.causes
     yield from _write_spreads(report)
     yield from report.assemblies
     yield from _write_near_mistakes(Message("template.report-refused"), report.near.refused)

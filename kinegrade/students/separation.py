@@ -97,6 +97,17 @@ class Separation:
         confused = [(seen.near[name] & self.kept[name][:, None]).any(axis=0) for name in self.asks]
         return np.any(confused, axis=0) & seen.fit
 
+    def find_confusing(self, seen: Comparison, place: int) -> tuple[str, str]:
+        """The first ask of a confused instance, and the mistake that lands too near its answer."""
+        return next(
+            (name, label)
+            for name in self.asks
+            for label, near, kept in zip(
+                seen.identifiers[name], seen.near[name][:, place], self.kept[name], strict=True
+            )
+            if near and kept
+        )
+
     def compare(self, values: Values) -> Comparison:
         """Instances held against what mistakes lead to."""
         arrays = convert_parameters(self.template, values)

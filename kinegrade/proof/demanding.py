@@ -1,0 +1,27 @@
+"""What a template takes to solve, as the check says it, and the tags that follow from it."""
+
+from __future__ import annotations
+
+from kinegrade.choosing.demands import LEVELS, find_demands, suggest_tags
+from kinegrade.errors import MechanismError
+from kinegrade.language.message import Message, list_plainly
+from kinegrade.proof.report import Report
+
+
+def describe_demands(report: Report) -> None:
+    """What solving takes, and the tags by which banks would find it."""
+    if not report.template.scheme.has_mechanism:
+        return
+    try:
+        demands = find_demands(report.template)
+    except MechanismError as error:
+        reason = error.faults[0]
+        report.remarks.append(Message("template.no-default-solved", reason=reason))
+        return
+    difficulty, minutes = demands.difficulty, demands.minutes
+    report.demands = Message(
+        "choosing.shown-difficulty", difficulty=difficulty, most=LEVELS, count=minutes
+    )
+    tags = suggest_tags(report.template, demands)
+    if tags:
+        report.remarks.append(Message("template.tags-lacking", tags=list_plainly(tags)))
