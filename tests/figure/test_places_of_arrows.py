@@ -213,11 +213,12 @@ def test_where_there_is_no_room_beside_it_an_arrow_lies_on_a_longer_one_of_its_s
     assert max(hypot(*(end - start)) for start, end in list_shafts(opposed)) < 12.0
 
 
-def test_where_an_arrow_would_hide_the_side_of_an_angle_at_its_arc_no_other_lies_on_it() -> None:
+@pytest.mark.parametrize("radius", [7.0, 14.0])
+def test_where_an_arrow_hides_the_side_of_an_angle_no_longer_one_does(radius: float) -> None:
     mechanism = slider(1, 1)
     at = mechanism.points["B"]
     above = Strokes(((at + Vector(-30.0, 2.6), at + Vector(30.0, 2.6)),), BOLD)
-    arc = Bow(at, 14.0, 0.0, 0.3, THIN)
+    arc = Bow(at, radius, 0.0, 0.3, THIN)
     layout = add_motions(Layout.of([above, arc]), mechanism, BOTH, [lay_floor(at)])
     one, other = list_shafts(layout)
     assert abs(one[0].y - other[0].y) > 1.0

@@ -29,7 +29,7 @@ _AHEAD = {
 }
 # Demerits of an arrow that ends at a rim, as a radius would, and at the arc of an angle
 _HEAD_AT_RIM, _HEAD_AT_ARC = 3.5, 8.0
-_OVER_SIDE = 18.0  # demerit of a longer arrow that hides the side of an angle at its arc
+_OVER_SIDE = 18.0  # demerit of a longer arrow that hides the side of an angle
 # Millimetres of an arrow above the ground on which it lies otherwise, and the demerit
 _ABOVE, _OFF_GROUND = 1.1, 0.2
 # Millimetres beside the line of motion, on the free side first, and along it to the tail: level
@@ -115,9 +115,10 @@ class _Surroundings:
         worse, past, ground = 0.0, arrow.past, 0.0
         if self.angles.lines and self.angles.along(arrow.path(), arrow.shared) > 0:
             worse += _ACROSS_ARC
-        over = arrow.path() if arrow.short else (arrow.head(),)
-        if self.along.lines and self.along.along(over, arrow.shared) > 0:
-            worse += _OVER_SIDE if arrow.short else _HEAD_AT_ARC
+        if self.along.lines and arrow.short:
+            worse += _OVER_SIDE
+        elif self.along.lines and self.along.along((arrow.head(),), arrow.shared) > 0:
+            worse += _HEAD_AT_ARC
         if self.rims.rings and self.rims.along((arrow.head(),), arrow.shared) > 0:
             worse += _HEAD_AT_RIM
         for rail in self.rails:
