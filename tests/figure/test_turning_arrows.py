@@ -141,3 +141,12 @@ def test_the_arrow_of_a_cam_stands_off_its_base_circle() -> None:
     base = [disc.radius for disc in discs if disc.centre == omega.centre and disc.radius > 3]
     assert all(abs(omega.radius - radius) > 1.9 for radius in base)
     assert base
+
+
+def test_an_arrow_goes_farther_out_rather_than_where_a_dimension_may_need_a_line() -> None:
+    company, turning = replace(ALONE, lines=(-pi / 2,)), Turning("a", "b")
+    across, beside = (
+        TurningArrow(bow, turning, worse).among(company)
+        for bow, worse in ((arc(240, 60), 0.0), (arc(290, 40, 8.0), 4.5))
+    )
+    assert beside.demerit < across.demerit

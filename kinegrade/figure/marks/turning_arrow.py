@@ -33,7 +33,7 @@ _TIPS, _MEETING = 5.0, 1.0
 _FOREIGN = 4.5  # millimetres between an arrow and the rim of another body, 1 demerit for each less
 # Millimetres between an arrow and the line that a dimension may draw from its pivot, and the
 # demerit of less
-_BESIDE_LINE, _ON_LINE = 1.5, 2.8
+_BESIDE_LINE, _ON_LINE = 1.5, 5.0
 _ASTRAY = 6.0  # demerit of an arrow in the disc of another body
 # Demerits of a symbol about as near to another arrow, or on the other side of a circle
 _MISTAKEN, _CUT_OFF = 6.0, 4.0
