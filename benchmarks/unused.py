@@ -18,7 +18,6 @@ SEEN_BY_OTHERS = {
     "more_complaints": "the layout of the class report reads it",
     "number_of_complaints": "the layout of the class report reads it",
     "riders": "the script of a practice sheet reads it",
-    "speak_math": "what is printed for those who hear it will",
     "font": "openpyxl reads it",
     "StartElementHandler": "expat calls it",
     "EndElementHandler": "expat calls it",

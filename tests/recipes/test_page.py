@@ -34,7 +34,7 @@ from kinegrade.press.typst.layout_call import write_layout_call
 
 
 def write_seats_source(sheet):
-    title = write_line(sheet.title, "the seats")
+    title = write_line(sheet.title, "the seats", sheet.language)
     return write_layout_call("seats", {"title": title, "students": sheet.students})
 """
 TYPST_METHOD = """    def seats(self, sheet: SeatSheet) -> Printout:
@@ -43,8 +43,8 @@ TYPST_METHOD = """    def seats(self, sheet: SeatSheet) -> Printout:
     def gallery("""
 LAYOUT = """#let seats(sheet) = {
   set text(font: "New Computer Modern")
-  set document(date: datetime(year: 2000, month: 1, day: 1))
-  heading(eval(sheet.title, mode: "markup"))
+  set document(title: "seats", date: datetime(year: 2000, month: 1, day: 1))
+  heading(eval(sheet.title, mode: "code"))
   for student in sheet.students [+ #student]
 }
 """

@@ -10,7 +10,7 @@ from functools import cache
 
 import pytest
 
-from kinegrade.language import Language
+from kinegrade.language import ENGLISH, Language
 from kinegrade.language.known import known_languages
 from kinegrade.language.math.reading import read_math
 from kinegrade.language.math.typst import write_typst_math
@@ -71,7 +71,7 @@ def sentences(blocks: Iterable[Block]) -> list[str]:
 
 def require_printable(blocks: Iterable[Block], where: str) -> None:
     for text in sentences(blocks):
-        assert write_prose(text, where)
+        assert write_prose(text, where, ENGLISH)
     for line in lines(blocks):
         assert line.count("&") == 1
         assert "--" not in line

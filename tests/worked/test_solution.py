@@ -14,6 +14,7 @@ import numpy as np
 import pytest
 
 from kinegrade.errors import MechanismError, TemplateError
+from kinegrade.language import ENGLISH
 from kinegrade.language.math.reading import read_math
 from kinegrade.language.math.typst import write_typst_math
 from kinegrade.language.prose.typst import write_prose
@@ -111,7 +112,7 @@ def typeset(latex: str) -> None:
 @lru_cache(maxsize=2000)
 def set_in_prose(text: str) -> None:
     assert not re.search(r"<\w+>", text)
-    write_prose(text, "worked")
+    write_prose(text, "worked", ENGLISH)
 
 
 @pytest.mark.parametrize("name", find_template_names())

@@ -10,6 +10,7 @@ from collections.abc import Callable, Iterator
 
 from kinegrade.errors import Problem, TypesetError
 from kinegrade.files.fields.place import key_path
+from kinegrade.language import ENGLISH
 from kinegrade.language.math.typst import write_typst_math
 from kinegrade.language.message import Fault, Location, Message
 from kinegrade.language.prose.typst import write_line, write_prose
@@ -84,8 +85,8 @@ def _write_symbol(latex: str, where: Location) -> str:
 
 
 def _write_prose(markdown: str, where: Location) -> str:
-    return f"#{write_prose(markdown, where)}"
+    return f"#{write_prose(markdown, where, ENGLISH)}"
 
 
 def _write_line(markdown: str, where: Location) -> str:
-    return f"#{write_line(markdown, where)}"
+    return f"#{write_line(markdown, where, ENGLISH)}"

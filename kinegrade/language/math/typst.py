@@ -58,6 +58,7 @@ _ACCENTS: dict[AccentName, str] = {
     "boxed": "#box",
 }
 _FRAME = "stroke:0.5pt,inset:(x:2.4pt),outset:(y:2.6pt)"
+_SAID_AROUND = 'alt:"□"'  # the words of the formula around the frame say what is in it
 _STYLES: dict[Style, str] = {
     "mathrm": "upright({})",
     "mathbf": "upright(bold({}))",
@@ -183,7 +184,8 @@ def _write_call(node: Quotient | Root | Lettering | Accent | Fenced | Environmen
         case Lettering(style, row):
             return _STYLES[style].format(_write_argument(row))
         case Accent("boxed", row):
-            return f"{_ACCENTS['boxed']}({_FRAME},${_write_argument(row)}$) "
+            inside = f"math.equation({_SAID_AROUND},${_write_argument(row)}$.body)"
+            return f"{_ACCENTS['boxed']}({_FRAME},{inside}) "
         case Accent(name, row):
             return f"{_ACCENTS[name]}({_write_argument(row)})"
         case Fenced(left, row, right):

@@ -7,13 +7,16 @@ a statement or title can become Typst code.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from functools import lru_cache
+from functools import cache, lru_cache
+from typing import ClassVar
 
+from kinegrade.language import ENGLISH, Language
 from kinegrade.language.math.equation_line import begins_with_relation, split_equation_line
 from kinegrade.language.math.printed_size import measure_printed
 from kinegrade.language.math.reading import read_math
 from kinegrade.language.math.tree import Row
-from kinegrade.language.math.typst import write_typst_math, write_typst_row
+from kinegrade.language.math.typst import write_typst_row
+from kinegrade.language.math.typst_equation import write_display, write_equation
 from kinegrade.language.message import Location
 from kinegrade.language.prose.writing import ProseWriter, TextRenderer
 from kinegrade.language.typst_text import write_literal
@@ -26,7 +29,11 @@ _NO_OPERAND = '""'  # before a sign, so that it is set as between two terms
 
 
 class _TypstRenderer(TextRenderer):
-    """Statements of Typst; semicolons keep them apart on one line."""
+    """Statements of Typst; semicolons keep them apart on one line. Formulas are said in a
+    language.
+    """
+
+    language: ClassVar[Language] = ENGLISH
 
     def text(self, plain: str, *, follows_formula: bool) -> str:
         # By Unicode's rules a Chinese colon or semicolon after a formula could begin a line
@@ -35,10 +42,10 @@ class _TypstRenderer(TextRenderer):
 
     def inline_formula(self, latex: str, where: Location) -> str:
         read_math(latex, where)
-        return _write_boxes(latex)
+        return _write_boxes(latex, self.language)
 
     def displayed_formula(self, latex: str, where: Location) -> str:
-        return f"$ {write_typst_math(latex, where)} $;"
+        return f"{write_display((read_math(latex, where),), self.language)};"
 
     def line_end(self, *, printed: bool) -> str:
         return '" ";' if printed else ""
@@ -66,46 +73,55 @@ class _TypstRenderer(TextRenderer):
 
 
 @lru_cache(maxsize=8192)
-def _write_boxes(latex: str) -> str:
+def _write_boxes(latex: str, language: Language) -> str:
     """A formula in its line: in one box, so that a value is not separated from its symbol; a long
     one in several, between which the line may end.
     """
     row = read_math(latex, "")
     if measure_printed(row).width <= _LONGEST_UNBROKEN:
-        return f"box(${write_typst_row(row)}$);"
+        return f"box({write_equation(row, language)});"
     first, *others = split_equation_line(row).pieces
-    return f"box(${write_typst_row(first)}$);" + "".join(map(_write_continuation, others))
+    continued = "".join(_write_continuation(piece, language) for piece in others)
+    return f"box({write_equation(first, language)});{continued}"
 
 
-def _write_continuation(piece: Row) -> str:
+def _write_continuation(piece: Row, language: Language) -> str:
     """The box of a relation or a sign with what follows it."""
-    written = write_typst_row(piece)
     if begins_with_relation(piece):
-        return f"{_BEFORE_RELATION}box(${written}$);"
-    return f"box(${_NO_OPERAND}{written}$);"
+        return f"{_BEFORE_RELATION}box({write_equation(piece, language)});"
+    math = f"{_NO_OPERAND}{write_typst_row(piece)}"
+    return f"box({write_equation(piece, language, math)});"
 
 
-_WRITER = ProseWriter(_TypstRenderer)
+@cache
+def _open_writer(spoken: Language) -> ProseWriter:
+    """The writer for a language, which says formulas in it."""
+
+    class Renderer(_TypstRenderer):
+        language = spoken
+
+    return ProseWriter(Renderer)
 
 
-def write_prose(markdown: str, where: Location) -> str:
+def write_prose(markdown: str, where: Location, language: Language) -> str:
     """Typst code (an expression yielding content) for several paragraphs of Markdown.
 
     Raises TypesetError with every fault of the text, each naming `where`.
 
-    >>> print(write_prose("The crank $OA$ turns.", "q1"))
-    {"The crank ";box($O A$);" turns.";}
+    >>> print(write_prose("The crank $OA$ turns.", "q1", ENGLISH))
+    {"The crank ";box(math.equation(alt:"O A",$O A$.body));" turns.";}
     """
-    return f"{{{_WRITER.write_prose(markdown, where).removesuffix(_PARAGRAPH_END)}}}"
+    written = _open_writer(language).write_prose(markdown, where)
+    return f"{{{written.removesuffix(_PARAGRAPH_END)}}}"
 
 
-def write_line(markdown: str, where: Location) -> str:
+def write_line(markdown: str, where: Location, language: Language) -> str:
     """Typst code for one line of Markdown: a title, the meaning of a symbol, a sign convention.
 
-    >>> print(write_line("speed of $B$", "q1"))
-    {"speed of ";box($B$);}
+    >>> print(write_line("speed of $B$", "q1", ENGLISH))
+    {"speed of ";box(math.equation(alt:"B",$B$.body));}
     """
-    return f"{{{_WRITER.write_line(markdown, where)}}}"
+    return f"{{{_open_writer(language).write_line(markdown, where)}}}"
 
 
 def _write_items(items: Sequence[Sequence[str]]) -> str:

@@ -91,7 +91,7 @@ def _arrange(question: WorkedQuestion, filling: _Filling) -> Iterator[Part]:
     place = 0
     if question.figure is not None:
         chains = [item for item in takewhile(_is_text, items) if _is_text(item)]
-        figure = Drawing(question.figure, None)
+        figure = Drawing(question.figure, None, question.title)
         row, place = _choose_row((figure,), chains, filling.area.column)
         yield from filling.place([replace(row, whole=True)])
     heading: Chain = ()  # what stays with the drawings that follow
@@ -102,7 +102,7 @@ def _arrange(question: WorkedQuestion, filling: _Filling) -> Iterator[Part]:
             heading = item if item[-1].stays else ()
             yield from filling.place_chain(item if not heading else ())
             continue
-        drawings = tuple(Drawing(each.scene, each.caption) for each in item.pictures)
+        drawings = tuple(Drawing(each.scene, each.caption, each.caption) for each in item.pictures)
         chains = list(_take_section(items[place:]))
         if not chains:
             yield from filling.place_chain(heading)

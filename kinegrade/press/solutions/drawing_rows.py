@@ -21,6 +21,7 @@ class Drawing:
 
     scene: Scene
     caption: str | None
+    title: str  # prose: what it shows, for those who do not see it
 
     @property
     def width(self) -> float:

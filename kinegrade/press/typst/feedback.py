@@ -8,15 +8,17 @@ from __future__ import annotations
 from collections.abc import Sequence
 from functools import lru_cache
 
+from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.gathering import convert_each, gather
+from kinegrade.language.math.typst_equation import write_formula
 from kinegrade.language.message import Location, Message
 from kinegrade.language.prose.typst import write_line
 from kinegrade.press.join import join_pages
 from kinegrade.press.legible import make_legible
 from kinegrade.press.places import locate_part
 from kinegrade.press.sheet import FeedbackQuestion, FeedbackRow, FeedbackSheet, PaperSize
-from kinegrade.press.typst.layout_call import Sheet, write_formula, write_layout_call
+from kinegrade.press.typst.layout_call import Sheet, write_layout_call
 from kinegrade.press.typst.press import TypstPress
 
 _ROW_TEXTS = ("typed", "read_as", "right", "allowed", "mark", "verdict", "points", "reason")
@@ -69,7 +71,7 @@ def _write_feedback_source(
     catalogue = open_catalogue(sheet.language)
     parts = gather(
         questions=lambda: convert_each(
-            lambda question: _write_question(question, missing), sheet.questions
+            lambda question: _write_question(question, missing, sheet.language), sheet.questions
         )
     )
     said = {
@@ -82,29 +84,39 @@ def _write_feedback_source(
     return write_layout_call("feedback", {**parts, **_texts(sheet, _SHEET_TEXTS, missing), **said})
 
 
-def _write_question(question: FeedbackQuestion, missing: frozenset[str]) -> Sheet:
+def _write_question(
+    question: FeedbackQuestion, missing: frozenset[str], language: Language
+) -> Sheet:
     parts = gather(
-        title=lambda: write_line(question.title, locate_part(question.heading, "title")),
+        title=lambda: write_line(question.title, locate_part(question.heading, "title"), language),
         givens=lambda: (
-            write_line(question.givens, locate_part(question.heading, "givens"))
+            write_line(question.givens, locate_part(question.heading, "givens"), language)
             if question.givens
             else None
         ),
         rows=lambda: convert_each(
-            lambda row: _write_row(row, question.heading, missing), question.rows
+            lambda row: _write_row(row, question.heading, missing, language), question.rows
         ),
     )
     note = make_legible(question.note, missing)
     return parts | {"heading": question.heading, "points": question.points, "note": note}
 
 
-def _write_row(row: FeedbackRow, where: Location, missing: frozenset[str]) -> Sheet:
+def _write_row(
+    row: FeedbackRow, where: Location, missing: frozenset[str], language: Language
+) -> Sheet:
     parts = gather(
-        symbol=lambda: write_formula(row.symbol, locate_part(where, "symbol")),
-        meaning=lambda: write_line(row.meaning, locate_part(where, "meaning")),
-        sign=lambda: write_line(row.sign, locate_part(where, "sign")) if row.sign else None,
-        exact=lambda: write_formula(row.exact, locate_part(where, "symbol")) if row.exact else None,
-        remark=lambda: write_line(row.remark, locate_part(where, "remark")) if row.remark else None,
+        symbol=lambda: write_formula(row.symbol, locate_part(where, "symbol"), language),
+        meaning=lambda: write_line(row.meaning, locate_part(where, "meaning"), language),
+        sign=lambda: (
+            write_line(row.sign, locate_part(where, "sign"), language) if row.sign else None
+        ),
+        exact=lambda: (
+            write_formula(row.exact, locate_part(where, "symbol"), language) if row.exact else None
+        ),
+        remark=lambda: (
+            write_line(row.remark, locate_part(where, "remark"), language) if row.remark else None
+        ),
     )
     return parts | _texts(row, _ROW_TEXTS, missing)
 

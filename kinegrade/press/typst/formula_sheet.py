@@ -23,7 +23,7 @@ def print_formula_sheet(text: str, language: Language, size: PaperSize) -> bytes
     words = open_catalogue(language)
     sheet = {
         "title": words.text("paper.formula-sheet"),
-        "text": write_prose(text, _WHERE),
+        "text": write_prose(text, _WHERE, language),
         "language": words.raw("language", "page."),
         "size": size,
     }

@@ -6,15 +6,17 @@ from collections.abc import Iterable
 from itertools import groupby
 
 from kinegrade.figure.back_ends.typst import write_typst
+from kinegrade.language import Language
 from kinegrade.language.catalogue import Catalogue, open_catalogue
 from kinegrade.language.gathering import convert_each, gather
+from kinegrade.language.math.typst_equation import write_formula
 from kinegrade.language.message import Location
 from kinegrade.language.prose.typst import write_line
+from kinegrade.press.figure_text import describe_figure
 from kinegrade.press.places import locate_part
 from kinegrade.press.sheet import Gallery, GalleryDemands, GalleryEntry, GalleryFigure, PaperSize
 from kinegrade.press.typst.layout_call import (
     Sheet,
-    write_formula,
     write_layout_call,
 )
 
@@ -41,10 +43,13 @@ def write_gallery_source(gallery: Gallery, size: PaperSize = "a4") -> str:
 
 def _write_entry(entry: GalleryEntry, words: Catalogue) -> Sheet:
     sheet = gather(
-        title=lambda: _write_title(entry),
-        asks=lambda: _write_symbols(entry.asks, entry.name),
-        on_request=lambda: _write_symbols(entry.on_request, entry.name),
-        figures=lambda: convert_each(lambda draw: _write_figure(draw, entry.name), entry.figures),
+        title=lambda: _write_title(entry, words.language),
+        asks=lambda: _write_symbols(entry.asks, entry.name, words.language),
+        on_request=lambda: _write_symbols(entry.on_request, entry.name, words.language),
+        figures=lambda: convert_each(
+            lambda draw: _write_figure(draw, entry.title or entry.name, entry.name, words.language),
+            entry.figures,
+        ),
     )
     return sheet | {
         "family": entry.family,
@@ -71,16 +76,21 @@ def _write_demands(demands: GalleryDemands | None, words: Catalogue) -> str:
     return " · ".join(parts)
 
 
-def _write_title(entry: GalleryEntry) -> str | None:
-    return write_line(entry.title, locate_part(entry.name, "title")) if entry.title else None
+def _write_title(entry: GalleryEntry, language: Language) -> str | None:
+    return (
+        write_line(entry.title, locate_part(entry.name, "title"), language) if entry.title else None
+    )
 
 
-def _write_figure(draw: GalleryFigure, where: Location) -> Sheet:
+def _write_figure(draw: GalleryFigure, title: str, where: Location, language: Language) -> Sheet:
     return {
         "figure": f"[{write_typst(draw.figure)}]",
-        "givens": write_line(draw.givens, locate_part(where, "givens")),
+        "said": describe_figure(title, language),
+        "givens": write_line(draw.givens, locate_part(where, "givens"), language),
     }
 
 
-def _write_symbols(symbols: Iterable[str], where: Location) -> list[str]:
-    return convert_each(lambda symbol: write_formula(symbol, locate_part(where, "symbol")), symbols)
+def _write_symbols(symbols: Iterable[str], where: Location, language: Language) -> list[str]:
+    return convert_each(
+        lambda symbol: write_formula(symbol, locate_part(where, "symbol"), language), symbols
+    )

@@ -9,9 +9,7 @@ from __future__ import annotations
 import json
 from typing import Any
 
-from kinegrade.language.math.typst import write_typst_math
 from kinegrade.language.math.units import write_unit
-from kinegrade.language.message import Location
 from kinegrade.language.typst_text import write_literal
 
 Sheet = dict[str, Any]  # what a layout reads: text, numbers, lists and dictionaries of them
@@ -26,15 +24,6 @@ def write_layout_call(layout: str, sheet: Sheet) -> str:
     """
     data = write_literal(json.dumps(sheet, ensure_ascii=False, sort_keys=True))
     return f'#import "/{layout}.typ": {layout}\n#{layout}(json(bytes({data})))\n'
-
-
-def write_formula(latex: str, where: Location) -> str:
-    """A formula as Typst code. Raises TypesetError.
-
-    >>> write_formula("v_B", "q1")
-    '$v_(B)$'
-    """
-    return f"${write_typst_math(latex, where)}$" if latex else "$$"
 
 
 def write_signed(number: str) -> str:

@@ -13,10 +13,12 @@ from functools import lru_cache
 from kinegrade.figure.back_ends.typst import write_typst_picture
 from kinegrade.language.catalogue import Catalogue, open_catalogue
 from kinegrade.language.gathering import convert_each, gather
+from kinegrade.language.math.typst_equation import write_formula
 from kinegrade.language.math.units import write_unit
 from kinegrade.language.message import Location
 from kinegrade.language.prose.typst import write_line, write_prose
 from kinegrade.press.code_mark import make_code_mark
+from kinegrade.press.figure_text import describe_figure
 from kinegrade.press.paper_head import PaperHead
 from kinegrade.press.paper_parts import (
     arrange_marks,
@@ -27,7 +29,7 @@ from kinegrade.press.paper_parts import (
 )
 from kinegrade.press.places import RULES, locate_part
 from kinegrade.press.sheet import AnswerRow, Paper, PaperSize, QuestionSheet
-from kinegrade.press.typst.layout_call import Sheet, write_formula, write_layout_call
+from kinegrade.press.typst.layout_call import Sheet, write_layout_call
 from kinegrade.press.typst.room import fit_space, fits_page, is_wide_symbol
 
 
@@ -36,7 +38,8 @@ def write_paper_source(paper: Paper, size: PaperSize = "a4") -> str:
     words = open_catalogue(paper.language)
     sheet = gather(
         rules=lambda: _halve(
-            convert_each(lambda rule: write_prose(rule, RULES), paper.rules), paper.rules
+            convert_each(lambda rule: write_prose(rule, RULES, paper.language), paper.rules),
+            paper.rules,
         ),
         questions=lambda: convert_each(
             lambda question: _write_question(question, words), paper.questions
@@ -63,9 +66,11 @@ def write_paper_source(paper: Paper, size: PaperSize = "a4") -> str:
 
 def _write_head(head: PaperHead, words: Catalogue) -> Sheet:
     sheet = gather(
-        aids=lambda: write_line(head.aids, "header.aids") if head.aids else None,
+        aids=lambda: write_line(head.aids, "header.aids", words.language) if head.aids else None,
         instructions=lambda: (
-            write_prose(head.instructions, "header.instructions") if head.instructions else None
+            write_prose(head.instructions, "header.instructions", words.language)
+            if head.instructions
+            else None
         ),
     )
     return sheet | {
@@ -97,8 +102,10 @@ def _write_question(question: QuestionSheet, words: Catalogue) -> Sheet:
     where = question.identifier
     figure = question.figure
     sheet = gather(
-        title=lambda: write_line(question.title, locate_part(where, "title")),
-        statement=lambda: write_prose(question.statement, locate_part(where, "statement")),
+        title=lambda: write_line(question.title, locate_part(where, "title"), words.language),
+        statement=lambda: write_prose(
+            question.statement, locate_part(where, "statement"), words.language
+        ),
         rows=lambda: convert_each(lambda row: _write_answer_row(row, where, words), question.rows),
     )
     return sheet | {
@@ -109,6 +116,7 @@ def _write_question(question: QuestionSheet, words: Catalogue) -> Sheet:
         "short": fits_page(question),
         "space": fit_space(question),
         "figure": f"[{write_typst_picture(figure)}]" if figure else None,
+        "figure_text": describe_figure(question.title, words.language) if figure else None,
         "figure_width": round(figure.width, 3) if figure else None,
         "beside": figure is not None and fits_beside(figure),
     }
@@ -118,11 +126,14 @@ def _write_question(question: QuestionSheet, words: Catalogue) -> Sheet:
 def _write_answer_row(row: AnswerRow, where: Location, words: Catalogue) -> Sheet:
     """The same for a whole class."""
     sheet = gather(
-        symbol=lambda: write_formula(row.symbol, locate_part(where, "symbol")),
-        meaning=lambda: write_line(row.meaning, locate_part(where, "meaning")),
-        sign=lambda: write_line(row.sign, locate_part(where, "sign")) if row.sign else None,
+        symbol=lambda: write_formula(row.symbol, locate_part(where, "symbol"), words.language),
+        meaning=lambda: write_line(row.meaning, locate_part(where, "meaning"), words.language),
+        sign=lambda: (
+            write_line(row.sign, locate_part(where, "sign"), words.language) if row.sign else None
+        ),
         tolerance=lambda: convert_each(
-            lambda line: write_line(line, locate_part(where, "tolerance")), row.tolerance
+            lambda line: write_line(line, locate_part(where, "tolerance"), words.language),
+            row.tolerance,
         ),
     )
     return sheet | {

@@ -3,9 +3,7 @@ embedded Typst.
 
 A press keeps one compiler, which is what makes it fast; a compiler belongs to one thread, so keep
 one press per thread or process. Same input, same bytes: the fonts come with the installation and
-the date is fixed. Plain PDF prints a box, silently, for a character that no font has; PDF/A-2b
-refuses it, but takes longer. Therefore each character is checked once, and only a source with one
-that cannot be printed is compiled as PDF/A-2b, to be refused.
+the date is fixed. PDF/UA-1 also refuses a character that no font has; names are checked before.
 """
 
 from __future__ import annotations
@@ -37,9 +35,10 @@ from kinegrade.press.typst.paper import write_paper_source
 
 # Papers in one compilation: Typst keeps the layouts of its last ten, 3 MB for the key of each paper
 KEY_CHUNK = 10
-_FIXED_TIME = (
-    946684800  # 2000-01-01 00:00 UTC, in seconds, so that the bytes do not depend on the day
-)
+# 2000-01-01 00:00 UTC, in seconds, so that the bytes do not depend on the day
+_FIXED_TIME = 946684800
+
+_DATE = "#set document(date: datetime(year: 2000, month: 1, day: 1))\n"
 
 _Sheet = TypeVar("_Sheet", Paper, SolutionSheet)
 
@@ -138,7 +137,10 @@ class TypstPress(Press):
 
     def require_printable(self, source: str, where: Location) -> None:
         """Raises TypesetError, naming `where`, for Typst code that cannot be typeset."""
-        self._explaining(source, where)
+        try:
+            self._pdf(f"{_DATE}{source}", "a-2b")
+        except typst.TypstError as error:
+            raise TypesetError(*_explain(error, where)) from error
 
     def unprintable(self, texts: Iterable[str]) -> frozenset[str]:
         """The characters of `texts` that no font of the press can print: one check for a whole
@@ -172,10 +174,9 @@ class TypstPress(Press):
         """
         if not characters:
             return set()
-        date = "#set document(date: datetime(year: 2000, month: 1, day: 1))\n"
         try:
             self._pdf(
-                date + "".join(f"#box({write_literal(character)})\n" for character in characters),
+                _DATE + "".join(f"#box({write_literal(character)})\n" for character in characters),
                 "a-2b",
             )
         except typst.TypstError as error:
@@ -211,10 +212,10 @@ class TypstPress(Press):
             raise TypesetError(*_explain(error, where)) from error
 
     def _compile(self, source: str) -> bytes:
-        """The PDF of a source. Raises TypstError, also for a character that no font prints."""
-        return self._pdf(source, "a-2b" if self.unprintable([source]) else None)
+        """The PDF of a layout. Raises TypstError, also for a character that no font prints."""
+        return self._pdf(source, "ua-1")
 
-    def _pdf(self, source: str, standard: Literal["a-2b"] | None) -> bytes:
+    def _pdf(self, source: str, standard: Literal["a-2b", "ua-1"]) -> bytes:
         pdf = self._compiler.compile(
             source.encode(), format="pdf", pdf_standards=standard, timestamp=_FIXED_TIME
         )

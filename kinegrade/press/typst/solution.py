@@ -11,11 +11,15 @@ from dataclasses import asdict
 from typing import assert_never
 
 from kinegrade.figure.back_ends.typst import write_typst_picture
+from kinegrade.language import Language
 from kinegrade.language.catalogue import Catalogue, open_catalogue
 from kinegrade.language.gathering import convert_each, gather
+from kinegrade.language.math.tree import Row
 from kinegrade.language.math.typst import write_typst_row
+from kinegrade.language.math.typst_equation import write_display, write_equation
 from kinegrade.language.message import Location
 from kinegrade.language.prose.typst import write_line, write_prose
+from kinegrade.press.figure_text import describe_figure
 from kinegrade.press.places import locate_part
 from kinegrade.press.sheet import PaperSize, SolutionSheet, WorkedQuestion
 from kinegrade.press.solutions.chains import UNKNOWN, name_question
@@ -91,25 +95,25 @@ def _write_question(
     name = question.identifier
     where = locate_part(name, "solution")
     written = gather(
-        title=lambda: write_line(question.title, locate_part(name, "title")),
-        parts=lambda: convert_each(lambda part: _write_part(part, where), course),
+        title=lambda: write_line(question.title, locate_part(name, "title"), words.language),
+        parts=lambda: convert_each(lambda part: _write_part(part, where, words.language), course),
     )
     repeated = (question.title,) == tuple(each.title for each in sheet.questions) == (sheet.title,)
     return written | {"heading": None if repeated else words.write(name_question(question))}
 
 
-def _write_part(part: Part, where: Location) -> Sheet:
+def _write_part(part: Part, where: Location, language: Language) -> Sheet:
     """A block over the whole width, or drawings with the blocks that stand beside them."""
     match part:
         case Setting():
-            return _write_setting(part, where)
+            return _write_setting(part, where, language)
         case DrawingRow():
             written = gather(
                 drawings=lambda: convert_each(
-                    lambda drawing: _write_drawing(drawing, where), part.drawings
+                    lambda drawing: _write_drawing(drawing, where, language), part.drawings
                 ),
                 beside=lambda: convert_each(
-                    lambda setting: _write_setting(setting, where), part.beside
+                    lambda setting: _write_setting(setting, where, language), part.beside
                 ),
             )
             return written | {"kind": "drawings", "width": part.width, "whole": part.whole}
@@ -117,21 +121,26 @@ def _write_part(part: Part, where: Location) -> Sheet:
             assert_never(part)
 
 
-def _write_setting(setting: Setting, where: Location) -> Sheet:
-    return _write_body(setting.body, where) | {"stays": setting.stays}
+def _write_setting(setting: Setting, where: Location, language: Language) -> Sheet:
+    return _write_body(setting.body, where, language) | {"stays": setting.stays}
 
 
-def _write_body(body: Body, where: Location) -> Sheet:
+def _write_body(body: Body, where: Location, language: Language) -> Sheet:
     match body:
         case Paragraph():
-            return _write_paragraph(body, where)
+            return _write_paragraph(body, where, language)
         case EquationGroups(groups):
-            return {"kind": "display", "groups": list(map(_write_equations, groups))}
+            return {
+                "kind": "display",
+                "groups": [_write_equations(group, language) for group in groups],
+            }
         case Terms(bands):
             return {
                 "kind": "terms",
                 "bands": convert_each(
-                    lambda band: convert_each(lambda column: _write_column(column, where), band),
+                    lambda band: convert_each(
+                        lambda column: _write_column(column, where, language), band
+                    ),
                     bands,
                 ),
             }
@@ -139,50 +148,54 @@ def _write_body(body: Body, where: Location) -> Sheet:
             assert_never(body)
 
 
-def _write_paragraph(paragraph: Paragraph, where: Location) -> Sheet:
+def _write_paragraph(paragraph: Paragraph, where: Location, language: Language) -> Sheet:
     heading, equation = paragraph.heading, paragraph.equation
     written = gather(
-        heading=lambda: write_line(heading.text, where) if heading else None,
-        text=lambda: write_prose(paragraph.text, where) if paragraph.text else None,
+        heading=lambda: write_line(heading.text, where, language) if heading else None,
+        text=lambda: write_prose(paragraph.text, where, language) if paragraph.text else None,
     )
     return written | {
         "kind": "paragraph",
         "level": heading.level if heading else 0,
         "tall": paragraph.is_tall,
-        "equation": f"$display({write_typst_row(equation)})$" if equation else None,
+        "equation": _write_displayed(equation, language) if equation else None,
     }
 
 
-def _write_equations(equations: Equations) -> Sheet:
-    rows = " \\ ".join(map(write_typst_row, equations.rows))
-    return {"code": f"$ {rows} $", "fits": equations.fits}
+def _write_displayed(equation: Row, language: Language) -> str:
+    """An equation on the line of a sentence, as large as on a line of its own."""
+    return write_equation(equation, language, f"display({write_typst_row(equation)})")
 
 
-def _write_column(column: TermColumn, where: Location) -> Sheet:
+def _write_equations(equations: Equations, language: Language) -> Sheet:
+    return {"code": write_display(tuple(equations.rows), language), "fits": equations.fits}
+
+
+def _write_column(column: TermColumn, where: Location, language: Language) -> Sheet:
     cells = gather(
-        magnitude=lambda: _write_cell(column.magnitude, where),
-        direction=lambda: _write_cell(column.direction, where),
+        magnitude=lambda: _write_cell(column.magnitude, where, language),
+        direction=lambda: _write_cell(column.direction, where, language),
     )
     term = column.term
     return cells | {
-        "symbol": f"${write_typst_row(term.symbol)}$",
+        "symbol": write_equation(term.symbol, language),
         "sign": write_signed(term.sign),
         "width": column.width,
     }
 
 
-def _write_cell(cell: Cell, where: Location) -> str:
+def _write_cell(cell: Cell, where: Location, language: Language) -> str:
     """Formulas one below another, or words; what is unknown is bold."""
     if cell.formulas:
-        return "+linebreak()+".join(f"${write_typst_row(row)}$" for row in cell.formulas)
-    written = write_line(cell.text, where)
+        return "+linebreak()+".join(write_equation(row, language) for row in cell.formulas)
+    written = write_line(cell.text, where, language)
     return f"strong({written})" if cell.text == UNKNOWN else written
 
 
-def _write_drawing(drawing: Drawing, where: Location) -> Sheet:
+def _write_drawing(drawing: Drawing, where: Location, language: Language) -> Sheet:
     caption = drawing.caption
     written = gather(
         figure=lambda: f"[{write_typst_picture(drawing.scene)}]",
-        caption=lambda: None if caption is None else write_line(caption, where),
+        caption=lambda: None if caption is None else write_line(caption, where, language),
     )
-    return written | {"width": drawing.width}
+    return written | {"width": drawing.width, "said": describe_figure(drawing.title, language)}

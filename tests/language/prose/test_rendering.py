@@ -9,11 +9,17 @@ from types import ModuleType
 import pytest
 
 from kinegrade.errors import TypesetError
+from kinegrade.language import ENGLISH, Language
 from kinegrade.language.prose import html, latex, pandoc, plain, typst
 from kinegrade.language.prose.rendering import ProseRenderer, make_reader
 
 Target = ModuleType
 TARGETS = (typst, latex, html, plain, pandoc)
+
+
+def said(target: ModuleType) -> tuple[Language, ...]:
+    """The language in which a target says formulas, if it does."""
+    return (ENGLISH,) if target is typst else ()
 
 
 @pytest.mark.parametrize(
@@ -35,7 +41,7 @@ TARGETS = (typst, latex, html, plain, pandoc)
 @pytest.mark.parametrize("target", TARGETS)
 def test_anything_else_is_refused_by_name(target: Target, markdown: str, name: str) -> None:
     with pytest.raises(TypesetError) as refusal:
-        target.write_prose(markdown, "q1, statement")
+        target.write_prose(markdown, "q1, statement", *said(target))
     expected = (
         f"q1, statement: {name} cannot be printed - expected text, **bold**, *emphasis*, "
         "lists and $math$"
@@ -46,14 +52,14 @@ def test_anything_else_is_refused_by_name(target: Target, markdown: str, name: s
 @pytest.mark.parametrize("target", TARGETS)
 def test_all_faults_of_a_text_are_reported_at_once(target: Target) -> None:
     with pytest.raises(TypesetError) as refusal:
-        target.write_prose("# a\n\n`b` $\\foo$ $\\baz$", "q1")
+        target.write_prose("# a\n\n`b` $\\foo$ $\\baz$", "q1", *said(target))
     assert len(refusal.value.problems) == 4
 
 
 @pytest.mark.parametrize("target", TARGETS)
 def test_a_line_is_refused_as_prose_is(target: Target) -> None:
     with pytest.raises(TypesetError, match="^q1: an image .* cannot be printed - expected text"):
-        target.write_line("![a](b.png)", "q1")
+        target.write_line("![a](b.png)", "q1", *said(target))
 
 
 @pytest.mark.parametrize("kind", sorted(ProseRenderer.__abstractmethods__))
@@ -94,7 +100,7 @@ v
 $$ (w)
 """
     with pytest.raises(TypesetError) as refusal:
-        typst.write_prose(everything, "q1")
+        typst.write_prose(everything, "q1", ENGLISH)
     assert all(" cannot be printed" in problem for problem in refusal.value.problems)
     assert len(refusal.value.problems) == 12
 

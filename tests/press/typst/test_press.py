@@ -13,10 +13,10 @@ from pypdf import PdfReader
 
 from kinegrade.errors import TypesetError
 from kinegrade.figure.scene import Scene
+from kinegrade.language.math import typst_equation
 from kinegrade.language.math.reading import read_math
 from kinegrade.language.math.tree import Row
 from kinegrade.language.math.typst import write_typst_row
-from kinegrade.language.prose import typst as prose
 from kinegrade.press.join import count_pages, join_pages
 from kinegrade.press.sheet import AnswerRow, Paper, PaperSize, SolutionSheet
 from kinegrade.press.typst.press import KEY_CHUNK, TypstPress
@@ -249,7 +249,7 @@ def test_math_that_does_not_compile_is_named_by_its_question(
     def write(row: Row) -> str:
         return "infinityy" if row == read_math(r"\infty y", "") else write_typst_row(row)
 
-    monkeypatch.setattr(prose, "write_typst_row", write)
+    monkeypatch.setattr(typst_equation, "write_typst_row", write)
     question = replace(ENGLISH_QUESTION, statement=r"$\infty y$")
     with pytest.raises(TypesetError) as refusal:
         press.paper(
