@@ -156,3 +156,13 @@ def test_an_answer_in_the_sense_of_the_question_repeats_the_decimals_found() -> 
     solution = solve_template(load_template("pin-in-two-rings"), values)
     page = lines(write_worked_solution(solution, ("v_rel_1",), "en").blocks)
     assert any(r"v_{\mathrm{r}1} &\approx \boxed{-2.318\,\unit{m/s}}" in line for line in page)
+
+
+def test_two_compositions_of_different_points_have_two_absolute_velocities() -> None:
+    # both began with v_a, and went on with v_a1 and v_a2
+    page = "\n".join(lines(kept("square-on-two-fixed-points")))
+    for number in "12":
+        assert (
+            rf"\boldsymbol{{v}}_{{\mathrm{{a}}{number}}}=\boldsymbol{{v}}_{{\mathrm{{e}}{number}}}"
+            in page
+        )

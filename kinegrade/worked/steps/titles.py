@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from functools import reduce
 from typing import assert_never
 
+from kinegrade.language.math.tree import Row
 from kinegrade.language.message import Listing, Message, Text, list_all
 from kinegrade.mechanics.plan import Step
 from kinegrade.mechanics.relations import Relation, Term
@@ -112,13 +113,15 @@ def introduce_equation(equation: VectorEquation, case: Case) -> Message:
 def _introduce_composition(equation: VectorEquation, relative: Part, case: Case) -> Message:
     """The composition of the motions of a point relative to a moving frame."""
     number = number_composition(equation, relative, case)
+    whole = name_by_role("a", equation.level, _index_absolute(equation, number), bold=True)
     vectors = [name_by_role(role, equation.level, number, bold=True) for role in "er"]
     turned = name_coriolis(number, case, bold=True)
-    transport, seen, coriolis = map(case.text, (*vectors, turned))
+    absolute, transport, seen, coriolis = map(case.text, (whole, *vectors, turned))
     point, frame = case.naming.point(relative.point), case.naming.body(relative.frame)
     places: dict[str, Text] = {
         "point": point,
         "frame": frame,
+        "absolute": absolute,
         "transport": transport,
         "relative": seen,
     }
@@ -185,6 +188,14 @@ def _introduce_two_frames(
             assert_never(equation.level)
 
 
+def _index_absolute(equation: VectorEquation, number: Row) -> Row:
+    """The index of an absolute vector: none of a single composition, whatever its other vectors
+    have, nor where the equation has it as a part.
+    """
+    alone = any(part.role == "absolute" and is_composed(equation, part) for part in equation.parts)
+    return () if alone or equation.among == 1 else number
+
+
 def describe_meanings(equation: VectorEquation, case: Case) -> Iterator[str]:
     """What the absolute and the transport vector of a composition consist of, where they are not
     single parts.
@@ -206,7 +217,6 @@ def describe_meanings(equation: VectorEquation, case: Case) -> Iterator[str]:
         if not parts or not all(
             part.role == "transport" or is_composed(equation, part) for part in parts
         ):
-            # of a single composition the absolute vector has no index, whatever the others have
-            index = () if role == "a" and equation.among == 1 else number
+            index = _index_absolute(equation, number) if role == "a" else number
             symbol = name_by_role(role, equation.level, index, bold=True)
             yield case.tell(Equation(symbol, equate(add_terms(symbols))))
