@@ -54,9 +54,9 @@ def test_lines_of_code_are_lines_without_docstrings_comments_and_blanks(tmp_path
 # did when fairness came to be bounded (mistakes, follow-through, papers alike hard) and when
 # mechanisms came to move (cycles)
 FAR = {
-    "syntax nodes": 639_477,
-    "lines of code": 67_635,
-    "syntax nodes a line": 9.45,
+    "syntax nodes": 641_530,
+    "lines of code": 67_838,
+    "syntax nodes a line": 9.46,
     "modules of more than 250 lines": 16,
 }
 COPIED = """

@@ -11,6 +11,7 @@ from collections.abc import Sequence
 from functools import lru_cache
 
 from kinegrade.figure.back_ends.typst import write_typst_picture
+from kinegrade.language import Language
 from kinegrade.language.catalogue import Catalogue, open_catalogue
 from kinegrade.language.gathering import convert_each, gather
 from kinegrade.language.math.typst_equation import write_formula
@@ -116,10 +117,16 @@ def _write_question(question: QuestionSheet, words: Catalogue) -> Sheet:
         "short": fits_page(question),
         "space": fit_space(question),
         "figure": f"[{write_typst_picture(figure)}]" if figure else None,
-        "figure_text": describe_figure(question.title, words.language) if figure else None,
+        "figure_text": _describe(question, words.language) if figure else None,
         "figure_width": round(figure.width, 3) if figure else None,
         "beside": figure is not None and fits_beside(figure),
     }
+
+
+def _describe(question: QuestionSheet, language: Language) -> str:
+    """The figure in a short text; its title where there is nothing that could move."""
+    described = question.described
+    return described.short if described else describe_figure(question.title, language)
 
 
 @lru_cache(maxsize=1024)
