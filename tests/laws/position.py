@@ -36,6 +36,7 @@ from kinegrade.mechanics.joints import (
     Slide,
 )
 from kinegrade.mechanics.mechanism import Mechanism
+from kinegrade.numbers.pi_multiple import PiMultiple
 from kinegrade.numbers.surd import Surd, enclose
 
 DIGITS = 64
@@ -48,7 +49,7 @@ Pose = tuple[Any, Any, Any]  # how far the body has moved along x and y, and tur
 
 def precise(number: Any) -> Any:
     """An exact number, a ball or a double as an mpf."""
-    if isinstance(number, Surd):
+    if isinstance(number, (Surd, PiMultiple)):
         return precise(enclose(number, 320))
     if isinstance(number, arb):
         mantissa, exponent = number.mid().man_exp()

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator
 from concurrent.futures import Executor
 from dataclasses import dataclass
 from functools import partial
+from typing import assert_never
 
 from kinegrade.errors import TemplateError
 from kinegrade.exam.printing.printable import find_printing_faults
@@ -53,6 +54,10 @@ def _read(name: str) -> Template | TemplateError:
 
 
 def _prove(sample: int, template: Template | TemplateError) -> TemplateProof:
-    if isinstance(template, TemplateError):
-        raise template
-    return prove_template(template, sample)
+    match template:
+        case TemplateError():
+            raise template
+        case Template():
+            return prove_template(template, sample)
+        case _:
+            assert_never(template)

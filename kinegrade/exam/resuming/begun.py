@@ -41,7 +41,7 @@ class Begun:
         parts = [part for part in get_args(Part) if self.order.get(part) != order[part]]
         if parts:
             names = list_plainly(Message(f"exam.begun-{part}") for part in parts)
-            what, expected = Message("exam.begun-otherwise", parts=names), Message("exam.as-begun")
+            what, expected = Message("exam.otherwise-begun", parts=names), Message("exam.as-begun")
             do = Message("exam.begin-anew")
             raise OutputError(Fault(str(self.folder), what, expected, do))
 
