@@ -6,6 +6,7 @@ from typing import Any
 
 from flint import arb
 
+from kinegrade.numbers.pi_multiple import PiMultiple
 from kinegrade.numbers.surd import Surd
 from tests.laws.cases import Case
 from tests.laws.position import moving
@@ -38,6 +39,6 @@ def double(number: Any) -> float:
     """Any number as the nearest double."""
     return (
         float(number)
-        if isinstance(number, (arb, Surd, int, float))
+        if isinstance(number, (arb, Surd, PiMultiple, int, float))
         else int(number.p) / int(number.q)
     )
