@@ -46,9 +46,6 @@ def test_circles_that_meet() -> None:
             5.76\,\unit{m}
         y_{B} &= y_{A} + 6\sin(\angle(x,\overrightarrow{AC}) + \angle CAB) = 6\,\unit{m} + 6\sin
             16.26^\circ = 7.68\,\unit{m}
-        $M$ is the midpoint of $AC$:
-        x_{M} &= \frac{x_{C}}{2} = \frac{8\,\unit{m}}{2} = 4\,\unit{m}
-        y_{M} &= \frac{y_{A}}{2} = \frac{6\,\unit{m}}{2} = 3\,\unit{m}
         """
     )
 
