@@ -19,7 +19,7 @@ from tests.problem.draws import draw_filter
 DRAWS = 60
 NARROW = Tolerance(Fraction(1, 1000))
 CASES = (  # whether tolerances may be widened; where not, more is refused
-    ("bar-through-swivelling-sleeve", True),
+    ("rod-sliding-on-driven-wheel", True),
     ("pole-four-bar-coupler", True),
     ("crank-slider-in-floating-link", False),
     ("rod-ground-and-incline", False),

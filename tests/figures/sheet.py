@@ -93,10 +93,20 @@ def take_grades(filled: Path, grades: Path = GRADES) -> None:
     write_grades(grades, kept.values())
 
 
+def has_changed(row: Graded) -> bool:
+    """Whether the figure no longer is what was graded."""
+    return digest(print_figure(row.template, row.seed)) != row.picture
+
+
 def find_lost(rows: Iterable[Graded]) -> list[str]:
     """The figures that no longer are what was graded, by name."""
     return [
         f"{row.template} {row.seed}: graded {row.grade}, has changed"
         for row in rows
-        if digest(print_figure(row.template, row.seed)) != row.picture
+        if has_changed(row)
     ]
+
+
+def forget_changed(grades: Path = GRADES) -> None:
+    """Take out of the table what no longer is what was graded."""
+    write_grades(grades, [row for row in read_grades(grades) if not has_changed(row)])

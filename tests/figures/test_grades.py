@@ -11,7 +11,9 @@ from tests.figures.__main__ import main
 from tests.figures.sheet import (
     GRADES,
     Graded,
+    digest,
     find_lost,
+    print_figure,
     read_grades,
     take_grades,
     write_grades,
@@ -35,6 +37,13 @@ def test_grades_go_from_the_sheet_into_the_table(tmp_path: Path) -> None:
     main(["take", str(filled)], table)
     assert read_grades(table) == [replace(first, grade="A")]
     assert find_lost(read_grades(table)) == []
+
+
+def test_a_figure_that_has_changed_loses_its_grade(tmp_path: Path) -> None:
+    same = Graded("slider-crank", "8", digest(print_figure("slider-crank", "8")), "A")
+    write_grades(tmp_path / "table.csv", [Graded("slider-crank", "7", "0", "A"), same])
+    main(["forget"], tmp_path / "table.csv")
+    assert read_grades(tmp_path / "table.csv") == [same]
 
 
 def test_a_figure_that_has_changed_is_named() -> None:

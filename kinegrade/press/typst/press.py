@@ -40,6 +40,9 @@ _FIXED_TIME = 946684800
 
 _DATE = "#set document(date: datetime(year: 2000, month: 1, day: 1))\n"
 
+# No font has a control character, but the compiler says so of some texts only; breaks are layout
+_CONTROL = frozenset(map(chr, range(32))) - frozenset("\n\t")
+
 _Sheet = TypeVar("_Sheet", Paper, SolutionSheet)
 
 _BOX = re.compile(r'the text `"(.*?)"` could not be displayed')
@@ -146,15 +149,15 @@ class TypstPress(Press):
         """The characters of `texts` that no font of the press can print: one check for a whole
         roster.
         """
-        characters = {
-            character for text in texts for character in set(text) if ord(character) > 126
-        }
+        used = {character for text in texts for character in text}
+        characters = {character for character in used if ord(character) > 126}
         unknown = characters - self._looked_at.keys()
         missing: set[str] = set()
         while found := self._boxes(sorted(unknown - missing)):
             missing |= found
         self._looked_at |= {character: character not in missing for character in unknown}
-        return frozenset(character for character in characters if not self._looked_at[character])
+        without = {character for character in characters if not self._looked_at[character]}
+        return frozenset(used & _CONTROL | without)
 
     def _key_parts(self, book: KeyBook) -> Iterator[bytes]:
         first_page = 1
