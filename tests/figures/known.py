@@ -23,6 +23,7 @@ KNOWN: Mapping[str, KnownFlaw] = {
     "extended-rod-driving-rocker": KnownFlaw("B far from its point", "rails on both sides; led to"),
     "ring-gear-planet-relative-spin": KnownFlaw("O2 far from its point", "the planet is small"),
     "rod-sliding-on-driven-wheel": KnownFlaw("O1 far from its point", "two arrows are at its pin"),
+    "slotted-bar-between-two-rods": KnownFlaw("B far from its point", "arrows are on both sides"),
 }
 
 
