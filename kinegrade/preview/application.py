@@ -41,7 +41,7 @@ _Result = TypeVar("_Result")
 _NAMES = ["127.0.0.1", "localhost"]  # a page from elsewhere cannot read this one by another name
 _SHOWN = "{place:int}/{language}"  # which problem of the file, in which language
 _OF_FILES = "default-src 'none'; script-src 'self'; style-src 'self' 'unsafe-inline'"
-_OF_FILES += "; connect-src 'self'; frame-src 'self'"
+_OF_FILES += "; connect-src 'self'; frame-src 'self'; img-src data:"
 _INSIDE = "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'"
 
 
