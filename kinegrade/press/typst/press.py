@@ -8,7 +8,6 @@ the date is fixed. PDF/UA-1 also refuses a character that no font has; names are
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Literal, TypeVar
@@ -17,18 +16,19 @@ import typst
 
 from kinegrade.errors import Problem, TypesetError
 from kinegrade.language.gathering import convert_each
-from kinegrade.language.message import Fault, Location, Message
+from kinegrade.language.message import Location, Message
 from kinegrade.language.typst_text import write_literal
 from kinegrade.press.archive_page import ArchivePage
 from kinegrade.press.cycle_page import CyclePage
 from kinegrade.press.join import count_pages, join_pages
 from kinegrade.press.legible import make_legible, make_owner_legible, make_owners_legible
 from kinegrade.press.places import GALLERY, KEY, locate_paper, locate_question, locate_solutions
-from kinegrade.press.protocol import Press, Printout, unprintable_character
+from kinegrade.press.protocol import Press, Printout
 from kinegrade.press.sheet import Gallery, KeyBook, Paper, PaperSize, SolutionSheet
 from kinegrade.press.typst.archive_page import write_archive_page_source
 from kinegrade.press.typst.compiler import make_compiler
 from kinegrade.press.typst.cycle_page import write_cycle_page_source
+from kinegrade.press.typst.faults import explain, find_boxed
 from kinegrade.press.typst.gallery import write_gallery_source
 from kinegrade.press.typst.key import write_key_source
 from kinegrade.press.typst.paper import write_paper_source
@@ -44,9 +44,6 @@ _DATE = "#set document(date: datetime(year: 2000, month: 1, day: 1))\n"
 _CONTROL = frozenset(map(chr, range(32))) - frozenset("\n\t")
 
 _Sheet = TypeVar("_Sheet", Paper, SolutionSheet)
-
-_BOX = re.compile(r'the text `"(.*?)"` could not be displayed')
-_ESCAPE = re.compile(r"\\u\{([0-9a-f]+)\}")
 
 
 class TypstPress(Press):
@@ -80,7 +77,7 @@ class TypstPress(Press):
         try:
             return self._compile(write_paper_source(named, self._size))
         except typst.TypstError as error:
-            problems = self._faults(named) or _explain(error, locate_paper(paper.code))
+            problems = self._faults(named) or explain(error, locate_paper(paper.code))
             raise TypesetError(*problems) from error
 
     def page_images(self, paper: Paper, ppi: int = 100) -> list[bytes]:
@@ -143,7 +140,7 @@ class TypstPress(Press):
         try:
             self._pdf(f"{_DATE}{source}", "a-2b")
         except typst.TypstError as error:
-            raise TypesetError(*_explain(error, where)) from error
+            raise TypesetError(*explain(error, where)) from error
 
     def unprintable(self, texts: Iterable[str]) -> frozenset[str]:
         """The characters of `texts` that no font of the press can print: one check for a whole
@@ -183,7 +180,7 @@ class TypstPress(Press):
                 "a-2b",
             )
         except typst.TypstError as error:
-            return set("".join(_find_boxed(error)))
+            return set("".join(find_boxed(error)))
         return set()
 
     def _faults(self, paper: Paper) -> tuple[Problem, ...]:
@@ -205,14 +202,14 @@ class TypstPress(Press):
         try:
             self._compile(write_paper_source(paper, self._size))
         except typst.TypstError as error:
-            return _explain(error, where)
+            return explain(error, where)
         return ()
 
     def _explaining(self, source: str, where: Location) -> bytes:
         try:
             return self._compile(source)
         except typst.TypstError as error:
-            raise TypesetError(*_explain(error, where)) from error
+            raise TypesetError(*explain(error, where)) from error
 
     def _compile(self, source: str) -> bytes:
         """The PDF of a layout. Raises TypstError, also for a character that no font prints."""
@@ -236,18 +233,3 @@ def _print_each(
     except TypesetError as error:
         raise TypesetError(*dict.fromkeys(error.faults)) from error
     return dict(zip(sheets, map(Printout, pages), strict=True))
-
-
-def _find_boxed(error: typst.TypstError) -> list[str]:
-    """The texts that would print as boxes, as the compiler quotes them."""
-    quoted = _BOX.findall(error.diagnostic)
-    return [_ESCAPE.sub(lambda match: chr(int(match[1], 16)), text) for text in quoted]
-
-
-def _explain(error: typst.TypstError, where: Location) -> tuple[Problem, ...]:
-    boxed = dict.fromkeys("".join(_find_boxed(error)))
-    if not boxed:
-        return (
-            Fault(where, error.message, Message("typesetting.math"), Message("typesetting.fix")),
-        )
-    return tuple(unprintable_character(where, character) for character in boxed)
