@@ -84,10 +84,19 @@ def papers(exam: Path, output: Path, *, listed: Path | None, force: bool) -> Non
     "--solution",
     is_flag=True,
 )
+@click.option("--large-print", is_flag=True)
 @OPTIONAL_OUTPUT
 @FORCE
 @refusing
-def paper(exam: Path, student: str, output: Path | None, *, solution: bool, force: bool) -> None:
+def paper(
+    exam: Path,
+    student: str,
+    output: Path | None,
+    *,
+    solution: bool,
+    large_print: bool,
+    force: bool,
+) -> None:
     """Print the paper of one STUDENT again, by id, as EXAM keeps it: byte for byte the one that
     this version of kinegrade generated.
     """
@@ -96,8 +105,10 @@ def paper(exam: Path, student: str, output: Path | None, *, solution: bool, forc
 
     if output is None and sys.stdout.isatty():
         raise refuse_usage(Message("terminal.pdf"))
+    if solution and large_print:
+        raise refuse_usage(Message("terminal.large-solution"))
     again = reprint(kinegrade.open_exam(exam), student)
-    pages = again.solution() if solution else again.pages()
+    pages = again.solution() if solution else again.pages(large=large_print)
     if output is None:
         click.echo(pages, nl=False)
     else:

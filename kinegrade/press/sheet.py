@@ -72,6 +72,7 @@ class Paper:
     questions: tuple[QuestionSheet, ...]
     head: PaperHead = PLAIN_HEAD
     pages: int = 0  # at least: pages for working follow where there are fewer
+    large: bool = False  # in letters of 18 points, a question a page, as many pages as that takes
 
     @property
     def points(self) -> Fraction:

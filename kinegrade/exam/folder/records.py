@@ -16,7 +16,7 @@ import msgspec
 from kinegrade.exam.choices import Choice
 from kinegrade.exam.folder.exam_secret import ExamSecret, find_secret
 from kinegrade.exam.folder.keys import Ask
-from kinegrade.exam.roster.students import make_file_names
+from kinegrade.exam.roster.students import PrintFormat, make_file_names
 from kinegrade.language import Language
 from kinegrade.numbers.amounts import add_amounts
 
@@ -38,6 +38,7 @@ class Candidate(msgspec.Struct, frozen=True, gc=False, omit_defaults=True):
     seat: str = ""
     language: str = ""
     extra_time: str = ""
+    print_format: PrintFormat = ""
     was_spare: bool = False
 
 
@@ -69,15 +70,15 @@ class HandQuestion(msgspec.Struct, frozen=True, omit_defaults=True):
 class ExamHead(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True, dict=True):
     """The head of an exam, or of homework that is `due`: `language` is that of the papers,
     `students` stand in the order of the roster. What its numbers are drawn from is `secret`,
-    `label` and `codes`, or the words `reproducible`, which earlier versions called `seed`; it is
-    not shown with the head. `credit` is the bank's table for answers that are not right, `scale`
-    that of the grades, `solutions` whether feedback holds the worked solutions, `editable` a digest
-    of each file that people edit, as it was generated. `earlier` has by template the values that
-    earlier exams dealt and nobody is to get again. `paper_size` and `engine` printed the papers,
-    which all have so many `pages`, 0 where earlier versions printed them; `method` found the
-    velocities of worked solutions, where one was asked for. Of the questions of `choices` each
-    paper holds only some. `spares` stand for papers without a student. The key had so many
-    `corrections`. Where people were `forgotten`, students are names, too, that stand for them.
+    `label` and `codes`, or the words `reproducible`, which earlier versions called `seed`.
+    `credit` is the bank's table for answers that are not right, `scale` that of the grades,
+    `solutions` whether feedback holds the worked solutions, `editable` a digest of each file that
+    people edit, as it was generated. `earlier` has by template the values that earlier exams dealt
+    and nobody is to get again. `paper_size` and `engine` printed the papers, which all have so many
+    `pages` unless in large print, 0 where earlier versions printed them; `method` found the
+    velocities of worked solutions, if one was asked for. Of the questions of `choices` papers hold
+    only some, `spares` have no student, the key had so many `corrections`, and where people were
+    `forgotten`, names stand for them.
     """
 
     format: int
@@ -119,14 +120,8 @@ class ExamHead(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True, di
     def drawn_from(self) -> ExamSecret | None:
         """The secret of the numbers; None where it was taken out of the folder, or is damaged."""
         words = self.seed if self.reproducible is None else self.reproducible
-        return find_secret(
-            {
-                "reproducible": words,
-                "secret": self.secret,
-                "label": self.label,
-                "codes": self.codes,
-            }
-        )
+        stated = {"secret": self.secret, "label": self.label, "codes": self.codes}
+        return find_secret({"reproducible": words, **stated})
 
     @property
     def everybody(self) -> tuple[Candidate, ...]:

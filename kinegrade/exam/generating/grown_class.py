@@ -118,6 +118,7 @@ def _changes(exam: ExamFolder, known: Student, roster: Roster, given: Student) -
         ("seat", given.seat, known.seat),
         ("language", given.language, known.language),
         ("extra-time", given.extra_time, known.extra_time),
+        ("format", given.print_format, known.print_format),
     )
     for field, here, there in fields:
         if here != there:

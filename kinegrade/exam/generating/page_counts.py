@@ -1,4 +1,6 @@
-"""All papers of an exam have the same number of pages: that of the longest."""
+"""All papers of an exam have the same number of pages, that of the longest, but those in large
+print.
+"""
 
 from __future__ import annotations
 
@@ -26,10 +28,11 @@ def fill_up_papers(
 
     `pages` are those of each paper. Papers printed together are alike already, so that few remain.
     """
-    most = max(pages, default=0)
-    whole = replace(run, pages=most)
     students = dealt.roster.students
-    short = tuple(student for student, count in zip(students, pages, strict=True) if count < most)
+    counted = list(_count_usual(students, pages))
+    most = max((count for _, count in counted), default=0)
+    whole = replace(run, pages=most)
+    short = tuple(student for student, count in counted if count < most)
     if short:
         again = print_again(
             replace(whole, extras=Extras()), replace(dealt, roster=Roster(short, ()))
@@ -44,6 +47,15 @@ def list_longer_papers(
     run: PrintRun, students: Sequence[Student], pages: Sequence[int]
 ) -> Iterator[Problem]:
     """A complaint for each paper that has more pages than all papers of the exam before it."""
-    for student, count in zip(students, pages, strict=True):
+    for student, count in _count_usual(students, pages):
         if run.pages and count > run.pages:
             yield Fault(student.student, Message("exam.longer-paper", pages=count, usual=run.pages))
+
+
+def _count_usual(
+    students: Sequence[Student], pages: Sequence[int]
+) -> Iterator[tuple[Student, int]]:
+    """The students with the pages of their papers, but those in large print."""
+    for student, count in zip(students, pages, strict=True):
+        if not student.reads_large_print:
+            yield student, count

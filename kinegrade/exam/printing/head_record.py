@@ -113,4 +113,5 @@ def candidate(student: Student, key: KeyPaper) -> Candidate:
         seat=student.seat,
         language=student.language,
         extra_time=student.extra_time,
+        print_format=student.print_format,
     )

@@ -80,6 +80,7 @@ def lay_out_paper(
         write_rules(bank, language),
         tuple(sheets),
         head=_fill_head(bank, paper.student, language),
+        large=paper.student.reads_large_print,
     )
 
 

@@ -138,12 +138,13 @@ def _print_alike(
     press: Press, papers: Mapping[str, Paper], pages: int | None
 ) -> tuple[Mapping[str, Printout], Mapping[str, int]]:
     """Every paper, and how many pages it has: those that have fewer than they should are printed
-    once more, which is fast.
+    once more, which is fast. Large print takes as many as it takes.
     """
     printed = press.papers(papers)
     counts = {name: count_pages(each.pdf) for name, each in printed.items()}
-    wanted = max(counts.values(), default=0) if pages is None else pages
-    short = {name: replace(papers[name], pages=wanted) for name in papers if counts[name] < wanted}
+    usual = [name for name, paper in papers.items() if not paper.large]
+    wanted = max((counts[name] for name in usual), default=0) if pages is None else pages
+    short = {name: replace(papers[name], pages=wanted) for name in usual if counts[name] < wanted}
     return printed | press.papers(short), counts | dict.fromkeys(short, wanted)
 
 

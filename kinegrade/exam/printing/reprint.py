@@ -43,10 +43,12 @@ class Reprint:
     paper: SetPaper
     file: str
 
-    def pages(self) -> bytes:
-        """The paper as PDF. Raises TypesetError."""
+    def pages(self, *, large: bool = False) -> bytes:
+        """The paper as PDF, in `large` print also for a student who has usual print. Raises
+        TypesetError.
+        """
         sheet = lay_out_paper(self.run.bank, self.paper, self.run.language)
-        sheet = replace(sheet, pages=self.run.pages or 0)
+        sheet = replace(sheet, pages=self.run.pages or 0, large=large or sheet.large)
         printed = self._press.papers({self._name: sheet})[self._name]
         return self.run.bind(printed).pdf
 

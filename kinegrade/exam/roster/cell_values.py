@@ -1,4 +1,4 @@
-"""What cells of a roster mean: the language of a paper, extra time."""
+"""What cells of a roster mean: the language of a paper, extra time, the format."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ from functools import cache
 from typing import Literal, TypeAlias, assert_never
 
 from kinegrade.errors import FieldError
+from kinegrade.exam.roster.students import PrintFormat
 from kinegrade.files.cell_text import is_answered, make_header_key
 from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
@@ -19,6 +20,7 @@ from kinegrade.language.spellings import list_spellings
 _EXTRA_TIME = re.compile(r"\+?\s*([0-9]{1,3}(?:[.,][0-9]{1,2})?)\s*(\D*?)\.?")
 _MINUTES = Message("roster.minutes")
 _NONE = Message("roster.no-extra-time")
+_LARGE_PRINT, _USUAL_PRINT = Message("roster.large-print"), Message("roster.usual-print")
 _PERCENT = "%"
 _Unit: TypeAlias = Literal["percent", "minutes"]
 
@@ -87,6 +89,21 @@ def read_extra_time(cell: str, title: str) -> ExtraTime | None:
         raise FieldError(what, Message("roster.extra-time-expected"))
     amount = Decimal(found[1].replace(",", "."))
     return ExtraTime(amount, unit) if amount else None
+
+
+def read_print_format(cell: str) -> PrintFormat:
+    """The format of a paper in a cell; "" for the usual one. Raises FieldError.
+
+    >>> read_print_format("Großdruck"), read_print_format("no")
+    ('large-print', '')
+    """
+    key = make_header_key(cell)
+    if not is_answered(cell) or key in list_spellings(_USUAL_PRINT):
+        return ""
+    if key in list_spellings(_LARGE_PRINT):
+        return "large-print"
+    what = Message("roster.unknown-format", cell=Quoted(cell))
+    raise FieldError(what, Message("roster.format-expected"))
 
 
 def _read_bracket(title: str) -> str:

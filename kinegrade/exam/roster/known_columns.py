@@ -29,6 +29,7 @@ Column: TypeAlias = Literal[
     "seat",
     "language",
     "extra-time",
+    "format",
 ]
 _ELSEWHERE: Mapping[Column, Sequence[str]] = {
     # Moodle in French, Spanish, Japanese and Dutch
@@ -42,6 +43,7 @@ _ELSEWHERE: Mapping[Column, Sequence[str]] = {
     "seat": (),
     "language": (),
     "extra-time": (),
+    "format": (),
 }
 _UNIT = re.compile(r"\s*[(\[][^()\[\]]*[)\]]$")  # "extra time (min)"
 

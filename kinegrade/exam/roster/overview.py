@@ -14,7 +14,7 @@ _MOST_VALUES = 30  # groups or rooms in a line
 
 def describe_roster(roster: Roster) -> Iterator[Message]:
     """How many students there are, the first of them, how the file is read, and how
-    many students are in each group, room and language, or have extra time.
+    many students are in each group, room and language, have extra time or large print.
     """
     students = roster.students
     first = _name(students[0])
@@ -26,6 +26,7 @@ def describe_roster(roster: Roster) -> Iterator[Message]:
         (Message("roster.rooms"), (each.room for each in students)),
         (Message("roster.languages"), (each.language for each in students)),
         (Message("roster.extra-times"), (each.extra_time for each in students)),
+        (Message("roster.formats"), (each.print_format for each in students)),
     ):
         counted = Counter(filter(None, values))
         if counted:

@@ -8,7 +8,11 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 from kinegrade.errors import FieldError, Problem, TableError
-from kinegrade.exam.roster.cell_values import read_extra_time, read_paper_language
+from kinegrade.exam.roster.cell_values import (
+    read_extra_time,
+    read_paper_language,
+    read_print_format,
+)
 from kinegrade.exam.roster.columns import NAMES, Columns, Wishes, find_columns, list_unused
 from kinegrade.exam.roster.known_columns import Column
 from kinegrade.exam.roster.mended_ids import Identity, find_id_faults, find_short_ids, mend_ids
@@ -111,6 +115,7 @@ def _read_student(row: Row, columns: Columns, person: Identity, stem: str, table
         seat=columns.read(row, "seat"),
         language=read_paper_language(columns.read(row, "language")) or "",
         extra_time=extra.text if extra else "",
+        print_format=read_print_format(columns.read(row, "format")),
         line=row.line,
     )
 
@@ -122,6 +127,7 @@ def _find_value_faults(table: Table, rows: Iterable[Row], columns: Columns) -> I
     readers: tuple[tuple[Column, Callable[[str], object]], ...] = (
         ("language", read_paper_language),
         ("extra-time", lambda cell: read_extra_time(cell, title)),
+        ("format", read_print_format),
     )
     for row in rows:
         where = f"{table.file}:{row.line}"

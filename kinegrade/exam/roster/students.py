@@ -7,11 +7,14 @@ from collections import Counter
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 from hashlib import sha256
+from typing import Literal, TypeAlias
 from unicodedata import normalize
 from urllib.parse import quote
 
 from kinegrade.files.cell_text import trim
 
+#: How a paper is printed: as usual, or in letters of 18 points, a question a page.
+PrintFormat: TypeAlias = Literal["", "large-print"]
 _LONGEST_STEM = 100
 _LONGEST_ROOM = 50  # characters of up to four bytes
 _UNSAFE = re.compile(r"[^\w.-]+")
@@ -24,9 +27,9 @@ class Student:
     roster.
 
     What a roster does not say is "": `language`, in which the paper is printed, is then that of the
-    exam; `extra_time` is a text such as "25 %" or "30 min". `line` is where the student stands in
-    the roster's file, 0 where there is none. A `spare` paper has no student yet: its id is a name
-    for it, which is not printed.
+    exam, and `print_format` the usual one; `extra_time` is a text such as "25 %" or "30 min".
+    `line` is where the student stands in the roster's file, 0 where there is none. A `spare` paper
+    has no student yet: its id is a name for it, which is not printed.
     """
 
     student: str
@@ -38,8 +41,14 @@ class Student:
     seat: str = ""
     language: str = ""
     extra_time: str = ""
+    print_format: PrintFormat = ""
     spare: bool = False
     line: int = field(default=0, compare=False)
+
+    @property
+    def reads_large_print(self) -> bool:
+        """Whether the paper is printed in large letters, on as many pages as that takes."""
+        return self.print_format == "large-print"
 
 
 def make_student_key(student: str) -> str:

@@ -184,6 +184,7 @@ def student_of(candidate: Candidate) -> Student:
         seat=candidate.seat,
         language=candidate.language,
         extra_time=candidate.extra_time,
+        print_format=candidate.print_format,
     )
 
 

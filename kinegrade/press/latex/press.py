@@ -41,6 +41,7 @@ from kinegrade.press.places import ALL_PAPERS, ALL_SOLUTIONS, KEY
 from kinegrade.press.protocol import Press, Printout
 from kinegrade.press.sheet import KeyBook, Paper, PaperSize, SolutionSheet
 from kinegrade.press.typst.logo import print_logo
+from kinegrade.press.typst.press import TypstPress
 
 # TeX writes some things only on the first page of a run (its initial colour): this page, which is
 # left out
@@ -98,9 +99,13 @@ class LatexPress(Press):
 
         Characters of a student's name and id that no font has are printed as code points
         (`unprintable` gives them). Raises TypesetError with all faults of the papers' texts, with
-        the first fault that TeX finds, or where TeX is not installed.
+        the first fault that TeX finds, or where TeX is not installed. Large print, which has no
+        layout here, is set by Typst, whose pages can be heard as well.
         """
-        return self._print(papers, _PAPERS)
+        large = {name: paper for name, paper in papers.items() if paper.large}
+        usual = {name: paper for name, paper in papers.items() if not paper.large}
+        typst = TypstPress(self._size).papers(large) if large else {}
+        return (self._print(usual, _PAPERS) if usual else {}) | typst
 
     def solutions(self, sheets: Mapping[str, SolutionSheet]) -> dict[str, Printout]:
         """Every student's worked solutions, as `papers` does it."""

@@ -52,7 +52,7 @@ def write_paper_source(paper: Paper, size: PaperSize = "a4") -> str:
         for name in ("course", "title", "date", "student", "name", "code")
     }
     return write_layout_call(
-        "paper",
+        "large-paper" if paper.large else "paper",
         sheet
         | {
             "language": words.raw("language", "page."),
