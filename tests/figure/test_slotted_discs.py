@@ -2,19 +2,22 @@
 
 from __future__ import annotations
 
-from math import degrees, hypot
+from math import hypot, pi
 
 import pytest
 
+from kinegrade.errors import TemplateError
 from kinegrade.figure.mechanism.layers import Drawing, draw
 from kinegrade.figure.mechanism.paper import scale_to_paper
 from kinegrade.figure.mechanism.straight_parts import Bar, SlottedDisc
 from kinegrade.figure.plane import angle_of
 from kinegrade.figure.scene import Disc, Outline
+from kinegrade.figure.sketch import sketch
+from kinegrade.figure.symbols import PIN as PIN_RADIUS
 from kinegrade.mechanics.joints import GROUND, Line, Pin, Slide
 from kinegrade.mechanics.mechanism import Body, Mechanism
 from kinegrade.mechanics.vector import Vector
-from tests.figure.mechanisms import hinted, polar
+from tests.figure.mechanisms import Case, hinted, polar
 
 CENTRE, PIN = Vector(0.0, 0.0), polar(0.2, 160)
 
@@ -41,24 +44,82 @@ def test_a_slot_through_the_pivot_is_that_of_a_bar_unless_the_author_wants_a_dis
     )
 
 
-def find_geneva() -> Outline:
-    outlines = [
-        part for part in slotted_wheel(wheel="geneva").primitives if isinstance(part, Outline)
+def make_drive(degrees: float, turning: str = "O") -> Case:
+    """A Geneva wheel about C, 0.2 m from the pivot of its crank OP, which is at an angle to OC."""
+    pin = polar(0.1 * 2**0.5, degrees)
+    at = {"O": CENTRE, "C": Vector(0.2, 0.0), "P": pin}
+    joints = (
+        Pin("O", ("crank", turning)),
+        Pin("C", ("wheel", GROUND)),
+        Slide("P", "crank", Line(at["C"], pin - at["C"]), "wheel"),
+    )
+    bodies = (Body("crank", ("O", "P")), Body("wheel", ("C",)))
+    return hinted(Mechanism(at, bodies, joints, ()), shapes={"wheel": "geneva"})
+
+
+def draw_drive(degrees: float) -> Drawing:
+    """Such a drive at 100 mm per metre."""
+    mechanism, hints = make_drive(degrees, GROUND)
+    return draw(scale_to_paper(mechanism, 100.0), hints)
+
+
+def trace_geneva(degrees: float) -> list[Vector]:
+    """The outline of the wheel of a drive about its centre."""
+    outlines = [part for part in draw_drive(degrees).primitives if isinstance(part, Outline)]
+    wheel = max(outlines, key=lambda part: len(part.corners))
+    return [corner - Vector(20.0, 0.0) for corner in wheel.corners]
+
+
+def find_slot(degrees: float) -> Vector:
+    """The unit vector from the centre of the wheel to the pin."""
+    slot = polar(10.0 * 2**0.5, degrees) - Vector(20.0, 0.0)
+    return slot / hypot(*slot)
+
+
+@pytest.mark.parametrize("degrees", [-40, 10, 25])
+def test_the_pin_enters_a_geneva_wheel_along_a_slot(degrees: float) -> None:
+    slot = find_slot(degrees)
+    sides = [corner for corner in trace_geneva(degrees) if 0.9 < abs(corner.cross(slot)) < 1.0]
+    where_crank_and_slot_are_square = (20.0**2 - 200.0) ** 0.5
+    ahead = [corner.dot(slot) for corner in sides]
+    assert max(ahead) == pytest.approx(where_crank_and_slot_are_square)
+
+
+@pytest.mark.parametrize("degrees", [-40, 10])
+def test_a_geneva_wheel_has_four_slots_as_deep_as_its_pin_comes(degrees: float) -> None:
+    wheel, deepest = trace_geneva(degrees), 20.0 - 10.0 * 2**0.5
+    ends = [angle_of(corner) for corner in wheel if hypot(*corner) < deepest - PIN_RADIUS]
+    turn = angle_of(find_slot(degrees))
+    assert {round((end - turn) / (pi / 2)) % 4 for end in ends} == {0, 1, 2, 3}
+
+
+def test_the_hollows_of_a_geneva_wheel_fit_a_disc_about_the_pivot_of_its_crank() -> None:
+    wheel, slot = trace_geneva(10), find_slot(10)
+    pivot = (slot + slot.turned()) * (20.0 / 2**0.5)
+    between = [corner for corner in wheel if corner.dot(slot) > 3.0 and corner.cross(slot) < -3.0]
+    away = [hypot(*(corner - pivot)) for corner in between]
+    assert len(away) > 8
+    assert max(away) == pytest.approx(min(away))
+
+
+def test_the_pin_of_a_geneva_drive_is_no_block() -> None:
+    blocks = [
+        part
+        for part in draw_drive(25).primitives
+        if isinstance(part, Outline) and len(part.corners) == 4
     ]
-    return max(outlines, key=lambda part: len(part.corners))
+    assert blocks == []
 
 
-def test_a_geneva_wheel_has_four_open_slots_and_its_pin_in_one() -> None:
-    wheel = find_geneva()
-    ends = [angle_of(corner) for corner in wheel.corners if hypot(*corner) < 3.0]
-    quarters = {round((degrees(end) - 160) / 90) % 4 for end in ends}
-    assert quarters == {0, 1, 2, 3}
-    edge = [abs(corner.cross(PIN)) / 0.2 for corner in wheel.corners if corner.dot(PIN) / 0.2 > 20]
-    assert min(edge) == pytest.approx(0.95)
+@pytest.mark.parametrize("degrees", [-40, 10])
+def test_the_figure_of_a_geneva_drive_uses_the_paper_in_all_postures(degrees: float) -> None:
+    assert sketch(*make_drive(degrees, GROUND)).height > 45.0
 
 
-def test_between_its_slots_a_geneva_wheel_is_hollow() -> None:
-    wheel = find_geneva()
-    between = [corner for corner in wheel.corners if corner.dot(polar(1.0, 205)) > 9.0]
-    nearest = min(between, key=lambda corner: abs(corner.cross(polar(1.0, 205))))
-    assert hypot(*nearest) < 0.65 * max(hypot(*corner) for corner in wheel.corners)
+def test_a_geneva_wheel_without_a_crank_on_the_ground_is_refused() -> None:
+    with pytest.raises(TemplateError) as refused:
+        sketch(*make_drive(25, "wheel"))
+    assert str(refused.value) == (
+        "figure.shapes.wheel: no crank with a fixed pin drives this Geneva wheel, whose slots"
+        ' depend on it; give the crank a fixed pin, or write the shape "disc"'
+    )

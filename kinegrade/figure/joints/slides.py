@@ -18,7 +18,8 @@ def find_slide_symbol(mechanism: Mechanism, joint: Slide, shapes: Mapping[str, s
     """A pin on a ground guide, in a sleeve about a bar, or in the slot of a bar.
 
     The bar runs in a sleeve where the ground holds its point, or where its shape is "bar". A
-    particle is a pin without a block. What hangs on a rope has no guide.
+    particle, and what drives a Geneva wheel, is a pin without a block. What hangs on a rope has no
+    guide.
     """
     at, along = mechanism.points[joint.point], unit(joint.line.direction)
     if joint.of == GROUND and is_rope(shapes, joint.body):
@@ -29,7 +30,8 @@ def find_slide_symbol(mechanism: Mechanism, joint: Slide, shapes: Mapping[str, s
     held = joint.body == GROUND
     in_sleeve = held or shapes.get(joint.of) == "bar"
     path = Line(at, along)
-    bare = in_sleeve or shapes.get(joint.of) == "bare" or is_particle(mechanism, joint.body)
+    without_block = shapes.get(joint.of) in ("bare", "geneva")
+    bare = in_sleeve or without_block or is_particle(mechanism, joint.body)
     return Symbol(
         point=joint.point,
         pinned=True,

@@ -6,7 +6,7 @@ from collections.abc import Collection, Iterator
 
 from kinegrade.figure.joints.symbol import find_fixed_pin
 from kinegrade.figure.mechanism.layers import Drawing
-from kinegrade.figure.mechanism.straight_parts import SlottedDisc
+from kinegrade.figure.mechanism.straight_parts import GenevaWheel, SlottedDisc
 from kinegrade.figure.plane import NEAR, length
 from kinegrade.figure.scene import PITCH, Disc
 from kinegrade.mechanics.mechanism import Mechanism
@@ -49,7 +49,7 @@ def _list_radii(drawing: Drawing, body: str) -> Iterator[float]:
     """The radii of the circles that a body is drawn as."""
     yield from (rim.radius for rim in drawing.rims if rim.body == body)
     for part in drawing.parts:
-        if isinstance(part, SlottedDisc) and part.body == body:
+        if isinstance(part, SlottedDisc | GenevaWheel) and part.body == body:
             yield part.radius
 
 

@@ -11,6 +11,7 @@ from dataclasses import replace
 from itertools import pairwise
 
 from kinegrade.figure.joints.symbol import Feature, Rim, Symbol, find_fixed_pin, find_pins
+from kinegrade.figure.mechanism.geneva_wheels import find_geneva_wheels
 from kinegrade.figure.mechanism.plates import Plate, find_outward_direction, find_plate
 from kinegrade.figure.mechanism.slotted_discs import find_slotted_disc
 from kinegrade.figure.mechanism.straight.rods import find_rods
@@ -33,9 +34,10 @@ def find_straight_parts(
     round_ones = {rim.body for rim in found}
     ropes = {symbol.hanging.body for symbol in symbols if symbol.hanging}
     features = [feature for symbol in symbols for feature in symbol.features]
-    parts: list[Part] = []
+    parts: list[Part] = list(find_geneva_wheels(mechanism, symbols, shapes))
+    wheels = {part.body for part in parts}
     for body in mechanism.bodies:
-        if body.name not in round_ones | ropes and not body.particle:
+        if body.name not in round_ones | ropes | wheels and not body.particle:
             lines = [feature for feature in features if feature.body == body.name]
             parts += _find_parts(mechanism, body, lines, shapes)
     pins = find_pins(mechanism, symbols)

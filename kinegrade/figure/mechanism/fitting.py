@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 from typing import assert_never
 
 from kinegrade.figure.joints.table import find_symbols
+from kinegrade.figure.mechanism.geneva_wheels import find_geneva_wheels
 from kinegrade.figure.mechanism.rims import find_rims
 from kinegrade.figure.mechanism.round.round_bodies import trace_cam_outline
 from kinegrade.figure.placing.layout import Layout
@@ -96,8 +97,8 @@ def _move_to_corner(primitives: Iterable[Primitive], box: Box, scale: float) -> 
 def measure_span(
     mechanism: Mechanism, hints: FigureHints, beside: Iterable[Vector] = ()
 ) -> tuple[float, float]:
-    """Width and height in metres of the scaled part: points, circles, profiles of cams, and points
-    `beside` them.
+    """Width and height in metres of the scaled part: points, circles, profiles of cams, Geneva
+    wheels, and points `beside` them.
     """
     boxes = [(point, 0.0) for point in (*mechanism.points.values(), *beside)]
     joints = find_symbols(mechanism, hints.shapes)
@@ -111,6 +112,8 @@ def measure_span(
                 boxes += [(point, 0.0) for point in path] or [(rim.at, rim.radius)]
             case _:
                 assert_never(rim.kind)
+    wheels = find_geneva_wheels(mechanism, joints, hints.shapes)
+    boxes += [(wheel.centre, wheel.radius) for wheel in wheels]
     across = [at.x + side * radius for at, radius in boxes for side in (-1, 1)]
     upward = [at.y + side * radius for at, radius in boxes for side in (-1, 1)]
     return max(across) - min(across), max(upward) - min(upward)

@@ -21,7 +21,13 @@ from kinegrade.figure.mechanism.sliders import draw_blocks, draw_ground_sliders,
 from kinegrade.figure.mechanism.stands import draw_stands
 from kinegrade.figure.mechanism.straight.gussets import draw_gussets, find_welded_arms
 from kinegrade.figure.mechanism.straight_bodies import draw_straight_part
-from kinegrade.figure.mechanism.straight_parts import Bar, Part, SlottedDisc, is_slender
+from kinegrade.figure.mechanism.straight_parts import (
+    Bar,
+    GenevaWheel,
+    Part,
+    SlottedDisc,
+    is_slender,
+)
 from kinegrade.figure.mechanism.tracks import draw_tracks
 from kinegrade.figure.scene import THIN, Primitive, Strokes
 from kinegrade.mechanics.mechanism import Mechanism
@@ -60,7 +66,7 @@ def _draw_layers(
     yield from draw_tracks(anatomy)
     yield from sliders
     for part in anatomy.parts:
-        if isinstance(part, Plate | SlottedDisc):
+        if isinstance(part, Plate | SlottedDisc | GenevaWheel):
             yield from draw_straight_part(part)
     yield from _draw_reference_lines(anatomy)
     yield from stands

@@ -12,7 +12,14 @@ from kinegrade.errors import TemplateError
 from kinegrade.figure.joints.symbol import Rim, find_fixed_pins
 from kinegrade.figure.mechanism.anatomy import Anatomy
 from kinegrade.figure.mechanism.plates import Plate
-from kinegrade.figure.mechanism.straight_parts import Bar, Part, Rod, SlottedDisc, find_half_width
+from kinegrade.figure.mechanism.straight_parts import (
+    Bar,
+    GenevaWheel,
+    Part,
+    Rod,
+    SlottedDisc,
+    find_half_width,
+)
 from kinegrade.figure.plane import (
     NEAR,
     SIDE_VECTORS,
@@ -106,7 +113,7 @@ def _measure_part(part: Part, at: Vector, upright: Vector) -> float:
             ends, half = part.corners, BOLD.width / 2
             if all(length(corner - at) > 1.0 for corner in ends):
                 return 0.0
-        case SlottedDisc():
+        case SlottedDisc() | GenevaWheel():
             return 0.0
         case _:
             assert_never(part)

@@ -1,13 +1,16 @@
-"""Straight bodies as primitives: bars, racks, rods in their guides, plates, slotted discs."""
+"""Straight bodies as primitives: bars, racks, rods in their guides, plates, slotted discs, Geneva
+wheels.
+"""
 
 from __future__ import annotations
 
 from typing import assert_never
 
 from kinegrade.figure import symbols
+from kinegrade.figure.mechanism.geneva_wheels import trace_geneva_wheel
 from kinegrade.figure.mechanism.plates import Plate
 from kinegrade.figure.mechanism.slotted_discs import draw_slotted_disc
-from kinegrade.figure.mechanism.straight_parts import Bar, Part, Rod, SlottedDisc
+from kinegrade.figure.mechanism.straight_parts import Bar, GenevaWheel, Part, Rod, SlottedDisc
 from kinegrade.figure.plane import length, unit
 from kinegrade.figure.scene import BOLD, FIRM, Outline, Primitive, Strokes
 from kinegrade.mechanics.vector import Vector
@@ -22,6 +25,8 @@ def draw_straight_part(part: Part) -> tuple[Primitive, ...]:
             return (Outline(_trace_plate(part), FIRM, "grey"),)
         case SlottedDisc():
             return draw_slotted_disc(part)
+        case GenevaWheel():
+            return (trace_geneva_wheel(part),)
         case Rod():
             along = unit(part.end - part.start)
             return (

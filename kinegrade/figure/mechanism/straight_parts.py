@@ -36,15 +36,39 @@ class Bar:
 
 @dataclass(frozen=True)
 class SlottedDisc:
-    """A body whose slot passes beside its only point, or whose shape is "disc" or "geneva": a disc
-    about its first point.
+    """A body whose slot passes beside its only point, or whose shape is "disc": a disc about its
+    first point.
     """
 
     body: str
     centre: Vector
     radius: float
     slot: tuple[Vector, Vector]
-    geneva: bool = False
+
+
+@dataclass(frozen=True)
+class GenevaWheel:
+    """A wheel about its `centre` with radial slots, in one of which is the `pin` of a crank about
+    `pivot`.
+    """
+
+    body: str
+    centre: Vector
+    pivot: Vector
+    pin: Vector
+
+    @property
+    def radius(self) -> float:
+        """From the centre to the mouths of the slots: there the crank is at a right angle to a
+        slot, so that its pin enters along it.
+        """
+        away, crank = length(self.centre - self.pivot), length(self.pin - self.pivot)
+        return float((away**2 - crank**2) ** 0.5)
+
+    @property
+    def deepest(self) -> float:
+        """From the centre to where the pin comes nearest to it."""
+        return length(self.centre - self.pivot) - length(self.pin - self.pivot)
 
 
 @dataclass(frozen=True)
@@ -59,7 +83,7 @@ class Rod:
     free: tuple[Vector, ...]
 
 
-Part = Bar | Plate | SlottedDisc | Rod
+Part = Bar | Plate | SlottedDisc | GenevaWheel | Rod
 
 
 def is_slender(part: Part) -> TypeGuard[Bar | Rod]:
