@@ -192,17 +192,14 @@ def trace_round(corners: tuple[Vector, ...], radius: float) -> tuple[Vector, ...
 
 def draw_round_slot(
     centre: Vector, radius: float, pivot: Vector | None = None
-) -> tuple[tuple[Primitive, ...], ...]:
-    """A ring with a slot along it, which leaves the ring solid at a pivot on it, in three layers:
-    its ground, the ground of its slot, their edges. Rings that cross are drawn layer by layer, so
-    that the slots of both are seen; what is drawn before shows through their middles.
+) -> tuple[Primitive, ...]:
+    """A ring with a slot along it, which leaves the ring solid at a pivot on it; what is drawn
+    before shows through its middle.
     """
-    outer, *edges = _draw_band(centre, radius, BAR_WIDTH, FIRM, "grey")
+    ring = _draw_band(centre, radius, BAR_WIDTH, FIRM, "grey")
     if pivot is None:
-        hole, *sides = _draw_band(centre, radius, SLOT_WIDTH, THIN, "white")
-        return ((outer,), (hole,), (*edges, *sides))
-    slot = _trace_round_slot(centre, radius, pivot)
-    return ((outer,), (Outline(slot, None, "white"),), (*edges, Outline(slot, THIN)))
+        return (*ring, *_draw_band(centre, radius, SLOT_WIDTH, THIN, "white"))
+    return (*ring, Outline(_trace_round_slot(centre, radius, pivot), THIN, "white"))
 
 
 def _trace_round_slot(centre: Vector, radius: float, pivot: Vector) -> tuple[Vector, ...]:

@@ -1,4 +1,4 @@
-"""Rings with a slot along them: the body and its slot are both seen, also where two cross."""
+"""Rings with a slot along them: body and slot are seen, and which of two that cross is in front."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from math import hypot
 
 from kinegrade.figure.mechanism.layers import draw
 from kinegrade.figure.mechanism.paper import scale_to_paper
-from kinegrade.figure.scene import Outline
+from kinegrade.figure.scene import Disc, Outline, Primitive
 from kinegrade.figure.symbols import BAR_WIDTH
 from kinegrade.mechanics.joints import GROUND, Arc, Circle, Pin
 from kinegrade.mechanics.mechanism import Body, Mechanism
@@ -16,22 +16,39 @@ from tests.figure.mechanisms import hinted
 ORIGIN = Vector(0.0, 0.0)
 
 
-def bands() -> list[Outline]:
-    """The filled bands of two rings of 30 cm with a particle in both, at 100 mm per metre."""
+def rings() -> tuple[Primitive, ...]:
+    """Two rings of 30 cm with a particle in both, at 100 mm per metre."""
     points = {"C": Vector(-0.2, 0.0), "D": Vector(0.2, 0.0), "M": Vector(0.0, 0.05**0.5)}
     joints = (Arc("M", "M", Circle("C", 0.3), "I"), Arc("M", "M", Circle("D", 0.3), "II"))
     bodies = (Body("I", ("C",)), Body("II", ("D",)), Body("M", ("M",), particle=True))
     mechanism, hints = hinted(Mechanism(points, bodies, joints, ()))
-    primitives = draw(scale_to_paper(mechanism, 100.0), hints).primitives
-    return [part for part in primitives if isinstance(part, Outline) and part.pen is None]
+    return draw(scale_to_paper(mechanism, 100.0), hints).primitives
 
 
-def test_each_ring_has_its_white_slot_which_the_other_does_not_hide() -> None:
-    assert [band.fill for band in bands()] == ["grey", "grey", "white", "white"]
+def bands() -> list[Outline]:
+    """Their filled bands."""
+    return [part for part in rings() if isinstance(part, Outline) and part.pen is None]
+
+
+def test_of_two_rings_that_cross_the_first_lies_in_front_with_its_slot() -> None:
+    assert [band.fill for band in bands()] == ["grey", "white", "grey", "white"]
+    assert [min(corner.x for corner in band.corners) > -20.0 for band in bands()] == [
+        True,
+        True,
+        False,
+        False,
+    ]
+
+
+def test_the_edges_of_the_ring_behind_do_not_pass_over_the_one_in_front() -> None:
+    drawn = rings()
+    front = next(number for number, part in enumerate(drawn) if part == bands()[2])
+    behind = [part for part in drawn[front:] if isinstance(part, Disc) and part.centre.x > 0]
+    assert [part for part in behind if part.radius > 5.0] == []
 
 
 def test_a_band_lies_along_its_circle_and_leaves_the_middle_open() -> None:
-    body, _, slot, _ = bands()
+    *_, body, slot = bands()
     wide, narrow = (
         [hypot(corner.x + 20.0, corner.y) for corner in band.corners] for band in (body, slot)
     )

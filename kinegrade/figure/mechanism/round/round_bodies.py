@@ -33,24 +33,23 @@ _RING = 2.4  # millimetres of material around a circle that encloses others
 
 
 def draw_round_bodies(anatomy: Anatomy) -> Iterator[Primitive]:
-    """The circles of the ground, then those of the bodies, the larger ones below; rings with slots
-    lie in one another.
+    """The circles of the ground, then those of the bodies, the larger ones below; of rings with
+    slots the earlier one lies in front of those that it crosses.
     """
     slotted = [rim for rim in anatomy.rims if _is_slotted(rim)]
     for rim in anatomy.rims:
         if rim not in slotted:
             yield from _draw_rim(anatomy, rim)
-    for layer in zip(*(_draw_slotted(anatomy, rim) for rim in slotted), strict=True):
-        for pieces in layer:
-            yield from pieces
+    for rim in reversed(slotted):
+        yield from _draw_slotted(anatomy, rim)
 
 
 def _is_slotted(rim: Rim) -> bool:
     return rim.kind == "slot" and rim.body != GROUND and not rim.ring
 
 
-def _draw_slotted(anatomy: Anatomy, rim: Rim) -> tuple[tuple[Primitive, ...], ...]:
-    """The layers of a ring-shaped slot."""
+def _draw_slotted(anatomy: Anatomy, rim: Rim) -> tuple[Primitive, ...]:
+    """A ring with a slot along it."""
     pin = find_fixed_pin(anatomy.symbols, rim.body)
     pivot = anatomy.mechanism.points[pin] if pin else None
     on_ring = pivot and abs(length(pivot - rim.at) - rim.radius) < NEAR
