@@ -21,8 +21,8 @@ def draw_belts(anatomy: Anatomy) -> tuple[Primitive, ...]:
 
 
 def draw_ropes(anatomy: Anatomy) -> Iterator[Primitive]:
-    """The ropes, to their ends or to the farthest other wheel on them, each with its load if it has
-    one.
+    """The ropes, as thin as belts, to their ends or to the farthest other wheel on them, each with
+    its load if it has one.
     """
     ropes = [symbol.hanging for symbol in anatomy.symbols if symbol.hanging]
     for rope in ropes:
@@ -32,7 +32,7 @@ def draw_ropes(anatomy: Anatomy) -> Iterator[Primitive]:
         ends = [rope.end, *(other.start for other in same)]
         end = max(ends, key=lambda at: length(at - rope.start))
         if length(end - rope.start) > NEAR:
-            yield Strokes(((rope.start, end),), FIRM)
+            yield Strokes(((rope.start, end),), THIN)
             if rope.loaded:
                 yield _draw_load(end, unit(end - rope.start))
 
