@@ -58,6 +58,13 @@ def bold_line_to(drawing: Drawing, at: Vector) -> Strokes:
     )
 
 
+def runs_on_through(bar: Strokes, at: Vector) -> bool:
+    """Whether a bar passes a point a centimetre before either of its ends."""
+    start, end = (LineString(bar.lines[0]).project(Point(at)), LineString(bar.lines[0]).length)
+    on_it = LineString(bar.lines[0]).distance(Point(at)) < 0.01
+    return on_it and 2.0 < start < end - 2.0
+
+
 def blocks_about(drawing: Drawing, at: Vector) -> list[Outline]:
     return [
         part
@@ -123,10 +130,24 @@ def test_the_slider_of_a_bar_that_runs_on_has_its_half_circle_below_the_bar() ->
 @pytest.mark.parametrize(
     ("case", "point"), [(parallelogram_with_sleeve(), "F"), (sleeve_with_arm(), "B")]
 )
-def test_the_pin_of_a_sleeve_is_whole_as_the_bar_slides_through_it(case: Case, point: str) -> None:
-    drawing = drawing_of(case)
-    assert len(circles_at(drawing, place(case, point))) == 1
+def test_the_bar_slides_over_the_pin_of_its_sleeve(case: Case, point: str) -> None:
+    drawing, at = drawing_of(case), place(case, point)
+    (sleeve,), (pin,) = blocks_about(drawing, at), circles_at(drawing, at)
+    (through,) = [
+        part
+        for part in drawing.primitives
+        if isinstance(part, Strokes) and part.pen == BOLD and runs_on_through(part, at)
+    ]
+    assert layer(drawing, sleeve) < layer(drawing, pin) < layer(drawing, through)
+    assert BOLD.width / 2 + 0.5 < pin.radius < 1.6 - FIRM.width / 2  # half the sleeve's width
     assert half_circles(drawing) == []
+
+
+def test_a_bar_ends_at_the_pin_of_a_sleeve_not_at_what_slides_there() -> None:
+    case = parallelogram_with_sleeve()
+    drawing, at = drawing_of(case), place(case, "F")
+    (pin,) = circles_at(drawing, at)
+    assert layer(drawing, bold_line_to(drawing, at)) < layer(drawing, pin)
 
 
 def test_white_tells_the_point_where_two_gears_mesh_from_teeth_and_leaves_the_arm_whole() -> None:

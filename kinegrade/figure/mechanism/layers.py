@@ -1,7 +1,8 @@
 """The mechanism itself as primitives, from the lowest layer up: circles, blocks on the ground,
 plates, stands, bars, pins.
 
-Bars and plates lie above the blocks to whose pins they lead, slender bars also above slotted ones.
+Bars and plates lie above the blocks to whose pins they lead, slender bars also above slotted ones,
+and those that slide in sleeves above all others and above the pins of these.
 """
 
 from __future__ import annotations
@@ -12,7 +13,7 @@ from dataclasses import dataclass
 from kinegrade.figure.joints.symbol import Rim, Symbol
 from kinegrade.figure.mechanism.anatomy import Anatomy
 from kinegrade.figure.mechanism.belts import draw_belts, draw_ropes
-from kinegrade.figure.mechanism.pins import draw_motors, draw_points
+from kinegrade.figure.mechanism.pins import draw_motors, draw_points, draw_swivels
 from kinegrade.figure.mechanism.plates import Plate
 from kinegrade.figure.mechanism.rails import Rail, find_rails
 from kinegrade.figure.mechanism.round.heads import draw_heads
@@ -79,9 +80,14 @@ def _draw_layers(
         yield from draw_straight_part(arm)
     yield from draw_sleeves(anatomy)
     yield from draw_motors(anatomy)
-    for part in anatomy.parts:
-        if is_slender(part) and part not in arms:
-            yield from draw_straight_part(part)
+    bars = [part for part in anatomy.parts if is_slender(part) and part not in arms]
+    sliding = [bar for bar in bars if isinstance(bar, Bar) and bar.use == "bar"]
+    for bar in bars:
+        if bar not in sliding:
+            yield from draw_straight_part(bar)
+    yield from draw_swivels(anatomy)
+    for bar in sliding:
+        yield from draw_straight_part(bar)
     yield from draw_gussets(anatomy.corners)
     yield from draw_heads(anatomy)
     yield from draw_points(anatomy)

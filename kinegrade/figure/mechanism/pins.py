@@ -23,6 +23,7 @@ _DOT_IN_MESH = 0.5  # millimetres of radius: it fits on a tooth
 _DOT_ON_BAR, _WHITE = 0.95, 0.45
 # Millimetres: the radius of a motor, and half the width of its neck there
 _HOUSING, _NECK = 2.3, 1.9
+_SWIVEL = 1.25  # millimetres of radius: seen on both sides of a bar, and within a sleeve
 _WELD = 5.5  # millimetres along the bar that carries it to the tip of its weld
 
 
@@ -33,15 +34,29 @@ def draw_points(anatomy: Anatomy) -> Iterator[Primitive]:
     at = anatomy.mechanism.points
     tips = {*anatomy.knife_edges, *anatomy.heads}
     pins = _find_pins(anatomy) - tips
+    swivels = _find_swivels(anatomy)
     owned = {name for body in anatomy.mechanism.bodies for name in body.points}
     centres = ({rim.centre for rim in anatomy.rims} | _find_labelled(anatomy) - owned - tips) - pins
     for name in sorted(centres):
         yield from draw_centre_mark(at[name])
     for name in sorted(owned - pins - centres - tips - _find_at_corners(anatomy)):
         yield from _draw_marked_point(anatomy, at[name])
-    for name in sorted(pins):
+    for name in sorted(pins - swivels):
         side = _find_side_of_through_bar(anatomy, name)
         yield from draw_half_pin(at[name], side) if side else draw_pin(at[name])
+
+
+def draw_swivels(anatomy: Anatomy) -> Iterator[Primitive]:
+    """The pins about which sleeves turn, which lie in these: the bars slide over them."""
+    for name in sorted(_find_swivels(anatomy)):
+        yield Disc(anatomy.mechanism.points[name], _SWIVEL, FIRM, "white")
+
+
+def _find_swivels(anatomy: Anatomy) -> set[str]:
+    """The points of pins in sleeves."""
+    at, sleeves = anatomy.mechanism.points, [sleeve.point for sleeve in anatomy.sleeves]
+    pins = _find_pins(anatomy)
+    return {name for name in pins if any(length(at[name] - each) < NEAR for each in sleeves)}
 
 
 def draw_motors(anatomy: Anatomy) -> Iterator[Primitive]:
