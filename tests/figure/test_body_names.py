@@ -10,7 +10,7 @@ from kinegrade.figure.marks.angle_arc import AngleArc
 from kinegrade.figure.marks.body_names import add_body_names
 from kinegrade.figure.marks.sides import Side
 from kinegrade.figure.mechanism.layers import Drawing
-from kinegrade.figure.mechanism.straight_parts import Bar, Part
+from kinegrade.figure.mechanism.straight_parts import Bar, Part, SlottedDisc
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.scene import FIRM, THIN, Bow, Disc, Label, Strokes
 from kinegrade.mechanics.mechanism import Mechanism
@@ -81,3 +81,12 @@ def test_the_name_of_a_wheel_without_room_is_led_to_its_rim() -> None:
     assert isinstance(leader, Strokes)
     ((start, end),) = leader.lines
     assert 6.0 < hypot(*start) < 8.0 < hypot(*end)
+
+
+def test_the_names_of_a_slotted_disc_and_of_a_bar_over_it_stand_in_one_and_beyond_the_other() -> (
+    None
+):
+    disc = SlottedDisc("D", CENTRE, 20.0, (Vector(8.0, -15.0), Vector(8.0, 15.0)))
+    bar = Bar("AB", CENTRE, Vector(19.0, 5.0), "slot")
+    assert hypot(*name("D", (), Layout.of(()), (disc, bar))) < 20.0
+    assert hypot(*name("AB", (), Layout.of(()), (disc, bar))) > 20.0

@@ -15,7 +15,7 @@ from kinegrade.figure.joints.symbol import Rim
 from kinegrade.figure.marks.angle_arc import AngleArc, LedAngleArc
 from kinegrade.figure.marks.dimension_lines import Leader
 from kinegrade.figure.mechanism.layers import Drawing
-from kinegrade.figure.mechanism.straight_parts import Bar, Rod
+from kinegrade.figure.mechanism.straight_parts import Bar, Rod, SlottedDisc
 from kinegrade.figure.placing.extent import measure_symbol
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.placing.place import (
@@ -55,13 +55,14 @@ def add_body_names(
     """
     for body, symbol in hints.labels.items():
         if symbol and body not in mechanism.points:
-            own = next((rim for rim in drawing.rims if rim.body == body), None)
-            others = tuple(rim for rim in drawing.rims if rim.body != body)
+            circles = [*drawing.rims, *_list_slotted_discs(drawing)]
+            own = next((rim for rim in circles if rim.body == body), None)
+            others = tuple(rim for rim in circles if rim.body != body)
             around = _Surroundings(layout, own, others)
-            spots = _list_spots(body, symbol, drawing)
+            spots = _list_spots(body, symbol, own, drawing)
             taken = around.rate(symbol, spots) + around.find_outside(spots)
             wish = Wish(symbol, spots[np.argsort(taken, kind="stable")])
-            layout = _write_name(layout, wish, around, _list_leaders(body, symbol, drawing))
+            layout = _write_name(layout, wish, around, _list_leaders(body, symbol, own, drawing))
     return layout
 
 
@@ -155,10 +156,17 @@ def _find_in_others(wish: Wish, others: Iterable[Rim]) -> Floats:
     return found
 
 
-def _list_spots(body: str, symbol: str, drawing: Drawing) -> Floats:
-    circles = [rim for rim in drawing.rims if rim.body == body]
-    if circles:
-        return _list_spots_in_circle(symbol, circles[0])
+def _list_slotted_discs(drawing: Drawing) -> Iterator[Rim]:
+    """The circles of slotted discs, which no joint mentions."""
+    for part in drawing.parts:
+        if isinstance(part, SlottedDisc):
+            start, _ = part.slot
+            yield Rim(part.body, "", part.centre, part.radius, "edge", False, start, start)
+
+
+def _list_spots(body: str, symbol: str, circle: Rim | None, drawing: Drawing) -> Floats:
+    if circle:
+        return _list_spots_in_circle(symbol, circle)
     parts = [part for part in drawing.parts if isinstance(part, Bar | Rod) and part.body == body]
     if not parts:
         what = Message("figure.nothing-to-label", body=Quoted(body))
@@ -168,13 +176,12 @@ def _list_spots(body: str, symbol: str, drawing: Drawing) -> Floats:
     return np.concatenate((around[:_NEAR], *along, around[_NEAR:]))
 
 
-def _list_leaders(body: str, symbol: str, drawing: Drawing) -> list[Leader]:
+def _list_leaders(body: str, symbol: str, circle: Rim | None, drawing: Drawing) -> list[Leader]:
     """Leaders to places on the bar that a body is drawn as, or to the rim of its disc; none to a
     ring.
     """
-    circles = [rim for rim in drawing.rims if rim.body == body]
-    if circles:
-        return _list_leaders_to_rim(symbol, circles[0])
+    if circle:
+        return _list_leaders_to_rim(symbol, circle)
     bars = [part for part in drawing.parts if isinstance(part, Bar | Rod) and part.body == body]
     starts = [bar.start + (bar.end - bar.start) * share for bar in bars[:1] for share in _PLACES]
     return [
