@@ -117,6 +117,7 @@ def _compose(
     paper = scale_to_paper(mechanism, scale)
     drawing = draw(paper, hints)
     named = tuple(label_points(paper, hints, drawing))
+    unwritten = named
     start = Layout.of(drawing.primitives)
     layout = _place_frames_and_angles(start, paper, hints, drawing)
     for stage in order:
@@ -128,12 +129,12 @@ def _compose(
             case "motions":
                 moving = [given for given in hints.arrows if isinstance(given, Moving)]
                 for _, together in groupby(moving, attrgetter("point")):
-                    layout = add_motions(layout, paper, list(together), drawing.rails)
+                    layout = add_motions(layout, paper, list(together), drawing.rails, unwritten)
             case "lengths":
                 grounds = start.obstacles, Obstacles.of(drawing.ground)
                 layout = _place_lengths(layout, paper, hints, *grounds)
             case "letters":
-                layout = layout.written(named)
+                layout, unwritten = layout.written(unwritten), ()
             case _:
                 assert_never(stage)
     for radius in hints.radii:

@@ -5,12 +5,14 @@ from __future__ import annotations
 from dataclasses import replace
 from math import degrees, hypot, radians
 
+import numpy as np
 import pytest
 
 from kinegrade.figure.marks.motions import add_motions, draw_likely_motions, list_likely_motions
 from kinegrade.figure.mechanism.paper import scale_to_paper
 from kinegrade.figure.mechanism.rails import Rail
 from kinegrade.figure.placing.layout import Layout
+from kinegrade.figure.placing.place import Wish
 from kinegrade.figure.plane import nearest_of, polar, shorter_way
 from kinegrade.figure.scene import BOLD, FIRM, THIN, Bow, Disc, Label, Outline, Scene, Strokes
 from kinegrade.figure.sketch import sketch
@@ -323,3 +325,23 @@ def test_the_two_arrows_of_a_body_do_not_follow_one_another_on_one_arc(phi: floa
 def test_two_arrows_of_a_relative_rotation_have_radii_that_differ(phi: float) -> None:
     one, other = turn_both("OA", phi)
     assert abs(one.radius - other.radius) >= 2.5
+
+
+def test_the_symbol_of_an_arrow_leaves_the_letter_of_its_point_a_place() -> None:
+    mechanism = slider(1.0, 0.0)
+    at = mechanism.points["B"]
+    usual = add_motions(Layout.of(()), mechanism, BOTH[:1]).labels[-1].centre
+    close = at + (usual - at) * 0.7
+    letter = Wish("B", np.array([close, at + Vector(0.0, 12.0)]), names=at)
+    layout = add_motions(Layout.of(()), mechanism, BOTH[:1], named=[letter])
+    assert layout.labels[-1].centre != usual
+    assert layout.written([letter]).labels[-1].centre == close
+
+
+def test_the_symbol_of_an_arrow_stays_where_the_letter_of_its_point_has_another_place() -> None:
+    mechanism = slider(1.0, 0.0)
+    at = mechanism.points["B"]
+    usual = add_motions(Layout.of(()), mechanism, BOTH[:1]).labels[-1].centre
+    letter = Wish("B", np.array([usual, at + Vector(0.0, 3.0)]), names=at)
+    layout = add_motions(Layout.of(()), mechanism, BOTH[:1], named=[letter])
+    assert layout.labels[-1].centre == usual

@@ -9,10 +9,12 @@ from kinegrade.figure.marks.imposed import find_imposed_direction
 from kinegrade.figure.marks.moving_arrow import ARROW, LEAVING, MovingArrow
 from kinegrade.figure.mechanism.rails import Rail
 from kinegrade.figure.placing.layout import Layout
+from kinegrade.figure.placing.letters import trace_leader
 from kinegrade.figure.placing.mark import direction
 from kinegrade.figure.placing.obstacles import Obstacles, Segment
+from kinegrade.figure.placing.place import Wish
 from kinegrade.figure.plane import NEAR, length, mean, polar, unit
-from kinegrade.figure.scene import THIN, Bow, Primitive, Strokes
+from kinegrade.figure.scene import THIN, Bow, Label, Primitive, Strokes
 from kinegrade.figure.symbols import PIN
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
@@ -46,10 +48,15 @@ _PAST_HATCHING = 1.4  # millimetres from a rail to the way past its hatching
 
 
 def add_motions(
-    layout: Layout, mechanism: Mechanism, hints: Sequence[Moving], rails: Sequence[Rail] = ()
+    layout: Layout,
+    mechanism: Mechanism,
+    hints: Sequence[Moving],
+    rails: Sequence[Rail] = (),
+    named: Iterable[Wish] = (),
 ) -> Layout:
     """The layout with an arrow for each motion of one point, in its direction, and then their
-    symbols, each nearest to its own.
+    symbols, each nearest to its own; these leave the letter of the point, if that is among those
+    `named` that are still to be written, a place close to it.
 
     Beside the point an arrow keeps off the line of another one that goes the other way: the two
     would read as a dimension. It stays on the open side of the rail on which the point slides.
@@ -64,11 +71,36 @@ def add_motions(
         around = _Surroundings(tuple(rails), across, Obstacles.of(along), rims)
         layout, _ = layout.chosen([around.rate(arrow.among(arrows)) for arrow in ways])
         arrows += [mark for mark in layout.marks[-1:] if isinstance(mark, MovingArrow)]
+    usual = _caption(layout, arrows, rails)
+    for letter in named:
+        if letter.names == mechanism.points[hints[0].point] and _stands_off(letter, usual):
+            kept = layout.written([letter]).labels[-1:]
+            other = _caption(layout, arrows, rails, kept)
+            if len(other.crowded) <= len(usual.crowded) and not _stands_off(letter, other):
+                return other
+    return usual
+
+
+def _caption(
+    layout: Layout,
+    arrows: Sequence[MovingArrow],
+    rails: Sequence[Rail],
+    kept: Sequence[Label] = (),
+) -> Layout:
+    """The layout with the symbols of arrows at one point, each nearest to its own, which keep clear
+    of a letter that is still to be written.
+    """
     for arrow in arrows:
         others = [other for other in arrows if other != arrow]
         own = [rail for rail in rails if length(rail.at - arrow.point) < NEAR]
-        layout = layout.captioned(arrow.wish_apart(others, own))
+        layout = layout.captioned(arrow.wish_apart(others, own), kept)
     return layout
+
+
+def _stands_off(letter: Wish, layout: Layout) -> bool:
+    """Whether a letter written now would stand off from its point."""
+    label = layout.written([letter]).labels[-1]
+    return letter.names is not None and trace_leader(label, letter.names) is not None
 
 
 def list_likely_motions(mechanism: Mechanism, hints: Iterable[Moving]) -> list[Segment]:
