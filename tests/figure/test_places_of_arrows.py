@@ -331,7 +331,7 @@ def test_the_symbol_of_an_arrow_leaves_the_letter_of_its_point_a_place() -> None
     mechanism = slider(1.0, 0.0)
     at = mechanism.points["B"]
     usual = add_motions(Layout.of(()), mechanism, BOTH[:1]).labels[-1].centre
-    close = at + (usual - at) * 0.7
+    close = usual - RIGHT * 2.2
     letter = Wish("B", np.array([close, at + Vector(0.0, 12.0)]), names=at)
     layout = add_motions(Layout.of(()), mechanism, BOTH[:1], named=[letter])
     assert layout.labels[-1].centre != usual
