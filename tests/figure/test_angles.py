@@ -265,6 +265,16 @@ def test_a_leader_may_leave_a_narrow_angle_between_its_sides() -> None:
     assert any(0.22 < angle_of(end) < 0.28 for end in ends)
 
 
+def test_a_leader_does_not_take_its_letter_to_the_arc_of_another_angle() -> None:
+    bow, hint = Bow(VERTEX, 12.0, 0.0, 0.3, THIN), Angle("x", "O", "right", "up")
+    led = LedAngleArc(AngleArc(bow, (), hint, 0.0), Vector(11.8, 2.2), 0.2, 4.0, 0.0)
+    [(_, end)] = led.path()
+    other = Neighbours(arcs=(Bow(end - Vector(4.0, 0.0), 5.0, -1.0, 2.0, THIN),))
+    at_other = replace(led, arc=replace(led.arc, neighbours=other))
+    costs = [Layout.of(()).marked([each]).costs[-1] for each in (led, at_other)]
+    assert costs[1] > costs[0] + 4.0
+
+
 def test_a_letter_stands_on_the_side_of_a_bar_on_which_its_arc_is() -> None:
     bow = Bow(VERTEX, 7.0, 0.0, 1.2, THIN)
     bar = (Vector(11.0, -2.0), Vector(4.0, 12.0))

@@ -6,6 +6,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from math import pi
 
+import numpy as np
+
 from kinegrade.figure.marks.sides import LEFT, SHORT, Side
 from kinegrade.figure.placing.mark import chords
 from kinegrade.figure.placing.obstacles import COST_LABEL, Obstacles, Segment
@@ -30,6 +32,7 @@ _PARTED, _MISTAKEN, _STATIONS = 20.0, 6.0, 0.25
 # Demerits of a letter outside the angle at the end of a leader, and of a leader through a side;
 # millimetres from the end of a side to a leader that passes it
 _OUTSIDE, _THROUGH, _PAST_SIDE = 3.0, 20.0, 0.8
+_AT_OTHER = 3.2  # millimetres from the middle of a letter to the arc of an angle that it would name
 _IN_LETTER = 1.5  # millimetres from the end of a leader to the middle of its letter
 _TWELFTHS = tuple(turn * pi / 6 for turn in range(12))
 
@@ -159,10 +162,13 @@ class LedAngleArc:
         return ((self.start + polar(self.turn, _LEAVES), self._end()),)
 
     def wish(self) -> Wish:
-        """Around the far end of the leader."""
+        """Around the far end of the leader, rather not at the arc of another angle."""
         symbol, toward = self.arc.hint.symbol, polar(self.turn)
         spots = list_spots_around(symbol, self._end(), _AT_END, toward)[:6]
-        return Wish(symbol, spots, demerits=_OUTSIDE * rate_outside(symbol, spots, self.arc.bow))
+        worse = _OUTSIDE * rate_outside(symbol, spots, self.arc.bow)
+        others = [at for arc in self.arc.neighbours.arcs for at in arc.path(_STATIONS)]
+        beside = [any(length(Vector(*spot) - at) < _AT_OTHER for at in others) for spot in spots]
+        return Wish(symbol, spots, demerits=worse + _MISTAKEN * np.array(beside))
 
     def primitives(self) -> tuple[Primitive, ...]:
         """The arc with the lines of its sides, and the leader."""
