@@ -199,6 +199,16 @@ def test_two_arrows_of_one_sense_both_begin_at_their_point() -> None:
     assert abs(one[0].y - other[0].y) > 2.5
 
 
+def test_an_arrow_passes_the_edges_of_a_plate_rather_than_lying_on_another_one() -> None:
+    mechanism = slider(1, 1)
+    at = mechanism.points["B"]
+    edges = [(at + RIGHT * side, at + Vector(side + 5.0, 20.0)) for side in (0.3, 1.6)]
+    layout = Layout.of([Strokes(tuple(edges), FIRM)])
+    layout = add_motions(layout, mechanism, BOTH, [lay_floor(at)])
+    one, other = list_shafts(layout)[-2:]
+    assert abs(one[0].y - other[0].y) > 2.5
+
+
 def test_where_there_is_no_room_beside_it_an_arrow_lies_on_a_longer_one_of_its_sense() -> None:
     mechanism = slider(1, 1)
     at = mechanism.points["B"]

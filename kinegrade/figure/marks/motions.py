@@ -38,7 +38,7 @@ _ABOVE, _OFF_GROUND = 1.1, 0.2
 # with the point, unless a bar leaves it there
 _OFFSETS = {3.6: 1.0, -3.6: 1.3, 2.8: 1.6, -2.8: 1.9, 5.0: 2.0, -5.0: 2.3, 6.6: 3.0, -6.6: 3.3}
 _SHIFTS = {0.0: 0.0, 2.5: 2.0, 4.0: 4.0}
-_BEHIND = 24.0  # demerit of an arrow on the far side of the rail on which its point slides
+_BEHIND = 30.0  # demerit of an arrow on the far side of the rail on which its point slides
 _FREER = 3.0  # millimetres by which the mechanism lies on one side for the other to be the free one
 _ACROSS_ARC = 12.0  # demerit of an arrow across the arc of an angle, which would seem to end there
 _SAME = 1e-3  # between two unit vectors of one direction

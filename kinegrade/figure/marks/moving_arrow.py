@@ -25,14 +25,16 @@ from kinegrade.problem.template.hints import Moving
 ARROW = 9.0  # millimetres, length of the arrow of a straight motion
 # Demerits of an arrow that stands tail to tail with another beside its point, or lies over it
 _OPPOSED, _OVER = 8.0, 100.0
-# Millimetres between two parallel arrows at one point, and the demerit of less
+# Millimetres between two parallel arrows at one point, and the demerit of less; the same where
+# their heads meet
 _APART, _TIGHT = 2.5, 6.0
+_HEADS_APART, _HEADS_MEET = 1.5, 40.0
 _MISTAKEN = 3.0  # demerit of a symbol about as near to another arrow at the same point
 _PARTED = 4.0  # demerit of a symbol on the other side of the rail of the arrow's point
 _LEAST_OFFSET = 1.3  # millimetres from which on an arrow stands beside its point
 _ONE_LINE = 1.0  # millimetres within which two arrows lie on one line
 # Millimetres by which an arrow is longer than another one on whose line it is, and the demerit
-_LONGER, _ON_ONE_LINE = 8.5, 9.0
+_LONGER, _ON_ONE_LINE = 8.5, 27.0
 _BEYOND_TIP = 1  # spots for the symbol there
 # Millimetres from a point within which an arrow may lie close to a bar, and sideways its block
 LEAVING, _BLOCK = 3.0, 2.0
@@ -111,7 +113,8 @@ class MovingArrow:
         it: over it, or beside their point in opposite senses.
         """
         if abs(apart) >= _ONE_LINE:
-            return _TIGHT if abs(apart) < _APART else 0.0
+            tight = _HEADS_MEET if abs(apart) < _HEADS_APART else _TIGHT
+            return tight if abs(apart) < _APART else 0.0
         if self.toward.dot(other.toward) >= 0:
             return _OVER
         beside = abs(self._find_aside(self.start)) >= _LEAST_OFFSET
