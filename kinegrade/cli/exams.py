@@ -91,6 +91,10 @@ _WITH_ADD = (
     type=click.Choice(["typst", "latex"]),
 )
 @click.option(
+    "--no-papers",
+    is_flag=True,
+)
+@click.option(
     "--solutions",
     is_flag=True,
 )

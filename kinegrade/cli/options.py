@@ -55,7 +55,16 @@ FORCE = click.option(
 FILE = click.Path(path_type=Path)
 _OUTPUT = "-o", "--output"
 OUTPUT = click.option(*_OUTPUT, type=FILE, required=True, metavar="FILE")
-OPTIONAL_OUTPUT = click.option(*_OUTPUT, type=FILE, metavar="FILE")
+
+
+def _read_place(
+    context: click.Context, parameter: click.Parameter, output: Path | None
+) -> Path | None:
+    """Where to write; None for standard output, which may be called `-`."""
+    return None if output == Path("-") else output
+
+
+OPTIONAL_OUTPUT = click.option(*_OUTPUT, type=FILE, metavar="FILE", callback=_read_place)
 
 
 def require_writable(

@@ -116,4 +116,6 @@ def _list_notes(written: Written, place: Path, options: GenerateOptions) -> Iter
         yield Message("terminal.of", where=str(place), what=what)
     if written.resumed:
         yield Message("terminal.resumed", exam=str(place), count=written.resumed)
-    yield Message("terminal.generated", exam=str(place), count=written.papers)
+    done = Message("terminal.generated", exam=str(place), count=written.papers)
+    dealt = Message("terminal.dealt", exam=str(place), count=written.papers)
+    yield dealt if options.no_papers else done

@@ -229,3 +229,11 @@ def test_a_name_that_no_font_prints_is_complained_of(tmp_path: Path) -> None:
     assert reprinted.stdout_bytes == (folder / "EXAM" / "papers" / "s0.pdf").read_bytes()
     (complaint,) = reprinted.stderr.splitlines()
     assert complaint in result.stderr.splitlines()
+
+
+def test_a_dash_means_standard_output(small_class: Path, tmp_path: Path) -> None:
+    exam = small_class / "EXAM"
+    with pytest.MonkeyPatch.context() as patch:
+        patch.chdir(tmp_path)
+        assert again(exam, "007", "-o", "-") == (exam / "papers" / "007.pdf").read_bytes()
+    assert list(tmp_path.iterdir()) == []

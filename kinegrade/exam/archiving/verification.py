@@ -79,7 +79,7 @@ def _solve_again(exam: ExamFolder, sample: tuple[Candidate, ...]) -> tuple[Probl
 
 def _find_missing(exam: ExamFolder) -> Iterator[Fault]:
     """The papers that are not in the folder, and should be."""
-    if exam.head.forgotten:
+    if exam.head.forgotten or exam.head.unprinted:
         return
     for candidate in exam.head.everybody:
         if not (exam.path / candidate.file).is_file():

@@ -23,8 +23,8 @@ from kinegrade.numbers.amounts import add_amounts
 
 class Candidate(msgspec.Struct, frozen=True, gc=False, omit_defaults=True):
     """A student of the exam: `paper` is the code on the paper, `version` its letter where there are
-    versions, `file` where the paper stands in the folder. What the roster did not say is empty;
-    `language` is then that of the exam. `was_spare` is a paper made without a student.
+    versions, `file` where a printed paper stands in the folder. What the roster did not say is
+    empty; `language` is then that of the exam. `was_spare` is a paper made without a student.
     """
 
     student: str
@@ -78,7 +78,7 @@ class ExamHead(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True, di
     `pages` unless in large print, 0 where earlier versions printed them; `method` found the
     velocities of worked solutions, if one was asked for. Of the questions of `choices` papers hold
     only some, `spares` have no student, the key had so many `corrections`, and where people were
-    `forgotten`, names stand for them.
+    `forgotten`, names stand for them. Papers of an `unprinted` exam are printed when asked for.
     """
 
     format: int
@@ -112,6 +112,7 @@ class ExamHead(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True, di
     earlier: dict[str, tuple[dict[str, str], ...]] = {}
     corrections: int = 0
     forgotten: bool = False
+    unprinted: bool = False
 
     def __repr__(self) -> str:
         return f"ExamHead({self.title!r}, {self.date!r})"

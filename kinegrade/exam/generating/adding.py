@@ -31,7 +31,7 @@ from kinegrade.exam.printing.head_record import candidate, make_exam_head
 from kinegrade.exam.printing.key_pages import make_kept_keys
 from kinegrade.exam.printing.paper_languages import require_languages
 from kinegrade.exam.printing.printing import PrintRun, require_tools
-from kinegrade.exam.printing.reprint import find_kinds, kept_run
+from kinegrade.exam.printing.reprint import find_printed, kept_run
 from kinegrade.exam.printing.room_booklets import write_room_booklets
 from kinegrade.exam.roster.roster import Roster
 from kinegrade.exam.setting.dealing import ClassDeal, deal_exam
@@ -115,14 +115,13 @@ def _run(exam: ExamFolder, kept: KeptExam, late: Roster) -> PrintRun:
     with all papers is missing, as nothing could be added to it.
     """
     require_languages(kept.bank, exam.language, late)
-    solutions = (exam.path / SOLUTIONS).exists()
-    names = (PAPERS, SOLUTIONS) if solutions else (PAPERS,)
-    missing = [name for name in names if not (exam.path / f"{name}.pdf").is_file()]
+    run = kept_run(exam, kept, **find_printed(exam))
+    volumes = run.extras.folders
+    missing = [name for name in volumes if not (exam.path / f"{name}.pdf").is_file()]
     if missing:
         raise OutputError(
             *(Fault(str(exam.path / f"{name}.pdf"), _MISSING[name]) for name in missing)
         )
-    run = kept_run(exam, kept, solutions=solutions, also=find_kinds(exam))
     require_tools(run.extras)
     return run
 

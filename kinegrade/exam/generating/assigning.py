@@ -125,12 +125,14 @@ def _rename_files(folder: Path, old: str, new: str) -> None:
 
 
 def _print_again(exam: ExamFolder, owner: Candidate) -> None:
-    """The paper, and its worked solutions where there are some, with the name of the student."""
+    """The paper and its worked solutions, as far as they are printed, with the name of the
+    student.
+    """
     again, stem = reprint_candidate(exam, owner), Path(owner.file).stem
     stems = _list_stems(exam.head)
-    paper = again.pages()
-    (exam.path / PAPERS / f"{stem}.pdf").write_bytes(paper)
-    replace_papers(exam.path, (), stems)
+    if not exam.head.unprinted:
+        (exam.path / PAPERS / f"{stem}.pdf").write_bytes(again.pages())
+        replace_papers(exam.path, (), stems)
     if (exam.path / SOLUTIONS / f"{stem}.pdf").exists():
         solution = Printout(again.solution())
         write_solutions(exam.path, [(stem, solution)], stems)
@@ -138,6 +140,8 @@ def _print_again(exam: ExamFolder, owner: Candidate) -> None:
 
 def _print_key(exam: ExamFolder) -> None:
     """The instructor's key of spare papers, in which the paper is the student's."""
+    if exam.head.unprinted:
+        return
     kept, spare = KeptExam(exam), list_spare_ids(exam.head)
     papers = (each for each in exam.head.everybody if each.student in spare)
     write_spare_key(exam.path, kept_run(exam, kept), make_kept_keys(kept, papers))

@@ -18,7 +18,7 @@ from msgspec import structs
 
 from kinegrade.errors import ExamError, Problem, suggest
 from kinegrade.exam.bank.blueprint import Bank
-from kinegrade.exam.folder.contents import KEY, PAPERS, SOLUTIONS, SPARES, TEMPLATES
+from kinegrade.exam.folder.contents import KEY, SPARES, TEMPLATES
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.records import ExamHead
 from kinegrade.exam.folder.writing import encode_line
@@ -37,7 +37,7 @@ from kinegrade.exam.printing.class_printing import count_processes
 from kinegrade.exam.printing.class_reprint import print_class_again
 from kinegrade.exam.printing.head_record import make_ask
 from kinegrade.exam.printing.printing import Printed, PrintRun
-from kinegrade.exam.printing.reprint import find_kinds, kept_run
+from kinegrade.exam.printing.reprint import find_printed, kept_run
 from kinegrade.exam.printing.room_booklets import write_room_booklets
 from kinegrade.exam.setting.kept_exam import KeptExam, student_of
 from kinegrade.exam.setting.key_mistakes import find_mistaken_answers
@@ -90,8 +90,7 @@ def correct_template(exam: ExamFolder, file: Path, wishes: CorrectionWishes) -> 
         _write_template(template, exam, folder)
         changes = _settle_changes(exam, KeptExam(replace(exam, path=folder)), accept=wishes.accept)
         kept = KeptExam(replace(exam, path=folder))
-        kinds = {"solutions": (exam.path / SOLUTIONS).exists(), "also": find_kinds(exam)}
-        run = kept_run(exam, kept, **kinds)
+        run = kept_run(exam, kept, **find_printed(exam))
         print_again = partial(print_class_again, kept, workers=workers, jobs=jobs)
         pages = _print_alike(exam, run, wishes.progress, print_again, folder)
         head = _restate(exam.head, kept.bank)
@@ -184,7 +183,7 @@ def _print_alike(
 def _print_once(
     exam: ExamFolder, run: PrintRun, progress: Progress, print_again: _Printer, folder: Path
 ) -> tuple[int, ...]:
-    for name in (PAPERS, *([SOLUTIONS] if run.extras.solutions else ())):
+    for name in run.extras.folders:
         shutil.rmtree(folder / name)
         (folder / f"{name}.pdf").unlink(missing_ok=True)
     head = exam.head

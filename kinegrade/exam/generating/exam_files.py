@@ -4,6 +4,7 @@ folder, and by `adding` into a copy of one.
 
 from __future__ import annotations
 
+from collections import deque
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import chain, groupby
@@ -66,17 +67,21 @@ def write_papers(
     earlier: Iterable[KeyPaper] = (),
     spare: Collection[str] = (),
 ) -> WrittenPapers:
-    """The papers, and the solutions that are wanted, each alone and all in one file; and both keys.
+    """The papers, and the solutions that are wanted, each alone and all in one file; and both keys,
+    but that of the instructor where no papers are wanted.
 
     What stands in the folder already stays, with the keys of these papers as `earlier`; `spare` are
     those of them made without a student. The instructor's books are typeset, and all in one file
     bound, while papers are printed. Gives what was written for each of `students`.
     """
     written: list[tuple[KeyPaper, int]] = []
-    with printed_files(folder, solutions=run.extras.solutions) as write:
+    with printed_files(folder, run.extras) as write:
         papers = _noted(_written(folder, results, students, write), written)
         apart = {*spare, *(each.student for each in students if each.spare)}
-        write_key_books(folder, run, chain(earlier, papers), apart)
+        if run.extras.papers:
+            write_key_books(folder, run, chain(earlier, papers), apart)
+        else:
+            deque(papers, maxlen=0)
     keys, pages = zip(*written, strict=True) if written else ((), ())
     return WrittenPapers(keys, pages)
 

@@ -6,6 +6,7 @@ and says so.
 
 from __future__ import annotations
 
+from collections import deque
 from collections.abc import Iterator, Mapping
 from contextlib import AbstractContextManager, closing
 from dataclasses import dataclass, replace
@@ -151,6 +152,8 @@ def _print_papers(
     """Every paper that is not there yet, while progress is shown; then those that are short are
     filled up. Gives the run with the number of pages that all have, and who has which paper.
     """
+    if not run.extras.papers:
+        _require_printable(run, dealt, printer)
     students = dealt.roster.students
     missing = journal.list_missing(students)
     with closing(printer(run, replace(dealt, roster=Roster(missing, ())))) as papers:
@@ -158,6 +161,16 @@ def _print_papers(
         written = write_papers(journal.folder, run, students, all_papers)
     run = fill_up_papers(journal.folder, run, dealt, written.pages, printer)
     return run, map(candidate, students, written.keys)
+
+
+def _require_printable(run: PrintRun, dealt: ClassDeal, printer: Printer) -> None:
+    """Raises TypesetError where the papers of an exam could not be printed later: one in each
+    language is tried.
+    """
+    first = {each.language: each for each in reversed(dealt.roster.students)}
+    sample = replace(dealt, roster=Roster(tuple(first.values()), ()))
+    with closing(printer(replace(run, extras=Extras()), sample)) as papers:
+        deque(papers, maxlen=0)
 
 
 def _open_exam_folder(

@@ -6,11 +6,13 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
+from kinegrade.errors import OptionError
 from kinegrade.exam.bank.blueprint import Bank
 from kinegrade.exam.folder.contents import FOR_STUDENTS
 from kinegrade.exam.folder.exam_secret import SecretWish
 from kinegrade.exam.printing.printing import Extras, PressOrder, Printed
 from kinegrade.files.output import Access
+from kinegrade.language.message import Fault, Message, list_plainly
 from kinegrade.press.protocol import Engine
 from kinegrade.press.sheet import PaperSize
 from kinegrade.problem.template.template import Method
@@ -32,12 +34,13 @@ class GenerateOptions:
     words of `reproducible` alone; with `new_numbers`, a folder that is replaced does not keep its
     numbers. Nobody gets numbers that anybody had in the exams whose folders are to `avoid`.
     `share_with_group` lets the user's group read the folder. `engine` is the bank's unless one is
-    given. `solutions` writes worked solutions, by `method` where several serve; `spare` papers have
-    no student; `also` names the other kinds of files in which papers are wanted. What would be a
-    complaint is refused where `strict`. With `resume` a run goes on with what an interrupted one
-    left, and leaves what it has done where it is interrupted itself. Papers are printed by up to
-    `jobs` processes, or by the workers of the `cluster` whose scheduler has that address;
-    `progress` is given them one after another, and their number.
+    given. With `no_papers` none is printed before it is asked for. `solutions` writes worked
+    solutions, by `method` where several serve; `spare` papers have no student; `also` names the
+    other kinds of files in which papers are wanted. What would be a complaint is refused where
+    `strict`. With `resume` a run goes on with what an interrupted one left, and leaves what it has
+    done where it is interrupted itself. Papers are printed by up to `jobs` processes, or by the
+    workers of the `cluster` whose scheduler has that address; `progress` is given them one after
+    another, and their number.
     """
 
     seed: str | None = None
@@ -47,6 +50,7 @@ class GenerateOptions:
     share_with_group: bool = False
     paper_size: PaperSize = "a4"
     engine: Engine | None = None
+    no_papers: bool = False
     solutions: bool = False
     method: Method | None = None
     spare: int = 0
@@ -74,8 +78,18 @@ class GenerateOptions:
 
     @property
     def extras(self) -> Extras:
-        """What is written beside papers and key."""
-        return Extras(self.solutions, self.method, tuple(dict.fromkeys(self.also)))
+        """What is printed. Raises OptionError where papers are wanted and are not."""
+        also = tuple(dict.fromkeys(self.also))
+        if self.no_papers and also:
+            raise OptionError(
+                Fault(
+                    "--no-papers",
+                    Message("exam.no-kinds-of-none", kinds=list_plainly(also)),
+                    Message("exam.papers-on-demand"),
+                    Message("exam.without-also"),
+                )
+            )
+        return Extras(self.solutions, self.method, also, papers=not self.no_papers)
 
     def press_order(self, bank: Bank) -> PressOrder:
         """The press for an exam."""

@@ -26,6 +26,7 @@ def hand_out(exam: ExamFolder, output: Path, *, force: bool = False) -> int:
     and nothing else. Raises ExamError, OutputError; then nothing is written.
     """
     _require_outside(exam.path, output)
+    _require_printed(exam)
     stems = _list_paper_stems(exam)
     files = list(_list_paper_files(exam.path, stems))
     names = [f"{stem}{kind}" for stem in stems for kind in KINDS]
@@ -78,6 +79,13 @@ def _require_outside(exam: Path, output: Path) -> None:
     inner, outer = output.resolve(), exam.resolve()
     if outer == inner or outer in inner.parents or inner in outer.parents:
         raise OutputError(Fault(str(output), Message("exam.output-in-exam", exam=str(exam))))
+
+
+def _require_printed(exam: ExamFolder) -> None:
+    """Raises ExamError where papers are printed only when they are asked for."""
+    if exam.head.unprinted:
+        expected, do = Message("exam.printed-papers"), Message("exam.print-on-demand")
+        raise ExamError(Fault(str(exam.path), Message("exam.unprinted"), expected, do))
 
 
 def _list_paper_stems(exam: ExamFolder) -> list[str]:

@@ -64,6 +64,7 @@ def make_exam_head(dealt: ClassDeal, candidates: Iterable[Candidate], run: Print
             for each in bank.by_hand
         ),
         choices=bank.choices,
+        unprinted=not run.extras.papers,
         earlier={name: tuple(map(dict, dealt)) for name, dealt in bank.earlier.items()},
     )
     return structs.replace(head, **dealt.secret.record())

@@ -12,20 +12,20 @@ from contextlib import ExitStack, contextmanager
 from pathlib import Path
 
 from kinegrade.exam.folder.contents import PAPERS, SOLUTIONS, SOURCES
-from kinegrade.exam.printing.printing import Printed
+from kinegrade.exam.printing.printing import Extras, Printed
 from kinegrade.press.join import open_volume
 from kinegrade.press.protocol import Printout
 
 
 @contextmanager
-def printed_files(folder: Path, *, solutions: bool) -> Iterator[Callable[[str, Printed], None]]:
-    """A function that writes each paper under its file name, and its worked solutions if wanted; at
-    the end, all of them are in one file too, behind those that it holds already.
+def printed_files(folder: Path, extras: Extras) -> Iterator[Callable[[str, Printed], None]]:
+    """A function that writes each paper and its worked solutions, as far as they are wanted, under
+    its file name; at the end, all of them are in one file too, behind those that it holds already.
     """
     with ExitStack() as books:
         volumes = {
             name: books.enter_context(open_volume(folder / f"{name}.pdf", duplex=True))
-            for name in (PAPERS, *([SOLUTIONS] if solutions else []))
+            for name in extras.folders
         }
         for name, append in volumes.items():
             (folder / name).mkdir(exist_ok=True)
@@ -54,7 +54,7 @@ def collect_files(file_name: str, printed: Printed) -> dict[str, bytes]:
 
 def read_printouts(
     file_name: str, files: Mapping[str, bytes]
-) -> tuple[Printout, Printout | None, dict[str, bytes]]:
+) -> tuple[Printout | None, Printout | None, dict[str, bytes]]:
     """The paper, its worked solutions and the other kinds of files that `collect_files` has put
     together.
     """
@@ -68,7 +68,7 @@ def read_printouts(
         for name, content in files.items()
         if name.startswith(f"{PAPERS}/") and not name.endswith(".pdf")
     }
-    return printouts[PAPERS], printouts.get(SOLUTIONS), also
+    return printouts.get(PAPERS), printouts.get(SOLUTIONS), also
 
 
 def _read_sources(place: str, files: Mapping[str, bytes]) -> dict[str, bytes]:
@@ -87,7 +87,8 @@ def replace_papers(
     """Write papers over those of the same file names, and all in one file anew, in that order."""
     papers = folder / PAPERS
     for name, each in printed:
-        _write(papers / f"{name}.pdf", each.paper, folder / SOURCES / PAPERS)
+        for printout in filter(None, [each.paper]):
+            _write(papers / f"{name}.pdf", printout, folder / SOURCES / PAPERS)
     with open_volume(folder / f"{PAPERS}.pdf", duplex=True) as append:
         for name in file_names:
             append((papers / f"{name}.pdf").read_bytes())
@@ -116,9 +117,8 @@ def write_key(file: Path, key: Printout) -> None:
 
 def _collect_printouts(printed: Printed) -> Mapping[str, Printout]:
     """The printouts by the folder where they lie."""
-    if printed.solution is None:
-        return {PAPERS: printed.paper}
-    return {PAPERS: printed.paper, SOLUTIONS: printed.solution}
+    printouts = {PAPERS: printed.paper, SOLUTIONS: printed.solution}
+    return {name: each for name, each in printouts.items() if each is not None}
 
 
 def _write(target: Path, printout: Printout, sources: Path) -> None:

@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 from typing import assert_never
 
 from kinegrade.exam.bank.blueprint import Bank
+from kinegrade.exam.folder.contents import PAPERS, SOLUTIONS
 from kinegrade.exam.folder.writing import encode_line
 from kinegrade.exam.printing.key_pages import make_key_paper
 from kinegrade.exam.printing.pages import lay_out_paper
@@ -49,15 +50,22 @@ class PressOrder:
 
 @dataclass(frozen=True)
 class Extras:
-    """What is wanted beside papers and key: worked solutions, by `method` where several serve,
+    """What is wanted beside the key: worked solutions, by `method` where several serve,
     in `solution_language` for everybody, else in that of each paper; papers in the other kinds of
-    files named (docx, html).
+    files named (docx, html). Without `papers` none is printed.
     """
 
     solutions: bool = False
     method: Method | None = None
     also: tuple[str, ...] = ()
     solution_language: Language | None = None
+    papers: bool = True
+
+    @property
+    def folders(self) -> tuple[str, ...]:
+        """The folders of what is printed."""
+        wanted = {PAPERS: self.papers, SOLUTIONS: self.solutions}
+        return tuple(name for name in wanted if wanted[name])
 
 
 @dataclass(frozen=True)
@@ -84,11 +92,12 @@ class PrintRun:
 
 @dataclass(frozen=True)
 class Printed:
-    """A paper, its worked solutions where they are wanted, and the paper in other kinds of files;
-    its line of key.jsonl, and its part of the instructor's key. `pages` counts those of the paper.
+    """A paper and its worked solutions, where they are wanted, and the paper in other kinds of
+    files; its line of key.jsonl, and its part of the instructor's key. `pages` counts those of the
+    paper.
     """
 
-    paper: Printout
+    paper: Printout | None
     pages: int
     solution: Printout | None
     also: Mapping[str, bytes]
@@ -109,28 +118,29 @@ def require_tools(extras: Extras) -> None:
 def print_papers(
     run: PrintRun, press: Press, papers: Sequence[SetPaper], sketcher: Sketcher = sketch
 ) -> list[Printed]:
-    """Each of the papers, with its worked solutions where they are wanted; `sketcher` draws their
-    figures.
+    """Each of the papers, and its worked solutions, as far as they are wanted; `sketcher` draws
+    their figures.
 
     Raises TypesetError with all faults of their texts.
     """
     pages = {
         paper.student.file_name: lay_out_paper(run.bank, paper, run.language, sketcher)
-        for paper in papers
+        for paper in (papers if run.extras.papers else ())
     }
     printouts, counts = _print_alike(press, pages, run.pages)
     solutions = print_solutions(run, press, papers) if run.extras.solutions else {}
     also = _print_also(pages, run) if run.extras.also else {}
     return [
         Printed(
-            run.bind(printouts[name]),
-            counts[name],
+            run.bind(printouts[name]) if name in printouts else None,
+            counts.get(name, 0),
             solutions.get(name),
             also.get(name, {}),
             encode_line(make_key_line(paper, mistakes, ordered=run.bank.states_orders)),
             make_key_paper(run.bank, paper, run.language),
         )
-        for name, paper, mistakes in zip(pages, papers, find_mistaken_answers(papers), strict=True)
+        for paper, mistakes in zip(papers, find_mistaken_answers(papers), strict=True)
+        for name in (paper.student.file_name,)
     ]
 
 

@@ -16,7 +16,7 @@ from typing import TypeVar
 import msgspec
 
 from kinegrade.errors import ExamError, Problem, suggest
-from kinegrade.exam.folder.contents import PAPERS
+from kinegrade.exam.folder.contents import PAPERS, SOLUTIONS
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.faults import describe_damage, explain_broken
 from kinegrade.exam.folder.records import Candidate
@@ -117,7 +117,16 @@ def kept_run(exam: ExamFolder, kept: KeptExam, **extras: object) -> PrintRun:
     )
 
 
-def find_kinds(exam: ExamFolder) -> tuple[str, ...]:
+def find_printed(exam: ExamFolder) -> Mapping[str, object]:
+    """What of an exam is printed, as `kept_run` takes it."""
+    return {
+        "papers": not exam.head.unprinted,
+        "solutions": (exam.path / SOLUTIONS).exists(),
+        "also": _find_kinds(exam),
+    }
+
+
+def _find_kinds(exam: ExamFolder) -> tuple[str, ...]:
     """The kinds of files, besides PDF, in which the folder has papers."""
     stems = [Path(each.file).stem for each in exam.head.students]
     return tuple(

@@ -16,13 +16,13 @@ _NOWHERE = "without-room"  # the booklet of students of whom no room is known
 
 def write_room_booklets(folder: Path, students: Iterable[Student]) -> None:
     """Write the booklets of an exam whose papers stand in `folder`, in place of those that it has;
-    none where no student has a room.
+    none where no student has a room, or no paper is printed.
     """
     shutil.rmtree(folder / ROOMS, ignore_errors=True)
     rooms: dict[str, list[Student]] = {}
     for student in sorted(students, key=find_seat):
         rooms.setdefault(student.room, []).append(student)
-    if not any(rooms):
+    if not any(rooms) or not (folder / PAPERS).is_dir():
         return
     (folder / ROOMS).mkdir()
     names = name_booklets(rooms)
