@@ -8,7 +8,6 @@ from kinegrade.problem.template.library.library import load_template
 from kinegrade.problem.template.library.reading import read_template
 from kinegrade.proof.checking import check
 from tests.problem.crank import crank
-from tests.problem.unshipped import load_problem
 from tests.said import all_said, said
 
 
@@ -49,7 +48,7 @@ def test_what_differs_in_its_numbers_alone_is_one_cause() -> None:
 
 
 def test_what_solving_takes_and_the_tags_that_it_lacks_are_said() -> None:
-    text = load_problem("rotary-engine").file.text
+    text = load_template("rotary-engine").file.text
     report = check(read_template("engine", text.replace('"coriolis", "machine", ', "")), sample=5)
     assert said(report.demands) == "difficulty: 1 of 5; about 12 minutes"
     assert "tags that would let banks find it: coriolis" in all_said(report.remarks)

@@ -40,5 +40,6 @@ def test_a_body_is_called_by_its_letters_or_by_its_kind(
 
 def test_a_word_that_no_catalogue_has_stays_as_the_template_writes_it() -> None:
     chinese = open_catalogue(Language("zh"))
+    assert chinese.write(name_kind("cylinder")) == "气缸"
     assert chinese.write(name_kind("lever")) == "lever"
     assert chinese.write(name_by_number("lever", "2")) == "lever 2"
