@@ -52,6 +52,10 @@ def test_the_name_of_a_ring_stands_at_its_teeth() -> None:
     assert 26.0 < hypot(*name("W", (ring,), Layout.of(()))) < 29.0
 
 
+def test_the_name_of_a_stepped_wheel_stands_between_its_rims() -> None:
+    assert 11.0 < hypot(*name("W", (WHEEL, replace(WHEEL, radius=11.0)), Layout.of(()))) < 15.0
+
+
 def test_the_name_of_a_bar_does_not_stand_in_a_wheel_behind_it() -> None:
     bar = Bar("AB", Vector(0.0, 10.0), Vector(40.0, 10.0))
     at = name("AB", (replace(WHEEL, radius=25.0),), Layout.of(()), (bar,))

@@ -48,8 +48,9 @@ def add_body_names(
     layout: Layout, mechanism: Mechanism, hints: FigureHints, drawing: Drawing
 ) -> Layout:
     """The layout with the names of bodies, which may stand anywhere in or next to them, but last in
-    the disc of another one, beside what is written already, at the end of a line or in an angle,
-    which would seem to have that name. The name of a bar without any other place is led to it.
+    the disc of another one or a smaller disc of their own, beside what is written already, at the
+    end of a line or in an angle, which would seem to have that name. The name of a bar without any
+    other place is led to it.
 
     Raises TemplateError for the label of a body of which nothing is drawn.
     """
@@ -57,7 +58,7 @@ def add_body_names(
         if symbol and body not in mechanism.points:
             circles = [*drawing.rims, *_list_slotted_discs(drawing)]
             own = next((rim for rim in circles if rim.body == body), None)
-            others = tuple(rim for rim in circles if rim.body != body)
+            others = tuple(rim for rim in circles if rim is not own)
             around = _Surroundings(layout, own, others)
             spots = _list_spots(body, symbol, own, drawing)
             taken = around.rate(symbol, spots) + around.find_outside(spots)

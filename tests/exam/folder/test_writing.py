@@ -80,6 +80,7 @@ HEAD = ExamHead(
             seat="3",
             language="zh",
             extra_time="25 %",
+            print_format="large-print",
             was_spare=True,
         ),
     ),
