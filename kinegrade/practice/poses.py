@@ -17,7 +17,7 @@ from kinegrade.practice.skeleton import list_circles
 from kinegrade.problem.solution import Solution
 
 WIDTH, HEIGHT, MARGIN = 110.0, 84.0, 13.0  # millimetres
-FINE = 400  # steps of a millimetre
+FINE = 4000  # steps of a millimetre
 CURVE_STEPS = 1000  # between the least and the greatest value of a curve
 _MOVED_STEPS = 200_000  # of the whole way of the input
 _ORDER = 4  # of the differences by which positions are written
@@ -31,11 +31,13 @@ class PracticeMotion:
     that stays is one number.
 
     `moved` is how far the input has gone, in parts of `low` to `high`, `speed` and `acceleration`
-    those given; `radii` are in mm. `curves` are for some asks the least and greatest value and the
+    those given; `radii` are in mm; `poles` is false where positions are
+    too few to tell velocity poles. `curves` are for some asks the least and greatest value and the
     parts between, "" where there is none.
     """
 
     closed: bool
+    poles: bool
     width: float
     height: float
     low: float
@@ -82,9 +84,11 @@ def write_motion(path: MotionPath, solution: Solution, asks: tuple[str, ...]) ->
     low, high = float(table.moved.min()), float(table.moved.max())
     shown = convert_displacements(path, np.array([low, high, *_find_given_rates(path)]))
     width, height = window.size
+    rows = np.concatenate([table.places, table.marks])
     circles = list_circles(path.motion.frames.mechanism)
     return PracticeMotion(
         closed=path.is_closed,
+        poles=table.tells_poles,
         width=width,
         height=height,
         low=float(shown[0]),
@@ -93,7 +97,7 @@ def write_motion(path: MotionPath, solution: Solution, asks: tuple[str, ...]) ->
         speed=float(shown[2]),
         acceleration=float(shown[3]),
         radii=tuple(round(float(each.radius) * window.scale, 2) for each in circles),
-        coordinates=tuple(_write_differences(row * FINE) for row in window.project(table.places)),
+        coordinates=tuple(_write_differences(row * FINE) for row in window.project(rows)),
         curves=tuple(_write_curves(solution, table.placement, asks)),
     )
 

@@ -84,7 +84,7 @@ def _find_skeleton(
         return None
     moves = open_catalogue(language).write(name_input(path))
     unit = "°" if path.input.is_angle else "m"
-    return make_skeleton(path.motion.frames.mechanism, template.figure, moves, unit)
+    return make_skeleton(path, template.figure, moves, unit)
 
 
 def _list_texts(drawn: DrawnQuestion, language: Language) -> Iterator[str]:

@@ -3,30 +3,38 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
+from kinegrade.cycles.centrodes import list_unpinned_bodies
 from kinegrade.mechanics.vector import Vector
 from kinegrade.motion.ends import Open
 from kinegrade.motion.path import Array, MotionPath, Placement
 from kinegrade.motion.placing import Placing
 from kinegrade.practice.skeleton import list_guides
 
-_COUNTS = (36, 72, 144)  # positions of a turn, or of a swing
+NEIGHBOURS = 8  # positions of which the script makes the one between them
+_COUNTS = (36, 72, 144, 288)  # positions of a turn, or of a swing
 _MOST = 288
 _TURNS = 2  # of an input after which the mechanism never is as it was: the rest is much the same
-_TRUE = 0.0005  # of the drawing's longer side: what interpolated positions may be off
+_TRUE = 0.00003  # of the drawing's longer side: what interpolated positions may be off
+_SURE = 0.0003  # the same, from where on velocity poles are not to be told
 _FAR = 2.0  # sizes of the mechanism that a point may go
 _BEYOND = 0.06  # sizes of the mechanism: of a guide behind the last place of what moves there
 
 
 @dataclass(frozen=True, eq=False)
 class PoseTable:
-    """Positions at displacements of the input: `places` has coordinates in m, one row for each."""
+    """Positions at displacements of the input: `places` has coordinates in m, one row for each,
+    `marks` those of what is not drawn; `tells_poles` where they are close enough for
+    velocity poles.
+    """
 
     placement: Placement
     places: Array
+    marks: Array
+    tells_poles: bool = False
 
     @property
     def moved(self) -> Array:
@@ -47,9 +55,10 @@ def choose_poses(path: MotionPath) -> PoseTable:
     turns = max(1, round((high - low) / path.input.period)) if path.input.period else 1
     for count in _COUNTS:
         table = _tabulate(path, _spread(path, min(_MOST, count * turns)))
-        if count * turns >= _MOST or _find_error(path, table) <= _TRUE * table.extent:
+        error = _find_error(path, table) / table.extent
+        if error <= _TRUE or count * turns >= _MOST:
             break
-    return table
+    return replace(table, tells_poles=error <= _SURE)
 
 
 def _find_way(path: MotionPath) -> tuple[float, float]:
@@ -79,7 +88,11 @@ def _spread(path: MotionPath, count: int) -> Array:
 
 def _tabulate(path: MotionPath, moved: Array) -> PoseTable:
     placement = path.place(moved)
-    return PoseTable(placement, np.array(list(_list_rows(path, placement))))
+    places, marks = (
+        np.array(list(list_rows(path, placement))).reshape(-1, len(moved))
+        for list_rows in (_list_rows, _list_marks)
+    )
+    return PoseTable(placement, places, marks)
 
 
 def _list_rows(path: MotionPath, placement: Placement) -> Iterator[Array]:
@@ -99,6 +112,17 @@ def _list_rows(path: MotionPath, placement: Placement) -> Iterator[Array]:
             yield from _broadcast(now + ahead * float(reach), shape)
 
 
+def _list_marks(path: MotionPath, placement: Placement) -> Iterator[Array]:
+    """x and y of a place of each body that no pin holds, far from its first point: velocity poles
+    are found by both.
+    """
+    placing = Placing(path.motion.frames, placement.at)
+    beside = Vector(path.size, 0.0)
+    for body in list_unpinned_bodies(path):
+        mark = placing.place(body.name, path.motion.points[body.points[0]] + beside)
+        yield from _broadcast(mark, placement.moved.shape)
+
+
 def _broadcast(point: Vector, shape: tuple[int, ...]) -> Iterator[Array]:
     for component in point:
         yield np.broadcast_to(np.asarray(component, dtype=float), shape)
@@ -106,21 +130,36 @@ def _broadcast(point: Vector, shape: tuple[int, ...]) -> Iterator[Array]:
 
 def _find_error(path: MotionPath, table: PoseTable) -> float:
     """How far positions halfway between are off when interpolated as the script does, m."""
-    moved = table.moved
-    if path.is_closed:
-        low, high = path.bounds
-        step = (high - low) / len(moved)
-        between = moved + step / 2
-        rows = np.concatenate([table.places[:, -1:], table.places, table.places[:, :2]], axis=1)
+    low, high = path.bounds
+    gain = high - low if path.is_closed else None
+    between = _interpolate(table.moved[None, :], gain)[0]
+    count, loop = 2 * len(path.motion.points), 0.0 if path.is_closed else None
+    rows = np.concatenate([table.places[:count], table.marks])
+    found = _tabulate(path, between)
+    expected = np.concatenate([found.places[:count], found.marks])
+    return float(np.abs(_interpolate(rows, loop) - expected).max())
+
+
+def _interpolate(rows: Array, gain: float | None) -> Array:
+    """Values halfway between neighbours by the polynomial through those about them; rows go on
+    behind their end, more by `gain`, where that is not None.
+    """
+    count = rows.shape[1]
+    width = min(NEIGHBOURS, count)
+    before = (width - 1) // 2
+    if gain is None:
+        starts = np.clip(np.arange(count - 1) - before, 0, count - width)
+        shares = np.arange(count - 1) + 0.5 - starts
     else:
-        inputs = moved[None, :]
-        between = _interpolate(inputs)[0]
-        rows = table.places
-    count = 2 * len(path.motion.points)
-    found = _tabulate(path, between).places[:count]
-    return float(np.abs(_interpolate(rows[:count]) - found).max())
+        rows = np.concatenate([rows - gain, rows, rows + gain], axis=1)
+        starts, shares = np.arange(count) + count - before, np.full(count, before + 0.5)
+    near = rows[:, starts[:, None] + np.arange(width)]
+    return np.asarray((near * _weigh(shares, width)).sum(axis=2))
 
 
-def _interpolate(rows: Array) -> Array:
-    """Values halfway between neighbours, but for the first and last, by the cubic through four."""
-    return np.asarray((9 * (rows[:, 1:-2] + rows[:, 2:-1]) - rows[:, :-3] - rows[:, 3:]) / 16)
+def _weigh(places: Array, count: int) -> Array:
+    """The weights with which values at 0, 1, 2 ... give those at these places (Lagrange)."""
+    numbers = np.arange(count)
+    apart = numbers[:, None] - numbers + np.eye(count)
+    ahead = np.where(np.eye(count, dtype=bool), 1.0, places[:, None, None] - numbers)
+    return np.asarray((ahead / apart).prod(axis=2))

@@ -12,7 +12,7 @@ _FOR_READERS = re.compile(
 )
 READER = ("keyboard", "number", "formula", "unit", "sense", "answer")
 JUDGE = ("judge", "guess", "unpack", "follow")
-MOTION = ("poses", "drawing", "graph", "motion")
+MOTION = ("poses", "poles", "drawing", "graph", "motion")
 PAGE = ("words", "explain", "score", *MOTION, "question")
 
 

@@ -4,16 +4,18 @@ them.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from typing import assert_never
 
+from kinegrade.cycles.centrodes import find_poled_bodies, list_unpinned_bodies, name_poles
 from kinegrade.figure.back_ends.svg import write_symbol_spans
 from kinegrade.figure.marks.names import write_point_symbol
 from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.laws import EqualRotation, GuidedBody, GuidedPoint, SharedPoint
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.shapes import Circle, Line
+from kinegrade.motion.path import MotionPath
 from kinegrade.problem.template.hints import FigureHints
 
 
@@ -30,11 +32,21 @@ class Guide:
 
 
 @dataclass(frozen=True)
+class PracticePole:
+    """The velocity pole of the body that has these two places, a point and its mark; its `letter`
+    is SVG.
+    """
+
+    letter: str
+    points: tuple[int, int]
+
+
+@dataclass(frozen=True)
 class PracticeSkeleton:
     """A mechanism by the places of its points among `labels` (SVG, "" for points without a letter);
-    behind them two points for each of the `guides`. `bars` join the points of each body, `circles`
-    have their centres, `pivots` are fixed; `riders` move along the guides, those that are `blocks`
-    drawn as such.
+    behind them two points for each guide, and a mark on each body that no pin holds. `bars` join
+    the points of each body, `circles` have their centres, `pivots` are fixed; `riders` move along
+    the guides, those that are `blocks` drawn as such.
     """
 
     labels: tuple[str, ...]
@@ -43,6 +55,7 @@ class PracticeSkeleton:
     pivots: tuple[int, ...]
     riders: tuple[int, ...]
     blocks: tuple[bool, ...]
+    poles: tuple[PracticePole, ...]
     input: str  # what moves it, in words
     unit: str  # of the displacements that are shown: "°" or "m"
 
@@ -74,12 +87,9 @@ def list_circles(mechanism: Mechanism) -> tuple[Circle, ...]:
     )
 
 
-def make_skeleton(
-    mechanism: Mechanism, hints: FigureHints, moves: str, unit: str
-) -> PracticeSkeleton:
-    """The skeleton of a mechanism at its instant, in doubles. Raises TypesetError for a symbol that
-    is none.
-    """
+def make_skeleton(path: MotionPath, hints: FigureHints, moves: str, unit: str) -> PracticeSkeleton:
+    """The skeleton of a mechanism that moves. Raises TypesetError for a symbol that is none."""
+    mechanism = path.motion.frames.mechanism
     order = {name: place for place, name in enumerate(mechanism.points)}
     carried = {name for body in mechanism.bodies for name in body.points}
     guides = list_guides(mechanism)
@@ -95,9 +105,21 @@ def make_skeleton(
         pivots=tuple(pivots),
         riders=tuple(order[guide.rider] for guide in guides),
         blocks=tuple(guide.is_block for guide in guides),
+        poles=tuple(_list_poles(path, order)),
         input=moves,
         unit=unit,
     )
+
+
+def _list_poles(path: MotionPath, order: Mapping[str, int]) -> Iterator[PracticePole]:
+    """The poles, each with a point of its body and the mark."""
+    mechanism, poled = path.motion.frames.mechanism, find_poled_bodies(path)
+    first = len(order) + 2 * len(list_guides(mechanism))
+    marks = {body.name: first + place for place, body in enumerate(list_unpinned_bodies(path))}
+    symbols = name_poles(path, len(poled))
+    for name, symbol in zip(poled, symbols, strict=True):
+        point = order[mechanism.body(name).points[0]]
+        yield PracticePole(write_symbol_spans(symbol), (point, marks[name]))
 
 
 def _write_label(name: str, carried: set[str], hints: FigureHints) -> str:

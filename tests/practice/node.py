@@ -41,13 +41,14 @@ const judged = sheet.questions.map((question, place) =>
 process.stdout.write(JSON.stringify(judged));
 """
 _MOVE = """
-const { motions, shares } = JSON.parse(require("fs").readFileSync(0, "utf8"));
+const { motions, shares, poles } = JSON.parse(require("fs").readFileSync(0, "utf8"));
 const shown = motions.map((motion) => {
   const poses = new Poses(motion);
   return shares.map((share) => {
     const place = share * poses.last;
     const rates = poses.rates(place);
-    return { input: poses.inputAt(place), points: poses.at(place), ...rates };
+    const found = poles.map((points) => findPole(poses, points, place));
+    return { input: poses.inputAt(place), points: poses.at(place), ...rates, poles: found };
   });
 });
 process.stdout.write(JSON.stringify({ shown, instants: motions.map((each) => new Poses(each).instant) }));
@@ -76,9 +77,15 @@ def judge_in_node(sheet: PracticeSheet, typed: Typed) -> list[list[list[Shown]]]
     return msgspec.convert(_run(_JUDGE, {"sheet": sheet, "typed": typed}), list[list[list[Shown]]])
 
 
-def move_in_node(motions: Sequence[PracticeMotion], shares: Sequence[float]) -> dict[str, Any]:
-    """For each motion what the script shows at shares of its cycle, and the place of its instant."""
-    return dict(_run(_MOVE, {"motions": motions, "shares": shares}))
+def move_in_node(
+    motions: Sequence[PracticeMotion],
+    shares: Sequence[float],
+    poles: Sequence[tuple[int, int]] = (),
+) -> dict[str, Any]:
+    """For each motion what the script shows at shares of its cycle, with the poles of the bodies
+    that have these points, and the place of its instant.
+    """
+    return dict(_run(_MOVE, {"motions": motions, "shares": shares, "poles": poles}))
 
 
 def _run(driver: str, given: Mapping[str, Any]) -> Any:

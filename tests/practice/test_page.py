@@ -193,3 +193,21 @@ def test_arrows_and_curves_are_drawn(page: Page) -> None:
     assert page.run(f"{arrows.format('acceleration')}.length") > 0
     assert page.run("document.querySelectorAll('section:first-of-type .graph .curve').length") == 3
     assert not page.run("/NaN|undefined/.test(document.querySelector('.motion').innerHTML)")
+
+
+def test_paths_poles_and_centrodes_are_drawn_when_they_are_asked_for(page: Page) -> None:
+    page.run("document.querySelector('.motion').open = true")
+    page.wait("document.querySelector('.stage .bar')")
+    count = "[...document.querySelectorAll('.stage {}')].filter((each) => !each.matches('[hidden]')).length"
+    asked = {"paths": ".trace", "poles": "circle.pole", "centrodes": ".moving-centrode"}
+    assert [page.run(count.format(drawn)) for drawn in asked.values()] == [2, 0, 0]
+    for box in asked:
+        page.run(f"document.querySelector('.{box}').click()")
+    assert [page.run(count.format(drawn)) for drawn in asked.values()] == [0, 1, 1]
+
+
+def test_boxes_for_poles_are_there_where_a_body_has_one(page: Page) -> None:
+    page.run("for (const each of document.querySelectorAll('.motion')) each.open = true")
+    page.wait("document.querySelectorAll('.stage .bar').length > 4")
+    boxes = "document.querySelectorAll('.motion')[{}].querySelectorAll('.of-poles:not([hidden])').length"
+    assert [page.run(boxes.format(number)) for number in range(4)] == [2, 2, 0, 2]

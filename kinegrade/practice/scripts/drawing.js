@@ -9,6 +9,7 @@
  * @property {number[]} pivots
  * @property {number[]} riders
  * @property {boolean[]} blocks
+ * @property {{letter: string, points: [number, number]}[]} poles
  * @property {string} input
  * @property {string} unit
  */
@@ -16,6 +17,11 @@
 const LONGEST_ARROW = 18; // mm
 const NEXT_TO_NOTHING = 0.03;
 const SEEN = 0.6; // mm: shorter arrows are not drawn
+const BESIDE_BLOCK = 4; // mm from a point to its letter, past the block at it
+const ROOM = 6; // mm between what is seen and the edge
+
+/** @typedef {{velocities: boolean, accelerations: boolean, paths: boolean, poles: boolean, centrodes: boolean}} Wanted */
+
 const SVG = "http://www.w3.org/2000/svg";
 
 /**
@@ -39,15 +45,18 @@ function writeCorners(points) {
 class Drawing {
   /** @param {SVGElement} stage @param {Skeleton} skeleton @param {Poses} poses */
   constructor(stage, skeleton, poses) {
-    const { width, height, radii } = poses.motion;
+    const { radii } = poses.motion;
     stage.replaceChildren();
-    stage.setAttribute("viewBox", `0 0 ${width} ${height}`);
-    stage.style.width = `${width * PIXELS}px`;
+    this.stage = stage;
     this.skeleton = skeleton;
     this.poses = poses;
     const add = (/** @type {string} */ name, /** @type {Record<string, string | number>} */ attributes) =>
       stage.appendChild(makeShape(name, attributes));
-    this.traces = this.listMoving().map((row) => add("polyline", { class: "trace", points: this.trace(row) }));
+    const ways = poses.fine.map((place) => poses.at(place));
+    this.traces = this.listMoving().map((row) =>
+      add("polyline", { class: "trace", points: writeCorners(ways.map((points) => points[row])) }),
+    );
+    this.poles = skeleton.poles.map((pole) => new PoleDrawing(stage, pole, poses));
     this.circles = skeleton.circles.map((_, number) => add("circle", { class: "rim", r: radii[number] }));
     this.guides = skeleton.riders.map(() => add("polyline", { class: "guide" }));
     this.pivots = skeleton.pivots.map(() => add("path", { class: "pivot" }));
@@ -77,13 +86,6 @@ class Drawing {
     });
   }
 
-  /** @param {number} row @returns {string} the way of a point */
-  trace(row) {
-    const { poses } = this;
-    const fine = Array.from({ length: 4 * poses.last + 1 }, (_, step) => poses.at(step / 4)[row]);
-    return writeCorners(fine);
-  }
-
   /** Millimetres of arrows for those of the rates, by what is usual over the cycle. */
   findScales() {
     const places = Array.from({ length: this.poses.count }, (_, place) => this.poses.rates(place));
@@ -102,8 +104,9 @@ class Drawing {
     };
   }
 
-  /** @param {number} place @param {{velocities: boolean, accelerations: boolean}} wanted */
+  /** @param {number} place @param {Wanted} wanted */
   show(place, wanted) {
+    this.widen(wanted.poles || wanted.centrodes);
     const points = this.poses.at(place);
     const { labels, bars, circles, pivots } = this.skeleton;
     circles.forEach((centre, number) => moveCircle(this.circles[number], points[centre]));
@@ -111,23 +114,49 @@ class Drawing {
     bars.forEach((corners, number) =>
       this.bars[number].setAttribute("points", writeCorners(corners.map((corner) => points[corner]))),
     );
-    this.showGuides(points, labels.length);
+    this.showGuides(points);
     labels.forEach((_, row) => {
       moveCircle(this.joints[row], points[row]);
-      this.letters[row].setAttribute("x", String(points[row][0] + 1.6));
-      this.letters[row].setAttribute("y", String(points[row][1] - 1.6));
+      moveLetter(this.letters[row], points[row], this.findBlock(row, points));
     });
+    for (const trace of this.traces) trace.toggleAttribute("hidden", !wanted.paths);
+    for (const pole of this.poles) pole.show(place, wanted);
     this.showArrows(place, points, wanted);
   }
 
-  /** @param {[number, number][]} points @param {number} first the place of the guides' ends */
-  showGuides(points, first) {
+  /** @param {boolean} wide whether what lies beside the mechanism is seen as well */
+  widen(wide) {
+    const { width, height } = this.poses.motion;
+    const seen = wide ? this.poles.flatMap((pole) => pole.seen) : [];
+    const [left, right] = stretch(width, seen.map(([x]) => x));
+    const [top, bottom] = stretch(height, seen.map(([, y]) => y));
+    this.stage.setAttribute("viewBox", `${left} ${top} ${right - left} ${bottom - top}`);
+    this.stage.style.width = `${(right - left) * PIXELS}px`;
+  }
+
+  /**
+   * @param {number} row
+   * @param {[number, number][]} points
+   * @returns {number | null} the angle of the guide whose block is drawn at a point
+   */
+  findBlock(row, points) {
+    const number = this.skeleton.riders.findIndex((rider, each) => rider === row && this.skeleton.blocks[each]);
+    return number < 0 ? null : findTurn(this.findEnds(points, number));
+  }
+
+  /** @param {[number, number][]} points @param {number} number @returns {[number, number][]} of a guide */
+  findEnds(points, number) {
+    const first = this.skeleton.labels.length + 2 * number;
+    return points.slice(first, first + 2);
+  }
+
+  /** @param {[number, number][]} points */
+  showGuides(points) {
     this.skeleton.riders.forEach((rider, number) => {
-      const ends = points.slice(first + 2 * number, first + 2 * number + 2);
+      const ends = this.findEnds(points, number);
       this.guides[number].setAttribute("points", writeCorners(ends));
-      const turn = Math.atan2(ends[1][1] - ends[0][1], ends[1][0] - ends[0][0]);
       const [x, y] = points[rider];
-      const angle = (turn * 180) / Math.PI;
+      const angle = (findTurn(ends) * 180) / Math.PI;
       this.sliders[number].setAttribute("transform", `translate(${x} ${y}) rotate(${angle})`);
     });
   }
@@ -135,7 +164,7 @@ class Drawing {
   /**
    * @param {number} place
    * @param {[number, number][]} points
-   * @param {{velocities: boolean, accelerations: boolean}} wanted
+   * @param {Wanted} wanted
    */
   showArrows(place, points, wanted) {
     const rates = this.poses.rates(place);
@@ -153,6 +182,31 @@ class Drawing {
 function moveCircle(circle, [x, y]) {
   circle.setAttribute("cx", x.toFixed(2));
   circle.setAttribute("cy", y.toFixed(2));
+}
+
+/** @param {[number, number][]} ends @returns {number} the angle of a line, rad */
+function findTurn([[left, top], [right, bottom]]) {
+  return Math.atan2(bottom - top, right - left);
+}
+
+/**
+ * Moves a letter beside its point: past the block there, if there is one along a line of this angle.
+ * @param {SVGElement} letter
+ * @param {[number, number]} point
+ * @param {number | null} turn
+ */
+function moveLetter(letter, [x, y], turn) {
+  const side = turn === null || Math.cos(turn) < 0 ? -1 : 1;
+  const [across, down] = turn === null ? [1.6, -1.6] : [side * Math.sin(turn), -side * Math.cos(turn)];
+  const far = turn === null ? 1 : BESIDE_BLOCK;
+  letter.setAttribute("x", String(x + far * across));
+  letter.setAttribute("y", String(y + far * down + (turn === null ? 0 : 1.1)));
+  letter.setAttribute("text-anchor", turn === null ? "start" : "middle");
+}
+
+/** @param {number} size @param {number[]} seen @returns {[number, number]} ends that hold all of it */
+function stretch(size, seen) {
+  return [Math.min(0, ...seen.map((each) => each - ROOM)), Math.max(size, ...seen.map((each) => each + ROOM))];
 }
 
 /** @param {[number, number]} point @returns {string} the support under a fixed pivot */

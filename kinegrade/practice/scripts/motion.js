@@ -51,6 +51,9 @@ class MotionView {
     this.drawing = new Drawing(this.stage, question.skeleton, poses);
     const graphs = find(this.box, ".graphs");
     graphs.replaceChildren();
+    for (const each of this.box.querySelectorAll(".of-poles")) {
+      each.toggleAttribute("hidden", !question.skeleton.poles.length);
+    }
     this.graphs = question.followed.map(
       (row, number) => new Graph(graphs, question.asks[row], motion.curves[number], poses, this.words),
     );
@@ -66,11 +69,17 @@ class MotionView {
     this.slider.value = String(place);
     const wants = (/** @type {string} */ name) =>
       /** @type {HTMLInputElement} */ (find(this.box, `.${name}`)).checked;
-    this.drawing.show(place, { velocities: wants("velocities"), accelerations: wants("accelerations") });
+    this.drawing.show(place, {
+      velocities: wants("velocities"),
+      accelerations: wants("accelerations"),
+      paths: wants("paths"),
+      poles: wants("poles"),
+      centrodes: wants("centrodes"),
+    });
     for (const graph of this.graphs ?? []) graph.show(place);
     const { unit } = /** @type {Skeleton} */ (this.question.skeleton);
     const moved = this.poses.inputAt(place);
-    const said = unit === "m" ? `${this.words.writeNumber(moved, 3)} m` : `${Math.round(moved)}°`;
+    const said = unit === "m" ? `${this.words.writeNumber(Number(moved.toFixed(4)), 3)} m` : `${Math.round(moved)}°`;
     find(this.box, "output").textContent = said;
     this.slider.setAttribute("aria-valuetext", said);
   }
@@ -97,10 +106,10 @@ class MotionView {
     if (!this.poses) return;
     const { last, motion } = this.poses;
     const next = this.place + (this.sense * last * seconds) / CYCLE_SECONDS;
-    if (motion.closed) this.show(((next % last) + last) % last);
+    if (motion.closed) this.show(modulo(next, last));
     else if (next < 0 || next > last) {
       this.sense = -this.sense;
-      this.show(Math.min(Math.max(next, 0), last));
+      this.show(clamp(next, 0, last));
     } else this.show(next);
   }
 
@@ -129,7 +138,7 @@ class MotionView {
     let [best, least] = [this.place, Infinity];
     for (let shift = -last / 5; shift <= last / 5; shift += last / 400) {
       const moved = this.place + shift;
-      const place = motion.closed ? ((moved % last) + last) % last : Math.min(Math.max(moved, 0), last);
+      const place = motion.closed ? modulo(moved, last) : clamp(moved, 0, last);
       const [left, top] = poses.at(place)[row];
       const distance = Math.hypot(left - x, top - y) + (1e-3 * Math.abs(shift)) / last;
       if (distance < least) [best, least] = [place, distance];
@@ -140,7 +149,8 @@ class MotionView {
   /** @param {PointerEvent} event @returns {[number, number]} where it is in the drawing, in mm */
   locate(event) {
     const box = this.stage.getBoundingClientRect();
-    const scale = /** @type {Poses} */ (this.poses).motion.width / box.width;
-    return [(event.clientX - box.left) * scale, (event.clientY - box.top) * scale];
+    const { x, y, width } = /** @type {SVGSVGElement} */ (this.stage).viewBox.baseVal;
+    const scale = width / box.width;
+    return [x + (event.clientX - box.left) * scale, y + (event.clientY - box.top) * scale];
   }
 }

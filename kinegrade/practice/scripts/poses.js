@@ -4,6 +4,7 @@
 /**
  * @typedef {object} Motion
  * @property {boolean} closed
+ * @property {boolean} poles
  * @property {number} width
  * @property {number} height
  * @property {number} low
@@ -17,9 +18,13 @@
  */
 
 const ORDER = 4; // of the differences by which positions are written
-const FINE = 400; // steps of a millimetre
+const FINE = 4000; // steps of a millimetre
 const MOVED_STEPS = 200000; // of the whole way of the input
 const CURVE_STEPS = 1000;
+const NEIGHBOURS = 8; // positions of which one between them is made
+const PLACES = 4; // of a curve for each position
+
+/** @typedef {{first: number, weights: number[][]}} Near positions about a place, and their weights */
 
 /** @param {string} text @returns {number[]} the values behind their differences of the last order */
 function sumUp(text) {
@@ -48,6 +53,11 @@ class Poses {
     return this.motion.closed ? this.count : this.count - 1;
   }
 
+  /** @returns {number[]} places close enough for curves */
+  get fine() {
+    return Array.from({ length: PLACES * this.last + 1 }, (_, number) => number / PLACES);
+  }
+
   /** @returns {number} the place of the instant: where the input has not moved */
   get instant() {
     const { low, high } = this.motion;
@@ -61,35 +71,71 @@ class Poses {
   /** @param {number} place @returns {number} how far the input has moved since the instant */
   inputAt(place) {
     const { low, high } = this.motion;
-    return low + (high - low) * interpolate(this.moved, place, (whole) => this.entry(this.moved, whole, 1));
+    return low + (high - low) * this.shareAt(place);
+  }
+
+  /** @param {number} place @returns {number} the same as a part of the way from `low` to `high` */
+  shareAt(place) {
+    return this.combine(this.moved, this.near(place), 0, true);
   }
 
   /** @param {number} place @returns {[number, number][]} where the points are, in mm */
   at(place) {
-    const found = this.rows.map((row) => interpolate(row, place, (whole) => this.entry(row, whole, 0)));
-    return pair(found);
+    const near = this.near(place);
+    return pair(this.rows.map((row) => this.combine(row, near, 0)));
   }
 
   /**
-   * A row's value at a whole place, also beyond its ends.
+   * Where a point is, in mm, and how far it goes from a place to the next one.
+   * @param {number} point
+   * @param {Near} near
+   * @returns {{x: number, y: number, across: number, down: number}}
+   */
+  follow(point, near) {
+    const [left, top] = [this.rows[2 * point], this.rows[2 * point + 1]];
+    return {
+      x: this.combine(left, near, 0),
+      y: this.combine(top, near, 0),
+      across: this.combine(left, near, 1),
+      down: this.combine(top, near, 1),
+    };
+  }
+
+  /** @param {number} place @param {number} [wanted] how many positions @returns {Near} */
+  near(place, wanted = NEIGHBOURS) {
+    const count = Math.min(wanted, this.count);
+    const before = Math.floor(place) - Math.floor((count - 1) / 2);
+    const first = this.motion.closed ? before : clamp(before, 0, this.count - count);
+    return { first, weights: weigh(place - first, count) };
+  }
+
+  /**
+   * What becomes of a row at a place: its value there, or its first or second derivative.
+   * @param {number[]} row
+   * @param {Near} near
+   * @param {number} order of the derivative
+   * @param {boolean} [turns] whether it grows from turn to turn
+   * @returns {number}
+   */
+  combine(row, { first, weights }, order, turns = false) {
+    if (row.length === 1) return order ? 0 : row[0];
+    return weights[order].reduce(
+      (sum, weight, number) => sum + weight * this.entry(row, first + number, turns),
+      0,
+    );
+  }
+
+  /**
+   * A row's value at a whole place, in closed cycles also before and after it.
    * @param {number[]} row
    * @param {number} whole
-   * @param {number} turns whether it grows from turn to turn
+   * @param {boolean} turns whether it grows from turn to turn
    * @returns {number}
    */
   entry(row, whole, turns) {
-    if (row.length === 1) return row[0];
-    if (this.motion.closed) {
-      const wrapped = ((whole % this.count) + this.count) % this.count;
-      const gained = turns ? ((whole - wrapped) / this.count) * this.count * (row[1] - row[0]) : 0;
-      return row[wrapped] + gained;
-    }
-    if (whole < 0) return 3 * row[0] - 3 * row[1] + row[2];
-    if (whole >= this.count) {
-      const [third, second, first] = row.slice(-3);
-      return 3 * first - 3 * second + third;
-    }
-    return row[whole];
+    if (!this.motion.closed) return row[whole];
+    const wrapped = modulo(whole, this.count);
+    return row[wrapped] + (turns ? (whole - wrapped) * (row[1] - row[0]) : 0);
   }
 
   /**
@@ -98,15 +144,14 @@ class Poses {
    * @returns {{velocities: [number, number][], accelerations: [number, number][]}}
    */
   rates(place) {
-    const { closed, speed, acceleration } = this.motion;
-    const inside = closed ? place : Math.min(Math.max(place, 2), this.last - 2);
-    const places = AROUND.map((shift) => inside + shift);
-    const [slope, bend] = differentiate(places.map((each) => this.inputAt(each)));
-    const spots = places.map((each) => this.at(each).flat());
-    const found = spots[0].map((_, row) => {
-      const [first, second] = differentiate(spots.map((spot) => spot[row]));
-      const rise = first / slope;
-      const bent = (second - rise * bend) / slope ** 2;
+    const { closed, low, high, speed, acceleration } = this.motion;
+    const near = this.near(closed ? place : clamp(place, 2, this.last - 2));
+    const [slope, bend] = [1, 2].map(
+      (order) => (high - low) * this.combine(this.moved, near, order, true),
+    );
+    const found = this.rows.map((row) => {
+      const rise = this.combine(row, near, 1) / slope;
+      const bent = (this.combine(row, near, 2) - rise * bend) / slope ** 2;
       return { velocity: rise * speed, acceleration: bent * speed ** 2 + rise * acceleration };
     });
     return {
@@ -116,11 +161,44 @@ class Poses {
   }
 }
 
-const AROUND = [-2, -1, 0, 1, 2];
+/**
+ * The weights with which values at 0, 1, 2 ... give that at a place between them, and its first and
+ * second derivative: Fornberg, Mathematics of Computation 51 (1988) 699.
+ * @param {number} place
+ * @param {number} count
+ * @returns {number[][]}
+ */
+function weigh(place, count) {
+  const weights = [0, 1, 2].map(() => new Array(count).fill(0));
+  weights[0][0] = 1;
+  let product = 1;
+  for (let last = 1; last < count; last += 1) {
+    const [before, here] = [last - 1 - place, last - place];
+    let next = 1;
+    for (let number = 0; number < last; number += 1) {
+      next *= last - number;
+      for (let order = 2; order >= 0; order -= 1) {
+        const lower = (/** @type {number} */ each) => (order ? order * weights[order - 1][each] : 0);
+        const row = weights[order];
+        if (number === last - 1) {
+          row[last] = (product * (lower(number) - before * row[number])) / next;
+        }
+        row[number] = (here * row[number] - lower(number)) / (last - number);
+      }
+    }
+    product = next;
+  }
+  return weights;
+}
 
-/** @param {number[]} values at five neighbouring places @returns {[number, number]} two derivatives */
-function differentiate([a, b, c, d, e]) {
-  return [(a - 8 * b + 8 * d - e) / 12, (-a + 16 * b - 30 * c + 16 * d - e) / 12];
+/** @param {number} value @param {number} least @param {number} most @returns {number} */
+function clamp(value, least, most) {
+  return Math.min(Math.max(value, least), most);
+}
+
+/** @param {number} value @param {number} period @returns {number} the rest, never below zero */
+function modulo(value, period) {
+  return ((value % period) + period) % period;
 }
 
 /** @param {number[]} numbers @returns {[number, number][]} */
@@ -129,23 +207,4 @@ function pair(numbers) {
   const pairs = [];
   for (let row = 0; row < numbers.length; row += 2) pairs.push([numbers[row], numbers[row + 1]]);
   return pairs;
-}
-
-/**
- * The value at a place between whole ones, by the cubic through the four nearest.
- * @param {number[]} row
- * @param {number} place
- * @param {(whole: number) => number} entry
- * @returns {number}
- */
-function interpolate(row, place, entry) {
-  if (row.length === 1) return row[0];
-  const whole = Math.floor(place);
-  const t = place - whole;
-  const [a, b, c, d] = [whole - 1, whole, whole + 1, whole + 2].map(entry);
-  const first = (-t * (t - 1) * (t - 2)) / 6;
-  const second = ((t + 1) * (t - 1) * (t - 2)) / 2;
-  const third = (-(t + 1) * t * (t - 2)) / 2;
-  const fourth = ((t + 1) * t * (t - 1)) / 6;
-  return a * first + b * second + c * third + d * fourth;
 }
