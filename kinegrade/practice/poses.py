@@ -11,7 +11,7 @@ import numpy as np
 
 from kinegrade.cycles.curves import trace_curves
 from kinegrade.cycles.graphs import convert_displacements
-from kinegrade.motion.path import Array, MotionPath, Placement
+from kinegrade.motion.path import Array, MotionPath
 from kinegrade.practice.sampling import PoseTable, choose_poses
 from kinegrade.practice.skeleton import list_circles
 from kinegrade.problem.solution import Solution
@@ -20,6 +20,7 @@ WIDTH, HEIGHT, MARGIN = 110.0, 84.0, 13.0  # millimetres
 FINE = 4000  # steps of a millimetre
 CURVE_STEPS = 1000  # between the least and the greatest value of a curve
 _MOVED_STEPS = 200_000  # of the whole way of the input
+_DENSE = 721  # positions from which the extremes of curves are read
 _ORDER = 4  # of the differences by which positions are written
 _NOTHING = 1e-9  # of a curve's greatest value
 
@@ -98,7 +99,7 @@ def write_motion(path: MotionPath, solution: Solution, asks: tuple[str, ...]) ->
         acceleration=float(shown[3]),
         radii=tuple(round(float(each.radius) * window.scale, 2) for each in circles),
         coordinates=tuple(_write_differences(row * FINE) for row in window.project(rows)),
-        curves=tuple(_write_curves(solution, table.placement, asks)),
+        curves=tuple(_write_curves(solution, table, asks)),
     )
 
 
@@ -124,18 +125,32 @@ def _find_given_rates(path: MotionPath) -> tuple[float, float]:
 
 
 def _write_curves(
-    solution: Solution, placement: Placement, asks: tuple[str, ...]
+    solution: Solution, table: PoseTable, asks: tuple[str, ...]
 ) -> Iterator[tuple[float, float, str]]:
-    """The curves; what grows beyond bounds is cut off."""
-    for curve in trace_curves(solution, placement, asks):
-        low, high = curve.usual
-        known = np.nan_to_num(curve.values, nan=high)
-        values = np.clip(known, 2 * low - high, 2 * high - low)
-        least, most = float(values.min()), float(values.max())
+    """The curves at the positions, between extremes of positions that lie much closer; what grows
+    beyond bounds is cut off.
+    """
+    coarse = trace_curves(solution, table.placement, asks)
+    fine = trace_curves(solution, table.placement.path.place(_spread_finely(table)), asks)
+    for curve, dense in zip(coarse, fine, strict=True):
+        low, high = dense.usual
+        bounds = 2 * low - high, 2 * high - low
+        known = np.clip(np.nan_to_num(dense.values, nan=high), *bounds)
+        least, most = float(known.min()), float(known.max())
+        values = np.clip(np.nan_to_num(curve.values, nan=high), least, most)
         width, size = most - least, max(abs(least), abs(most))
         steps = (values - least) / width if width > _NOTHING * size else np.zeros(len(values))
         low, high = (0.0 if abs(end) <= _NOTHING * size else end for end in (least, most))
         yield float(f"{low:.4g}"), float(f"{high:.4g}"), _write_differences(steps * CURVE_STEPS)
+
+
+def _spread_finely(table: PoseTable) -> Array:
+    """Displacements between those of the positions as well, and up to the end of a full cycle."""
+    path = table.placement.path
+    moved = np.append(table.moved, path.bounds[1]) if path.is_closed else table.moved
+    places = np.arange(len(moved))
+    dense = np.linspace(0, places[-1], max(_DENSE, 2 * len(moved)))
+    return np.asarray(np.interp(dense, places, moved))
 
 
 def _write_differences(values: Array) -> str:

@@ -33,12 +33,13 @@ class Guide:
 
 @dataclass(frozen=True)
 class PracticePole:
-    """The velocity pole of the body that has these two places, a point and its mark; its `letter`
-    is SVG.
+    """The velocity pole of the body that has these two places, a point and its mark; lines lead to
+    it from the body's points, `lines`. Its `letter` is SVG.
     """
 
     letter: str
     points: tuple[int, int]
+    lines: tuple[int, ...]
 
 
 @dataclass(frozen=True)
@@ -118,8 +119,8 @@ def _list_poles(path: MotionPath, order: Mapping[str, int]) -> Iterator[Practice
     marks = {body.name: first + place for place, body in enumerate(list_unpinned_bodies(path))}
     symbols = name_poles(path, len(poled))
     for name, symbol in zip(poled, symbols, strict=True):
-        point = order[mechanism.body(name).points[0]]
-        yield PracticePole(write_symbol_spans(symbol), (point, marks[name]))
+        points = tuple(order[point] for point in mechanism.body(name).points)
+        yield PracticePole(write_symbol_spans(symbol), (points[0], marks[name]), points)
 
 
 def _write_label(name: str, carried: set[str], hints: FigureHints) -> str:

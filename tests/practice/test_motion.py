@@ -6,6 +6,8 @@ import numpy as np
 import pytest
 
 from kinegrade.cycles.centrodes import trace_centrodes
+from kinegrade.cycles.curves import find_followed
+from kinegrade.cycles.cycle import make_cycle
 from kinegrade.motion.path import MotionPath, find_path
 from kinegrade.motion.placing import find_carriers
 from kinegrade.practice.poses import frame_poses, write_motion
@@ -94,6 +96,21 @@ def test_arrows_are_the_velocities_and_accelerations_of_the_engine(name: str) ->
             size = np.hypot(across, upward)
             missed = np.hypot(found[:, 0] - across, found[:, 1] + upward)
             assert np.all(missed <= 0.02 * size.max() + 0.02 * unit), (point, rate)
+
+
+@pytest.mark.parametrize("name", ["slider-crank", "stone-crusher"])
+def test_graphs_have_the_extremes_of_the_whole_cycle_not_of_the_positions_baked(name: str) -> None:
+    solution = solve_template(load_template(name), {})
+    asks = find_followed(solution.template)
+    motion = write_motion(find_motion(name), solution, asks)
+    for (least, greatest, _), curve in zip(
+        motion.curves, make_cycle(solution, asks).curves, strict=True
+    ):
+        if curve.is_steep:  # it is cut off
+            continue
+        room = 2e-4 * (greatest - least) + 1e-3 * max(abs(least), abs(greatest))
+        assert least == pytest.approx(float(curve.values.min()), abs=room), curve.ask.name
+        assert greatest == pytest.approx(float(curve.values.max()), abs=room), curve.ask.name
 
 
 @pytest.mark.parametrize("name", FEW)

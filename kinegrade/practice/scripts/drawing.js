@@ -9,7 +9,7 @@
  * @property {number[]} pivots
  * @property {number[]} riders
  * @property {boolean[]} blocks
- * @property {{letter: string, points: [number, number]}[]} poles
+ * @property {{letter: string, points: [number, number], lines: number[]}[]} poles
  * @property {string} input
  * @property {string} unit
  */
@@ -17,7 +17,7 @@
 const LONGEST_ARROW = 18; // mm
 const NEXT_TO_NOTHING = 0.03;
 const SEEN = 0.6; // mm: shorter arrows are not drawn
-const BESIDE_BLOCK = 4; // mm from a point to its letter, past the block at it
+const BESIDE_BLOCK = 4.5; // mm from a point to its letter, past the block at it
 const ROOM = 6; // mm between what is seen and the edge
 
 /** @typedef {{velocities: boolean, accelerations: boolean, paths: boolean, poles: boolean, centrodes: boolean}} Wanted */

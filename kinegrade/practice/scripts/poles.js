@@ -54,17 +54,18 @@ function workOutPole(poses, points, near) {
 
 /** Draws the pole of a body, the lines to it, its centrodes. */
 class PoleDrawing {
-  /** @param {SVGElement} stage @param {{letter: string, points: [number, number]}} body @param {Poses} poses */
-  constructor(stage, { letter, points }, poses) {
+  /** @param {SVGElement} stage @param {Skeleton["poles"][0]} body @param {Poses} poses */
+  constructor(stage, { letter, points, lines }, poses) {
     const add = (/** @type {string} */ name, /** @type {Record<string, string | number>} */ attributes) =>
       stage.appendChild(makeShape(name, attributes));
     this.points = points;
+    this.ends = lines;
     this.poses = poses;
     const found = poses.fine.map((place) => this.find(place));
     this.seen = found.flatMap((pole) => (pole ? [pole.at] : []));
     this.fixed = add("path", { class: "fixed-centrode", d: writeCurve(found.map((pole) => pole && pole.at)) });
     this.moving = add("path", { class: "moving-centrode", d: writeCurve(found.map((pole) => pole && pole.inside)) });
-    this.lines = add("polyline", { class: "ray" });
+    this.lines = add("path", { class: "ray" });
     this.mark = add("circle", { class: "pole", r: 1.1 });
     this.letter = add("text", { class: "letter pole" });
     this.letter.innerHTML = letter;
@@ -87,23 +88,29 @@ class PoleDrawing {
     for (const each of [this.lines, this.mark, this.letter]) {
       each.toggleAttribute("hidden", !pole || !wanted.poles);
     }
-    const [first, second] = this.points.map((point) => this.poses.at(place)[point]);
+    const points = this.poses.at(place);
+    const [first, second] = this.points.map((point) => points[point]);
     const turn = (findTurn([first, second]) * 180) / Math.PI;
     this.moving.setAttribute("transform", `translate(${first[0]} ${first[1]}) rotate(${turn})`);
     if (!pole) return;
-    this.lines.setAttribute("points", writeCorners([first, pole.at, second]));
+    const lines = this.ends.map((end) => writeCurve([pole.at, points[end]], Infinity));
+    this.lines.setAttribute("d", lines.join(""));
     moveCircle(this.mark, pole.at);
     moveLetter(this.letter, pole.at, null);
   }
 }
 
-/** @param {([number, number] | null)[]} corners @returns {string} a path, broken where it is unknown */
-function writeCurve(corners) {
+/**
+ * @param {([number, number] | null)[]} corners
+ * @param {number} [leap] mm between corners that are not joined
+ * @returns {string} a path, broken where it is unknown
+ */
+function writeCurve(corners, leap = LEAP) {
   /** @type {[number, number] | null} */
   let before = null;
   return corners
     .map((corner) => {
-      const joined = corner && before && Math.hypot(corner[0] - before[0], corner[1] - before[1]) < LEAP;
+      const joined = corner && before && Math.hypot(corner[0] - before[0], corner[1] - before[1]) < leap;
       before = corner;
       return corner ? `${joined ? "L" : "M"}${corner[0].toFixed(2)} ${corner[1].toFixed(2)}` : "";
     })
