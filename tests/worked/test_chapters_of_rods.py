@@ -120,8 +120,8 @@ def test_a_pole_has_its_distances_from_a_triangle_and_its_coordinates_where_aske
         r"y_{S} &= y_{B} + SB = 0.8\,\unit{m} + 2.390\,\unit{m} ",
     )
     assert all(any(line.startswith(start) for line in coupler) for start in starts)
-    # the law of sines in the triangle BGP_1, by the angles of the statement
-    sines = r"P_{1}G &= \frac{BG\sin\gamma}{\sin(\beta + \gamma)} = "
+    # the law of sines in the triangle BGC_2, by the angles of the statement
+    sines = r"C_{2}G &= \frac{BG\sin\gamma}{\sin(\beta + \gamma)} = "
     assert any(line.startswith(sines) for line in crusher)
 
 

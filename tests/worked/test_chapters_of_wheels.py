@@ -200,7 +200,7 @@ def test_gears_with_fixed_axes() -> None:
         \omega_{O} &= 2\,\unit{rad/s}\quad\text{(counter-clockwise)}
         ## 1. Composition of motions: moving point $C$, moving frame on the gear
         $\boldsymbol{v}_{\mathrm{a}}=\boldsymbol{v}_{\mathrm{e}}+\boldsymbol{v}_{\mathrm{r}}$: the
-            absolute velocity of $C$ (of pinion) is its transport velocity (that of the point of the
+            absolute velocity of $C$ (of the pinion) is its transport velocity (that of the point of the
             gear which is at $C$) plus the relative one (seen from the gear).
         [ ] 0 | |
         [=] \boldsymbol{v}_{\mathrm{e}} | $OC \cdot \omega_{O} = 8\,\unit{m/s}$ | $\perp OC$
@@ -209,9 +209,9 @@ def test_gears_with_fixed_axes() -> None:
         Projecting on the $y$ axis:
         0 &= v_{\mathrm{e}} + v_{\mathrm{r}}
         v_{\mathrm{r}} &= -v_{\mathrm{e}} = -8\,\unit{m/s}\quad\text{(downwards)}
-        ## 2. Pinion rolls without slipping on the gear
+        ## 2. The pinion rolls without slipping on the gear
         There is no slip at the contact with the gear; so, seen from the gear, the motion of $C$
-            and the rotation of pinion are linked:
+            and the rotation of the pinion are linked:
         \omega &= \omega_{O} + \frac{v_{\mathrm{r}}}{1\,\unit{m}} = 2\,\unit{rad/s} -
             \frac{8\,\unit{m/s}}{1\,\unit{m}} = -6\,\unit{rad/s}\quad\text{(clockwise)}
         """

@@ -4,14 +4,21 @@ decline.
 
 from __future__ import annotations
 
+import re
+
 import pytest
 
-from kinegrade.language import Language
+from kinegrade.language import ENGLISH, Language
 from kinegrade.language.catalogue import open_catalogue
+from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.library.library import load_template
 from kinegrade.worked.case import write_row
+from kinegrade.worked.solution import write_worked_solution
 from kinegrade.worked.words.bodies import name_by_number, name_kind
 from kinegrade.worked.words.naming import Naming
+from tests.worked.telling import lines, tidy
+
+POLE = re.compile(r"velocity pole \$([^$]*)\$")
 
 
 @pytest.mark.parametrize(
@@ -36,6 +43,25 @@ def test_a_body_is_called_by_its_letters_or_by_its_kind(
     assert open_catalogue(Language("en")).write(name) == english
     assert open_catalogue(Language("zh")).write(name) == chinese
     assert letters is None or write_row(naming.letters(body)) == letters
+
+
+@pytest.mark.parametrize(
+    ("template", "ask", "poles"),
+    [
+        ("stone-crusher", "EC1", {"C_{1}"}),
+        ("stone-crusher", "BC2", {"C_{1}", "C_{2}"}),
+        ("guided-rack-and-gear", "SA", {"S"}),
+        ("crank-slider-in-floating-link", "l_AP", {"P"}),
+        ("elliptic-trammel-crank-driven", "ic_x", {"P"}),
+    ],
+)
+def test_a_pole_has_the_letter_that_the_ask_gives_it(
+    template: str, ask: str, poles: set[str]
+) -> None:
+    solution = solve_template(load_template(template), {})
+    told = lines(write_worked_solution(solution, (ask,), ENGLISH).blocks)
+    found = {tidy(letter) for text in told for letter in POLE.findall(text)}
+    assert found == {tidy(pole) for pole in poles}
 
 
 def test_a_word_that_no_catalogue_has_stays_as_the_template_writes_it() -> None:

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 
 from kinegrade.expressions.tree import Call, Name
-from kinegrade.language.math.tree import Letter, Scripts
+from kinegrade.language.math.tree import Letter, Node, Number, Row, Scripts
 from kinegrade.language.message import Message
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.quantities.functions import find_motion_calls
@@ -30,10 +30,12 @@ def name_pole(body: str, case: Case) -> str:
     """The name of a body's pole: the letter by which an ask names it, else P, or a letter that no
     point has.
     """
+    pole = Call("pole", (Name(body),))
     for ask in case.template.asks.values():
-        letter = _find_letter(ask.symbol)
-        if letter and Call("pole", (Name(body),)) in find_motion_calls(ask.quantity):
-            return letter
+        if pole in find_motion_calls(ask.quantity):
+            named = _find_letter(ask.symbol) or _find_end(ask, pole)
+            if named:
+                return named
     letter = next((name for name in "PSQZ" if name not in case.motion.points), "P")
     bodies = sorted(find_poles(case.template.asks.values()))
     return f"{letter}{bodies.index(body) + 1}" if len(bodies) > 1 and body in bodies else letter
@@ -54,6 +56,38 @@ def _find_letter(symbol: str) -> str:
     match read_symbol(symbol).row:
         case (Scripts(Letter("x" | "y"), (Letter(point),), 0, None),) if point.isupper():
             return point
+        case _:
+            return ""
+
+
+def _find_end(ask: Ask, pole: Call) -> str:
+    """The pole in the symbol of its distance from a point, as C1 in EC_1; "" for any other."""
+    match ask.quantity:
+        case Call("distance", (Name(point), other)) | Call("distance", (other, Name(point))):
+            ends = _list_letters(read_symbol(ask.symbol).row) if other == pole else ()
+            others = [end for end in ends if end != point]
+            return others[0] if len(ends) == 2 and len(others) == 1 else ""
+        case _:
+            return ""
+
+
+def _list_letters(row: Row) -> Sequence[str]:
+    """The points that a symbol such as AC_1 or l_{AP} consists of; none for any other."""
+    match row:
+        case (Scripts(Letter(), lower, 0, None),) if lower is not None:
+            return _list_letters(lower)
+        case _:
+            names = [_read_point(node) for node in row]
+            return names if all(names) else ()
+
+
+def _read_point(node: Node) -> str:
+    """The name of a point as it is written: C1 for C_1; "" for what is none."""
+    match node:
+        case Letter(letter) if letter.isupper():
+            return letter
+        case Scripts(Letter(letter), (Number(digits),), 0, None) if letter.isupper():
+            return letter + digits
         case _:
             return ""
 

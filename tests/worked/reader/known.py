@@ -26,13 +26,7 @@ KNOWN: Mapping[Law, frozenset[str]] = {
     # directions by their angle from x
     "angle": frozenset(("planetary-gear-external-rim-velocities", "two-wheels-on-cylinder")),
     # points of the construction alone
-    "point": frozenset(
-        (
-            "guided-rack-and-gear",
-            "rolling-wheel-pin-slotted-rocker",
-            "stone-crusher",
-        )
-    ),
+    "point": frozenset(("rolling-wheel-pin-slotted-rocker",)),
     "closed": frozenset(),
     # short arrows along others leave a symbol no place of its own
     "label": frozenset(("crank-slider-in-floating-link",)),
