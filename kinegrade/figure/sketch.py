@@ -23,7 +23,7 @@ from kinegrade.figure.marks.frames import add_axes_aside, add_frames
 from kinegrade.figure.marks.imposed import drop_still
 from kinegrade.figure.marks.motions import add_motions, draw_likely_motions, list_likely_motions
 from kinegrade.figure.marks.names import label_points
-from kinegrade.figure.marks.radii import add_radius
+from kinegrade.figure.marks.radii import add_radii
 from kinegrade.figure.marks.right_angles import add_right_angle
 from kinegrade.figure.marks.rotations import add_rotations
 from kinegrade.figure.marks.sides import find_sides, hide_sides
@@ -137,8 +137,7 @@ def _compose(
                 layout, unwritten = layout.written(unwritten), ()
             case _:
                 assert_never(stage)
-    for radius in hints.radii:
-        layout = add_radius(layout, paper.points, drawing.rims, radius)
+    layout = add_radii(layout, paper.points, drawing.rims, hints.radii)
     layout = add_axes_aside(layout, hints)
     return add_body_names(layout, paper, hints, drawing)
 

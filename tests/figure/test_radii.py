@@ -10,7 +10,7 @@ import pytest
 from shapely import LineString, Point, Polygon
 
 from kinegrade.figure.joints.symbol import Kind, Rim
-from kinegrade.figure.marks.radii import add_radius
+from kinegrade.figure.marks.radii import add_radii
 from kinegrade.figure.marks.radius_arrows import RadiusFromOutside
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.plane import angle_of, length, nearest_of, shorter_way, unit
@@ -42,7 +42,7 @@ def mark(rims: Sequence[Rim], drawn: Sequence[Primitive] = (), *, at: Vector = F
     circles = [Disc(rim.at, rim.radius, FIRM) for rim in rims]
     layout = Layout.of((*circles, *drawn))
     hint = Radius("R", rims[0].centre)
-    return add_radius(layout, {"O": ORIGIN, "P": at}, tuple(rims), hint)
+    return add_radii(layout, {"O": ORIGIN, "P": at}, tuple(rims), [hint])
 
 
 def find_tip(layout: Layout) -> Vector:
@@ -167,6 +167,14 @@ def test_an_arrow_at_a_gear_comes_from_outside_as_at_a_wheel(kind: Kind) -> None
     teeth = Outline(trace_gear(ORIGIN, tooth, inward=False), TOOTHED)
     drawn = teeth if kind == "gear" else Disc(ORIGIN, 12.0, FIRM)
     layout = Layout.of([Disc(ORIGIN, 8.0, THIN), drawn])
-    layout = add_radius(layout, {"O": ORIGIN}, (rim,), Radius("R", "O"))
+    layout = add_radii(layout, {"O": ORIGIN}, (rim,), [Radius("R", "O")])
     assert isinstance(layout.marks[-1], RadiusFromOutside)
     assert layout.crowded == ()
+
+
+def test_the_symbol_of_a_small_circle_takes_its_place_before_that_of_a_large_one() -> None:
+    at = {"O": ORIGIN, "P": Vector(0.0, 13.0)}
+    ring = Rim("ring", "O", ORIGIN, 20.0, "wheel", True, ORIGIN, ORIGIN)
+    wheel = Rim("wheel", "P", at["P"], 6.0, "wheel", False, ORIGIN, ORIGIN)
+    layout = add_radii(Layout.of(()), at, (ring, wheel), [Radius("R", "O"), Radius("r", "P")])
+    assert [label.symbol for label in layout.labels] == ["r", "R"]

@@ -47,16 +47,28 @@ _ALONG_ARC = (
 _SHIFTS = tuple(shift * pi / 24 for shift in (0, 2, -2))
 
 
-def add_radius(
-    layout: Layout, at: Mapping[str, Vector], found: tuple[Rim, ...], hint: Radius
+def add_radii(
+    layout: Layout, at: Mapping[str, Vector], found: tuple[Rim, ...], hints: Iterable[Radius]
+) -> Layout:
+    """The layout with the radii of circles, first those of small ones, which have the least room.
+
+    Raises TemplateError when no circle of the mechanism has one of those centres.
+    """
+    pairs = [
+        (_find_rim(found, hint, at[hint.through] if hint.through else None), hint) for hint in hints
+    ]
+    for rim, hint in sorted(pairs, key=lambda pair: pair[0].radius >= _SMALL_RADIUS):
+        layout = _add_radius(layout, at, found, rim, hint.symbol)
+    return layout
+
+
+def _add_radius(
+    layout: Layout, at: Mapping[str, Vector], found: tuple[Rim, ...], rim: Rim, symbol: str
 ) -> Layout:
     """The layout with the radius of a circle: for a cam to the contact, for other circles wherever
     there is room, beside other wheels, at an angle to the lines that are drawn from the centre, and
     not across the arc of an angle there.
-
-    Raises TemplateError when no circle of the mechanism has that centre.
     """
-    rim = _find_rim(found, hint, at[hint.through] if hint.through else None)
     lines = _list_lines_from(rim.at, layout.obstacles)
     arcs = [each for each in layout.lines if isinstance(each, Bow) and each.pen == THIN]
     sectors = [arc for arc in arcs if length(arc.centre - rim.at) < NEAR]
@@ -64,13 +76,13 @@ def add_radius(
     for angle in _list_angles(rim):
         toward, outside = _seat_in_tooth(rim, angle), _seat_in_gap(rim, angle)
         leaning = _LEANING * any(toward.dot(line) > _LEAST_ANGLE for line in lines)
-        inward = partial(RadiusFromOutside, rim.at, rim.radius, outside, hint.symbol)
+        inward = partial(RadiusFromOutside, rim.at, rim.radius, outside, symbol)
         if rim.radius < _SMALL_RADIUS:
             marks.append(inward(leaning, rim.kind == "gear"))
             continue
         demerit = leaning + _WITHIN_ANGLE * any(_lies_within(angle, arc) for arc in sectors)
         demerit += _BESIDE_BAR * _ends_beside_bar(rim, toward, layout.obstacles)
-        marks.append(_draw_from_centre(rim, found, at.values(), hint.symbol, (toward, demerit)))
+        marks.append(_draw_from_centre(rim, found, at.values(), symbol, (toward, demerit)))
         if not rim.ring and rim.kind != "cam" and rim.find_arc() is None:
             marks.append(inward(leaning + _INWARD, rim.kind == "gear"))
     return layout.marked(marks)
