@@ -7,7 +7,10 @@ from math import hypot
 import pytest
 
 from kinegrade.errors import TemplateError
-from kinegrade.figure.scene import THIN, Outline, Scene
+from kinegrade.figure.marks.right_angles import add_right_angle
+from kinegrade.figure.mechanism.layers import Drawing
+from kinegrade.figure.placing.layout import Layout
+from kinegrade.figure.scene import FIRM, THIN, Disc, Outline, Scene
 from kinegrade.figure.sketch import sketch
 from kinegrade.mechanics.joints import GROUND, Pin
 from kinegrade.mechanics.mechanism import Body, Mechanism
@@ -44,6 +47,16 @@ def test_the_square_goes_round_a_sleeve() -> None:
     (square,) = squares(sketch(*case))
     first, far, _ = square.corners
     assert hypot(*(first - far)) > 3.2  # half the length of the sleeve
+
+
+def test_the_square_is_smaller_than_its_legs_whatever_that_covers() -> None:
+    at = {"A": Vector(4.5, 0.0), "B": Vector(0.0, 0.0), "C": Vector(0.0, 30.0)}
+    layout = Layout.of([Disc(at["B"], radius, FIRM) for radius in (2.6, 3.4)])
+    layout = add_right_angle(layout, at, ("A", "B", "C"), Drawing((), (), (), (), (), ()))
+    *_, square = layout.lines
+    assert isinstance(square, Outline)
+    first, far, _ = square.corners
+    assert hypot(*(first - far)) < 4.0
 
 
 def test_an_angle_that_is_no_right_one_is_not_marked_as_such() -> None:

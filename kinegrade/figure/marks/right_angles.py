@@ -10,12 +10,13 @@ from kinegrade.errors import TemplateError
 from kinegrade.figure.mechanism.layers import Drawing
 from kinegrade.figure.mechanism.straight_parts import Bar, Rod, list_ways
 from kinegrade.figure.placing.layout import Layout
-from kinegrade.figure.plane import unit
+from kinegrade.figure.plane import length, unit
 from kinegrade.figure.scene import THIN, Outline
 from kinegrade.language.message import Fault, Message, Quoted
 from kinegrade.mechanics.vector import Vector
 
 _SIDES = (2.6, 3.4, 4.4, 5.4)  # millimetres; larger squares go round a gusset or a sleeve
+_SHARE = 0.8  # of the shorter leg that a square may take
 _TRIM = 0.9  # millimetres at either end where a square meets the legs, as it should
 _RIGHT = 1e-4  # cosine of an angle that passes for a right one
 
@@ -24,7 +25,8 @@ def add_right_angle(
     layout: Layout, at: Mapping[str, Vector], names: tuple[str, str, str], drawing: Drawing
 ) -> Layout:
     """The layout with the square in the corner at the second point, as small as it can be without
-    covering more than a larger one; where a bar runs on, it may be beyond the corner.
+    covering more than a larger one, and smaller than its legs; where a bar runs on, it may be
+    beyond the corner.
 
     Raises TemplateError when the angle is no right angle.
     """
@@ -35,7 +37,9 @@ def add_right_angle(
         found = Message("figure.no-right-angle", at=Quoted(names[1]), angle=f"{angle:.1f}")
         raise TemplateError(Fault("figure.right_angles", found))
     pairs = list(product(*(_list_sides(leg, corner, drawing) for leg in legs)))
-    squares = [_trace_square(corner, pair, side) for side in _SIDES for pair in pairs]
+    most = _SHARE * min(length(start - corner), length(end - corner))
+    sides = [side for side in _SIDES if side <= most] or _SIDES[:1]
+    squares = [_trace_square(corner, pair, side) for side in sides for pair in pairs]
     return layout.drawn((min(squares, key=lambda square: _measure_covering(square, layout)),))
 
 
