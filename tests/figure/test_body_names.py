@@ -8,6 +8,7 @@ from math import hypot
 from kinegrade.figure.joints.symbol import Rim
 from kinegrade.figure.marks.angle_arc import AngleArc
 from kinegrade.figure.marks.body_names import add_body_names
+from kinegrade.figure.marks.dimension_lines import SymbolBeside
 from kinegrade.figure.marks.sides import Side
 from kinegrade.figure.mechanism.layers import Drawing
 from kinegrade.figure.mechanism.straight_parts import Bar, Part, SlottedDisc
@@ -94,3 +95,15 @@ def test_the_names_of_a_slotted_disc_and_of_a_bar_over_it_stand_in_one_and_beyon
     bar = Bar("AB", CENTRE, Vector(19.0, 5.0), "slot")
     assert hypot(*name("D", (), Layout.of(()), (disc, bar))) < 20.0
     assert hypot(*name("AB", (), Layout.of(()), (disc, bar))) > 20.0
+
+
+def test_the_name_of_a_bar_does_not_stand_in_one_row_with_the_symbol_of_its_length() -> None:
+    start, end = Vector(0.0, 10.0), Vector(40.0, 10.0)
+    bar = Bar("AB", start, end)
+    alone = name("AB", (), Layout.of(()), (bar,))
+    symbol = Label("s", alone + Vector(7.0, 0.0), 2.0, 2.0)
+    plain = replace(Layout.of(()), labels=(symbol,))
+    measured = replace(plain, marks=(SymbolBeside(start, end, "s"),))
+    assert name("AB", (), plain, (bar,)) == alone
+    moved = name("AB", (), measured, (bar,))
+    assert abs(moved.y - symbol.centre.y) > 2.0 or abs(moved.x - symbol.centre.x) > 9.0

@@ -13,7 +13,7 @@ import numpy as np
 from kinegrade.errors import TemplateError
 from kinegrade.figure.joints.symbol import Rim
 from kinegrade.figure.marks.angle_arc import AngleArc, LedAngleArc
-from kinegrade.figure.marks.dimension_lines import Leader
+from kinegrade.figure.marks.dimension_lines import Leader, SymbolBeside
 from kinegrade.figure.mechanism.layers import Drawing
 from kinegrade.figure.mechanism.straight_parts import Bar, Rod, SlottedDisc
 from kinegrade.figure.placing.extent import measure_symbol
@@ -31,7 +31,7 @@ from kinegrade.language.message import Fault, Message, Quoted
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.problem.template.hints import FigureHints
 
-_SPACE = 2.5  # millimetres between words
+_SPACE, _ROW = 2.5, 9.0  # millimetres between words, and from a name to a length in its row
 _AT_END, _ASIDE = 6.0, 1.5  # millimetres beyond the end of a line, and beside it, that are its own
 _IN_ANGLE = 4.0  # millimetres beyond the arc of an angle in which a letter would name that
 _SHARES = (0.7, 0.55, 0.4)  # of the radius of a circle, for the name of its body
@@ -111,13 +111,17 @@ class _Surroundings:
 
 
 def _find_beside(wish: Wish, layout: Layout) -> Floats:
-    """For each spot of a wish 1 where a letter stands close to its left or right, else 0."""
+    """For each spot of a wish 1 where a letter stands close to its left or right, or the symbol of
+    a bar's length in one row with it, else 0.
+    """
     beside = np.zeros(len(wish.spots))
+    lengths = {mark.symbol for mark in layout.marks if isinstance(mark, SymbolBeside)}
     width, height = measure_symbol(wish.symbol)
     for label in layout.labels:
         steps = np.abs(wish.spots - np.array(label.centre))
         level = steps[:, 1] < (height + label.height) / 2
-        close = steps[:, 0] < (width + label.width) / 2 + _SPACE
+        space = _ROW if label.symbol in lengths else _SPACE
+        close = steps[:, 0] < (width + label.width) / 2 + space
         beside = np.maximum(beside, level & close)
     return beside
 
