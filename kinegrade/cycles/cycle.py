@@ -22,7 +22,8 @@ _POSITIONS = 721
 class Cycle:
     """The cycle of an instance through its instant.
 
-    `curves` are over the whole cycle, `instant` has their values at the instant.
+    `curves` are over the whole cycle, `instant` has their values at the instant; with `centrodes`
+    its figure shows velocity poles and the curves that they describe.
     """
 
     solution: Solution
@@ -30,6 +31,7 @@ class Cycle:
     curves: tuple[Curve, ...]
     instant: tuple[float, ...]
     swings: tuple[Swing, ...]
+    centrodes: bool = False
 
     @property
     def count(self) -> int:
@@ -37,7 +39,9 @@ class Cycle:
         return _POSITIONS
 
 
-def make_cycle(solution: Solution, names: Sequence[str] | None = None) -> Cycle:
+def make_cycle(
+    solution: Solution, names: Sequence[str] | None = None, *, centrodes: bool = False
+) -> Cycle:
     """The cycle of a solved instance with the curves of these asks, by default of what the template
     gives points for.
 
@@ -49,7 +53,7 @@ def make_cycle(solution: Solution, names: Sequence[str] | None = None) -> Cycle:
     curves = trace_curves(solution, placement, asked)
     now = trace_curves(solution, path.place(np.zeros(1)), asked)
     instant = tuple(float(curve.values[0]) for curve in now)
-    return Cycle(solution, path, tuple(curves), instant, find_swings(path))
+    return Cycle(solution, path, tuple(curves), instant, find_swings(path), centrodes)
 
 
 def _require_path(solution: Solution) -> MotionPath:

@@ -12,8 +12,9 @@ import numpy as np
 
 from kinegrade.cycles.curves import Curve
 from kinegrade.cycles.cycle import Cycle
+from kinegrade.cycles.moving_figure import MovingFigure, draw_cycle
 from kinegrade.cycles.ticks import Axis, make_axis, make_turn_axis
-from kinegrade.figure.back_ends.svg import FONTS, write_symbol_spans
+from kinegrade.figure.back_ends.svg import FONTS, write_parts, write_symbol_spans
 from kinegrade.figure.placing.extent import EM
 from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
@@ -55,18 +56,20 @@ class _Panel:
         return self.x(across), self.y(upward)
 
 
-def draw_graphs(cycle: Cycle, language: Language) -> str:
-    """The graphs of all curves as an SVG document. Raises TypesetError for a symbol that is
-    none.
+def draw_graphs(cycle: Cycle, language: Language, *, with_figure: bool = False) -> str:
+    """The graphs of all curves as an SVG document, below the figure of the instant where that is
+    wanted. Raises TypesetError for a symbol that is none.
     """
+    figure = draw_cycle(cycle) if with_figure else None
+    above = figure.height if figure else 0.0
     moved = convert_displacements(cycle.path, cycle.path.spread(2)[[0, 1]])
     make = make_turn_axis if cycle.path.input.is_angle else make_axis
     across = make(float(moved[0]), float(moved[1]), _ACROSS)
-    parts: list[str] = []
+    parts = [_write_figure(figure)] if figure else []
     for number, curve in enumerate(cycle.curves):
-        panel = _Panel(across, _choose_range(curve), number * _HEIGHT)
+        panel = _Panel(across, _choose_range(curve), above + number * _HEIGHT)
         parts += _draw_panel(panel, cycle, number, language)
-    height = _HEIGHT * len(cycle.curves) + _FOOT
+    height = above + _HEIGHT * len(cycle.curves) + _FOOT
     title = escape(open_catalogue(language).write(name_input(cycle.path)))
     parts.append(_write_text(_WIDTH - _RIGHT, height - 1.2, title, "end"))
     return "\n".join(
@@ -81,6 +84,12 @@ def draw_graphs(cycle: Cycle, language: Language) -> str:
             "",
         )
     )
+
+
+def _write_figure(figure: MovingFigure) -> str:
+    """The drawing of the instant, at the top."""
+    parts = write_parts(figure.at_instant, figure.height)
+    return f'<g stroke-linecap="round" font-size="{EM:.2f}">{parts}</g>'
 
 
 def convert_displacements(path: MotionPath, moved: Array) -> Array:

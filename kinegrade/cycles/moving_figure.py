@@ -9,11 +9,14 @@ from itertools import starmap
 
 import numpy as np
 
+from kinegrade.cycles.centrode_drawing import draw_centrodes
+from kinegrade.cycles.cycle import Cycle
 from kinegrade.figure.marks.names import label_points, write_point_symbol
 from kinegrade.figure.mechanism.layers import draw
 from kinegrade.figure.mechanism.paper import scale_to_paper
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.scene import (
+    Box,
     Outline,
     Pen,
     Primitive,
@@ -28,6 +31,8 @@ from kinegrade.numbers.number import Number
 from kinegrade.problem.template.hints import FigureHints
 
 WIDTH, HEIGHT = 120.0, 90.0  # millimetres
+WIDEST, HIGHEST = 158.0, 138.0  # millimetres, with centrodes
+_ROOM = 30.0  # millimetres for these on each side
 _SURROUND = 16.0  # millimetres that symbols take beside the mechanism
 _A_TURN = 72  # positions
 _FEW = 36  # positions of each turn where there are several
@@ -55,9 +60,24 @@ class MovingFigure:
     first: int
     closed: bool
 
+    @property
+    def at_instant(self) -> tuple[Primitive, ...]:
+        """All of the drawing of the instant."""
+        return (*self.still, *self.drawings[self.first])
 
-def draw_moving_figure(path: MotionPath, hints: FigureHints) -> MovingFigure:
-    """The figure at positions along the path; where a part goes far away, of those nearby."""
+
+def draw_cycle(cycle: Cycle) -> MovingFigure:
+    """The figure of a cycle."""
+    hints = cycle.solution.template.figure
+    return draw_moving_figure(cycle.path, hints, centrodes=cycle.centrodes)
+
+
+def draw_moving_figure(
+    path: MotionPath, hints: FigureHints, *, centrodes: bool = False
+) -> MovingFigure:
+    """The figure at positions along the path, with centrodes or without; where a part goes far
+    away, of those nearby.
+    """
     moved = _choose_displacements(path)
     places = path.place(moved).frames.mechanism
     mechanisms = [_take(places, number, moved.shape) for number in range(len(moved))]
@@ -67,6 +87,11 @@ def draw_moving_figure(path: MotionPath, hints: FigureHints) -> MovingFigure:
     drawn = [_draw(scale_to_paper(each, scale), hints, letters) for each in mechanisms]
     traces = _trace_points(path, moved, scale)
     box = find_common_box([*traces, *(part for parts in drawn for part in parts)])
+    if centrodes:
+        box = _widen(box)
+        added = draw_centrodes(path, moved, scale, box)
+        traces += added.still
+        drawn = [(*parts, *each) for parts, each in zip(drawn, added.moving, strict=True)]
     still, drawings = _separate(drawn)
     corner = Vector(1.0 - box.left, 1.0 - box.bottom)
     return MovingFigure(
@@ -155,6 +180,12 @@ def _trace_points(path: MotionPath, moved: Array, scale: float) -> list[Primitiv
             corners = zip((across * scale).tolist(), (upward * scale).tolist(), strict=True)
             traces.append(Outline(tuple(starmap(Vector, corners)), _TRACE, closed=False))
     return traces
+
+
+def _widen(box: Box) -> Box:
+    """A frame with room for centrodes beside the mechanism."""
+    across, upward = min(_ROOM, (WIDEST - box.width) / 2), min(_ROOM, (HIGHEST - box.height) / 2)
+    return Box(box.left - across, box.bottom - upward, box.right + across, box.top + upward)
 
 
 def _separate(

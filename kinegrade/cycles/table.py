@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from kinegrade.cycles.centrodes import trace_centrodes
 from kinegrade.cycles.cycle import Cycle
 from kinegrade.cycles.graphs import convert_displacements
 from kinegrade.files.csv_writing import write_csv_text
@@ -14,8 +15,9 @@ _DIGITS = 12
 
 
 def write_table(cycle: Cycle) -> str:
-    """The input's displacement in degrees or m, the coordinates of moving points in m, and the
-    asks in their units; a cell is empty where a value is beyond all bounds.
+    """The input's displacement in degrees or m, the coordinates of moving points in m, those of
+    velocity poles in the plane and, by where the body is at the instant, in the body, and the asks
+    in their units; a cell is empty where a value is beyond all bounds.
     """
     path = cycle.path
     placement = path.place(path.spread(cycle.count))
@@ -26,6 +28,12 @@ def write_table(cycle: Cycle) -> str:
     for name in moving:
         columns.append((f"x_{name} (m)", np.asarray(mechanism.points[name].x)))
         columns.append((f"y_{name} (m)", np.asarray(mechanism.points[name].y)))
+    for each in trace_centrodes(placement):
+        for place, rows in (
+            (each.symbol, each.fixed),
+            (f"{each.symbol}_{each.body}", each.moving),
+        ):
+            columns += [(f"x_{place} (m)", rows[0]), (f"y_{place} (m)", rows[1])]
     columns += [(f"{each.ask.name} ({each.ask.unit.text})", each.values) for each in cycle.curves]
     shape = placement.moved.shape
     cells = [[_write(float(number)) for number in np.broadcast_to(v, shape)] for _, v in columns]

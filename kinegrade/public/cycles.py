@@ -8,7 +8,7 @@ from typing import Literal, assert_never
 from kinegrade.cycles.cycle import Cycle, make_cycle
 from kinegrade.cycles.facts import list_facts
 from kinegrade.cycles.graphs import draw_graphs
-from kinegrade.cycles.moving_figure import draw_moving_figure
+from kinegrade.cycles.moving_figure import draw_cycle
 from kinegrade.cycles.table import write_table
 from kinegrade.figure.back_ends.svg import to_svg
 from kinegrade.figure.scene import Scene
@@ -39,7 +39,7 @@ class Animation:
 def animate(solution: Solution, language: Language) -> Animation:
     """The moving figure of a solved instance. Raises MechanismError where nothing can move."""
     cycle = make_cycle(solution, ())
-    return Animation(write_moving_figure(cycle.path, solution.template.figure, language))
+    return Animation(write_moving_figure(cycle, language))
 
 
 def describe_cycle(cycle: Cycle, language: Language) -> list[str]:
@@ -56,7 +56,7 @@ def write_cycle(cycle: Cycle, language: Language, kind: CycleFormat) -> bytes:
         case "csv":
             return encode_for_people(write_table(cycle))
         case "svg":
-            return draw_graphs(cycle, language).encode()
+            return draw_graphs(cycle, language, with_figure=cycle.centrodes).encode()
         case "html":
             title, facts = _write_title(cycle, language), describe_cycle(cycle, language)
             return write_cycle_page(cycle, title, facts, language).encode()
@@ -75,8 +75,7 @@ def _write_title(cycle: Cycle, language: Language) -> str:
 
 def _lay_out_page(cycle: Cycle, language: Language) -> CyclePage:
     """The page: the figure at the instant, what is said, each curve by itself."""
-    figure = draw_moving_figure(cycle.path, cycle.solution.template.figure)
-    parts = (*figure.still, *figure.drawings[figure.first])
+    figure = draw_cycle(cycle)
     each = (
         replace(cycle, curves=(curve,), instant=(value,))
         for curve, value in zip(cycle.curves, cycle.instant, strict=True)
@@ -84,7 +83,7 @@ def _lay_out_page(cycle: Cycle, language: Language) -> CyclePage:
     return CyclePage(
         language,
         _write_title(cycle, language),
-        to_svg(Scene(figure.width, figure.height, 1.0, parts)),
+        to_svg(Scene(figure.width, figure.height, 1.0, figure.at_instant)),
         tuple(describe_cycle(cycle, language)),
         tuple(draw_graphs(one, language) for one in each),
     )

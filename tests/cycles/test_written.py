@@ -9,10 +9,12 @@ import re
 from pathlib import Path
 from xml.etree import ElementTree
 
+import numpy as np
 import pytest
 from pypdf import PdfReader
 
 import kinegrade
+from kinegrade.cycles.centrodes import trace_centrodes
 from kinegrade.cycles.cycle import make_cycle
 from kinegrade.cycles.moving_figure import draw_moving_figure
 from kinegrade.errors import MechanismError
@@ -42,7 +44,9 @@ def test_the_table_has_the_input_the_moving_points_and_the_asks() -> None:
     cycle = make_cycle(solve_template(load_template("slider-crank"), {}), ("v_B",))
     table = write_cycle(cycle, ENGLISH, "csv").decode("utf-8-sig")
     header, *rows = csv.reader(io.StringIO(table))
-    assert header == ["input (deg)", "x_A (m)", "y_A (m)", "x_B (m)", "y_B (m)", "v_B (m/s)"]
+    points = ["x_A (m)", "y_A (m)", "x_B (m)", "y_B (m)"]
+    poles = ["x_P (m)", "y_P (m)", "x_P_AB (m)", "y_P_AB (m)"]
+    assert header == ["input (deg)", *points, *poles, "v_B (m/s)"]
     assert len(rows) == 721
     assert float(rows[0][1]) == pytest.approx(0.5)
     assert [float(cell) for cell in rows[-1][1:]] == pytest.approx(list(map(float, rows[0][1:])))
@@ -96,3 +100,51 @@ def test_what_cannot_move_says_why() -> None:
     assert str(refused.value) == (
         "pose-four-bar-coupler: no driver moves the mechanism: it has no cycle"
     )
+
+
+def test_poles_in_a_table_are_those_of_the_textbook() -> None:
+    """The pole of a connecting rod lies on the crank's line, above the slider."""
+    cycle = make_cycle(solve_template(load_template("slider-crank"), {}), ())
+    table = write_cycle(cycle, ENGLISH, "csv").decode("utf-8-sig")
+    read = 0
+    for row in csv.DictReader(io.StringIO(table)):
+        x_a, y_a, x_b, x, y = (
+            float(row[name] or "nan")
+            for name in ("x_A (m)", "y_A (m)", "x_B (m)", "x_P (m)", "y_P (m)")
+        )
+        if abs(x) < 10 and abs(y) < 10:
+            assert x == pytest.approx(x_b, abs=1e-9)
+            assert x_a * y == pytest.approx(y_a * x, abs=1e-8)
+            read += 1
+    assert read > 600
+
+
+def test_a_trammels_centrodes_are_cardans_circles() -> None:
+    """One of the bar's length about the corner, and one of half of that, on the bar."""
+    solution = solve_template(load_template("elliptic-trammel-end-driven"), {})
+    path = follow(solution.motion)
+    (centrodes,) = trace_centrodes(path.place(path.spread(41)[1:-1]))
+    corner, bar = path.motion.points["A"], path.motion.points["B"]
+    length = float(np.hypot(corner.x - bar.x, corner.y - bar.y))
+    assert np.hypot(*centrodes.fixed) == pytest.approx(length, rel=1e-9)
+    middle = (corner + bar) / 2
+    arm = centrodes.moving - np.array([[float(middle.x)], [float(middle.y)]])
+    assert np.hypot(*arm) == pytest.approx(length / 2, rel=1e-9)
+
+
+@pytest.mark.parametrize("name", MANY)
+def test_figures_with_centrodes_keep_to_their_frame(name: str) -> None:
+    template = load_template(name)
+    path = follow(solve_template(template, {}).motion)
+    plain = draw_moving_figure(path, template.figure)
+    figure = draw_moving_figure(path, template.figure, centrodes=True)
+    assert plain.width <= figure.width <= 170
+    assert plain.height <= figure.height <= 140
+    assert len(figure.drawings) == len(plain.drawings)
+
+
+def test_centrodes_are_in_every_picture_where_they_are_wanted() -> None:
+    solution = solve_template(load_template("slider-crank"), {})
+    plain, shown = (make_cycle(solution, ("v_B",), centrodes=each) for each in (False, True))
+    for kind in ("svg", "html", "pdf"):
+        assert len(write_cycle(shown, ENGLISH, kind)) > len(write_cycle(plain, ENGLISH, kind))

@@ -23,6 +23,7 @@ if TYPE_CHECKING:
 @click.argument("template_name", metavar="TEMPLATE")
 @SETTINGS
 @ASKS
+@click.option("--centrodes", is_flag=True)
 @OPTIONAL_OUTPUT
 @LANGUAGE
 @FORCE
@@ -32,6 +33,7 @@ def cycle(
     template_name: str,
     settings: tuple[str, ...],
     asked: str | None,
+    centrodes: bool,
     output: Path | None,
     language: Language,
     force: bool,
@@ -45,7 +47,8 @@ def cycle(
     kind = None if output is None else _find_kind(output)
     solution = kinegrade.template(template_name).solve(**read_settings(settings))
     every = find_followed(solution.template) if asked == "all" else None
-    found = make_cycle(solution, every or (choose_asks(asked, solution) if asked else None))
+    names = every or (choose_asks(asked, solution) if asked else None)
+    found = make_cycle(solution, names, centrodes=centrodes)
     for line in describe_cycle(found, language):
         click.echo(line)
     if output is not None and kind is not None:

@@ -21,7 +21,7 @@ def write_cycle_page(cycle: Cycle, title: str, facts: Sequence[str], language: L
     return load_layout("cycle.html").render(
         tag=open_catalogue(language).text("language.tag"),
         title=title,
-        moving=Markup(write_moving_figure(cycle.path, cycle.solution.template.figure, language)),
+        moving=Markup(write_moving_figure(cycle, language)),
         facts=facts,
         graphs=Markup(draw_graphs(cycle, language)),
     )

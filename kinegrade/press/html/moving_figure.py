@@ -10,23 +10,23 @@ import json
 import numpy as np
 from markupsafe import Markup
 
+from kinegrade.cycles.cycle import Cycle
 from kinegrade.cycles.graphs import convert_displacements, name_input, write_signed
-from kinegrade.cycles.moving_figure import MovingFigure, draw_moving_figure
+from kinegrade.cycles.moving_figure import MovingFigure, draw_cycle
 from kinegrade.figure.back_ends.svg import CLOSE, open_document, write_parts
 from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
-from kinegrade.motion.path import MotionPath
 from kinegrade.press.html.filled_page import load_layout
-from kinegrade.problem.template.hints import FigureHints
 
 _PAUSE = 40  # milliseconds between two drawings
 
 
-def write_moving_figure(path: MotionPath, hints: FigureHints, language: Language) -> str:
-    """The mechanism of a path as an element of a page, at the instant until it is played. Raises
+def write_moving_figure(cycle: Cycle, language: Language) -> str:
+    """The mechanism of a cycle as an element of a page, at the instant until it is played. Raises
     TypesetError for a symbol that is none.
     """
-    figure, words = draw_moving_figure(path, hints), open_catalogue(language)
+    path, words = cycle.path, open_catalogue(language)
+    figure = draw_cycle(cycle)
     drawings = [write_parts(drawing, figure.height) for drawing in figure.drawings]
     shown = convert_displacements(path, np.array(figure.moved))
     decimals = 1 if path.input.is_angle else 3
