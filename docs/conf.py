@@ -11,9 +11,12 @@ os.environ["LC_ALL"] = "C"  # the words of the program are English here, whateve
 sys.path.insert(0, str(_DOCS.parent))
 
 from docs.generator.pages import write_reference  # noqa: E402
+from docs.generator.shown_sheet import write_shown_sheet  # noqa: E402
 from kinegrade import __version__  # noqa: E402
 
 write_reference(_DOCS / "reference")
+_TAKEN_IN = _DOCS.parent / "build" / "taken-in"
+write_shown_sheet(_TAKEN_IN)
 
 project = "kinegrade"
 version = release = __version__
@@ -21,5 +24,6 @@ extensions = ["myst_parser"]
 html_theme = "furo"
 html_title = f"kinegrade {__version__}"
 html_show_copyright = False
+html_extra_path = [str(_TAKEN_IN)]
 myst_heading_anchors = 3  # links may name a heading
 nitpicky = True

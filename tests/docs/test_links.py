@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 
 from docs.generator.pages import PAGES
+from docs.generator.shown_sheet import write_shown_sheet
 from tests.docs.pages import DOCS, ROOT, list_pages
 
 LINK = re.compile(r"\]\((?P<target>[^)#:\s]+)(?:#[\w-]*)?\)")
@@ -57,3 +58,18 @@ def test_the_files_that_contributing_names_exist() -> None:
     assert len(real) > 20
     roots = (ROOT, ROOT / "kinegrade")
     assert {name for name in real if not any((root / name).exists() for root in roots)} == set()
+
+
+FRAME = re.compile(r'<iframe src="(?P<source>[^"]+)"')
+
+
+def test_a_frame_of_a_page_shows_the_sheet_that_the_site_takes_in(tmp_path: Path) -> None:
+    sources = [
+        (page.parent / frame["source"]).resolve()
+        for page in list_pages()
+        for frame in FRAME.finditer(page.read_text(encoding="utf-8"))
+    ]
+    sheet = write_shown_sheet(tmp_path / "new")
+    assert sources == [DOCS / sheet.name]
+    assert sheet.parent == tmp_path / "new"
+    assert '<template id="question">' in sheet.read_text(encoding="utf-8")
