@@ -36,11 +36,11 @@ FORMULA_TEXT = "formula-sheet.md"
 TEMPLATES = "templates"
 #: Says who may see what.
 NOTICE = "INSTRUCTOR-ONLY.txt"
-#: One PDF for each student; for students.
+#: One PDF for each student, in numbered folders where they are more than a thousand; for students.
 PAPERS = "papers"
 #: The same papers in a booklet for each room, where the roster names rooms; for invigilators.
 ROOMS = "rooms"
-#: Worked solutions, one PDF for each student; for students after the exam.
+#: Worked solutions, one PDF for each student, in the same folders; for students after the exam.
 SOLUTIONS = "solutions"
 #: Sources of papers typeset by LaTeX, for editing.
 SOURCES = "tex"

@@ -36,6 +36,7 @@ from kinegrade.exam.folder.keys import Ask, Examinee, KeyedExam, Paper, list_que
 from kinegrade.exam.folder.printed_orders import read_printed_orders
 from kinegrade.exam.folder.records import ExamHead, KeyLine, StatedNumber
 from kinegrade.exam.folder.stated_keys import Place
+from kinegrade.exam.roster.students import read_place
 from kinegrade.language import Language
 from kinegrade.language.message import Fault, Message, Quoted
 
@@ -219,11 +220,14 @@ class ExamFolder:
         except (OSError, UnicodeDecodeError) as fault:
             raise explain_unreadable(path, fault) from fault
 
-    def solution(self, stem: str) -> bytes:
-        """The worked solutions of a student whose files have that stem, as PDF. Raises
-        ExamError.
-        """
-        path = self.path / SOLUTIONS / f"{stem}.pdf"
+    def solution_file(self, student: str) -> Path:
+        """Where the worked solutions of a student stand, if they are printed."""
+        place = read_place(self.head.candidates[student].file) or self.head.file_stems[student]
+        return self.path / SOLUTIONS / f"{place}.pdf"
+
+    def solution(self, student: str) -> bytes:
+        """The worked solutions of a student as PDF. Raises ExamError."""
+        path = self.solution_file(student)
         try:
             return path.read_bytes()
         except OSError as fault:

@@ -7,12 +7,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from pathlib import Path
+from pathlib import Path, PurePosixPath
 
 from msgspec import structs
 
 from kinegrade.errors import ExamError
-from kinegrade.exam.folder.contents import KEY, PAPERS, SOLUTIONS, SPARES
+from kinegrade.exam.folder.contents import KEY, SOLUTIONS, SPARES
 from kinegrade.exam.folder.exam_folder import ExamFolder, open_exam
 from kinegrade.exam.folder.records import Candidate, ExamHead
 from kinegrade.exam.folder.writing import encode_line
@@ -24,7 +24,7 @@ from kinegrade.exam.printing.key_pages import make_kept_keys
 from kinegrade.exam.printing.printed_files import replace_papers, write_solutions
 from kinegrade.exam.printing.reprint import kept_run, reprint_candidate
 from kinegrade.exam.roster.student_ids import StudentIds
-from kinegrade.exam.roster.students import Student, make_student_key
+from kinegrade.exam.roster.students import Student, make_student_key, read_place
 from kinegrade.exam.setting.kept_exam import KeptExam
 from kinegrade.language.message import Fault, Message, Quoted, list_plainly
 from kinegrade.press.protocol import Printout
@@ -101,7 +101,7 @@ def _make_owner(exam: ExamFolder, spare: Candidate, student: Student) -> Candida
         group=student.group,
         room=student.room,
         was_spare=True,
-        file=f"{PAPERS}/{find_stem(exam, student)}.pdf",
+        file=str(PurePosixPath(spare.file).with_name(f"{find_stem(exam, student)}.pdf")),
     )
 
 
@@ -128,14 +128,14 @@ def _print_again(exam: ExamFolder, owner: Candidate) -> None:
     """The paper and its worked solutions, as far as they are printed, with the name of the
     student.
     """
-    again, stem = reprint_candidate(exam, owner), Path(owner.file).stem
-    stems = _list_stems(exam.head)
+    again, place = reprint_candidate(exam, owner), read_place(owner.file)
+    places = _list_places(exam.head)
     if not exam.head.unprinted:
-        (exam.path / PAPERS / f"{stem}.pdf").write_bytes(again.pages())
-        replace_papers(exam.path, (), stems)
-    if (exam.path / SOLUTIONS / f"{stem}.pdf").exists():
+        (exam.path / owner.file).write_bytes(again.pages())
+        replace_papers(exam.path, (), places)
+    if (exam.path / SOLUTIONS / f"{place}.pdf").exists():
         solution = Printout(again.solution())
-        write_solutions(exam.path, [(stem, solution)], stems)
+        write_solutions(exam.path, [(place, solution)], places)
 
 
 def _print_key(exam: ExamFolder) -> None:
@@ -147,6 +147,6 @@ def _print_key(exam: ExamFolder) -> None:
     write_spare_key(exam.path, kept_run(exam, kept), make_kept_keys(kept, papers))
 
 
-def _list_stems(head: ExamHead) -> Sequence[str]:
-    """The stems of all papers, those without a student last."""
-    return [Path(each.file).stem for each in head.everybody]
+def _list_places(head: ExamHead) -> Sequence[str]:
+    """Where the files of all papers are, those without a student last."""
+    return [read_place(each.file) for each in head.everybody]

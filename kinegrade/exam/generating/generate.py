@@ -103,7 +103,7 @@ def generate(
     require_tools(extras)
     old = replaced_exam(output, new_numbers=wish.new) if force else None
     begun = find_begun(output) if options.resume else None
-    roster = add_spare_papers(roster.seated, options.spare, () if old is None else old.spares)
+    roster = _seat_class(roster, options, old)
     secret = begun.secret if begun else wish.secret(None if old is None else old.secret)
     stays = None if wish.new else old
     bank = _choose_bank(blueprint, secret, options, stays)
@@ -126,6 +126,12 @@ def generate(
         settled = settle(old, folder, new_numbers=wish.new, solutions=extras.solutions)
     drawn, said = _list_drawn_templates(blueprint, bank), (*found, *_list_unbound(bank, extras))
     return Generated(dealt, drawn, said, *settled, resumed=len(journal.lines))
+
+
+def _seat_class(roster: Roster, options: GenerateOptions, old: ReplacedExam | None) -> Roster:
+    """The students in the order of their seats, then the spare papers, with places of files."""
+    spares, files = old.spares if old else (), options.extras.files
+    return add_spare_papers(roster.seated, options.spare, spares, files=files)
 
 
 def _choose_bank(

@@ -13,8 +13,9 @@ from kinegrade.exam.bank.blueprint import Bank, Blueprint
 from kinegrade.exam.folder.contents import HEAD, TEMPLATES
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.generating.exam_files import source_files, translation_files
+from kinegrade.exam.printing.reprint import find_kinds
 from kinegrade.exam.roster.roster import Roster
-from kinegrade.exam.roster.students import Student, make_file_names, make_student_key
+from kinegrade.exam.roster.students import Student, choose_places, make_file_names, make_student_key
 from kinegrade.exam.setting.kept_exam import student_of
 from kinegrade.language.message import Fault, Message, Quoted
 
@@ -79,7 +80,10 @@ def late_class(exam: ExamFolder, roster: Roster, late: Roster) -> LateClass:
         raise TableError(*faults)
     _require_names_kept((*earlier, *spares), late)
     stems = make_file_names(each.student for each in (*earlier, *spares, *late.students))
-    newcomers = tuple(replace(each, file_name=stems[each.student]) for each in late.seated.students)
+    seated = late.seated.students
+    before, files = len(exam.head.everybody), 1 + len(find_kinds(exam))
+    places = choose_places([stems[each.student] for each in seated], each=files, before=before)
+    newcomers = tuple(map(_with_files_at, seated, places))
     return LateClass(replace(late, students=newcomers), (*earlier, *newcomers))
 
 
@@ -157,6 +161,10 @@ def _require_names_kept(earlier: Sequence[Student], late: Roster) -> None:
     ]
     if faults:
         raise TableError(*faults)
+
+
+def _with_files_at(student: Student, place: str) -> Student:
+    return replace(student, file_name=place)
 
 
 def find_stem(exam: ExamFolder, student: Student) -> str:

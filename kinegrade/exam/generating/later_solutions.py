@@ -24,6 +24,7 @@ from kinegrade.exam.printing.class_solutions import print_class_solutions
 from kinegrade.exam.printing.printed_files import write_solutions
 from kinegrade.exam.printing.printing import PrintRun
 from kinegrade.exam.printing.reprint import find_candidates, kept_run
+from kinegrade.exam.roster.students import read_place
 from kinegrade.exam.setting.kept_exam import KeptExam
 from kinegrade.language import Language
 from kinegrade.language.message import Fault, Message, list_plainly
@@ -71,7 +72,7 @@ def add_solutions(exam: ExamFolder, wishes: SolutionWishes) -> int:
     with bulk_work(), open_grown_folder(exam) as folder, processes as workers:
         copy_exam(exam, folder)
         with closing(print_class_solutions(exam, run, students, workers, jobs)) as printed:
-            everybody = [_find_stem(each) for each in exam.head.students]
+            everybody = [read_place(each.file) for each in exam.head.students]
             write_solutions(folder, wishes.progress(printed, len(students)), everybody)
         _write_head(exam, run, folder)
     return len(students)
@@ -103,7 +104,7 @@ def _make_run(exam: ExamFolder, wishes: SolutionWishes, students: Sequence[Candi
 def _require_new(exam: ExamFolder, students: Sequence[Candidate]) -> None:
     """Raises OutputError where some of these students have worked solutions."""
     folder = exam.path / SOLUTIONS
-    solved = [each.student for each in students if (folder / f"{_find_stem(each)}.pdf").exists()]
+    solved = [each.student for each in students if exam.solution_file(each.student).exists()]
     if solved:
         names = [*solved[:_NAMED], *(["..."] if len(solved) > _NAMED else [])]
         what = Message("exam.solved-already", count=len(solved), names=list_plainly(names))
@@ -115,10 +116,6 @@ def _require_new(exam: ExamFolder, students: Sequence[Candidate]) -> None:
                 Message("exam.replace-solutions"),
             )
         )
-
-
-def _find_stem(student: Candidate) -> str:
-    return Path(student.file).stem
 
 
 def _write_head(exam: ExamFolder, run: PrintRun, folder: Path) -> None:

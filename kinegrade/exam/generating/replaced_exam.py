@@ -24,6 +24,7 @@ from kinegrade.exam.folder.faults import AS_GENERATED
 from kinegrade.exam.folder.head import read_head
 from kinegrade.exam.folder.records import ExamHead, KeyLine, StatedAnswer
 from kinegrade.exam.generating.hand_work import is_answered, refuse_edited, require_nothing_edited
+from kinegrade.exam.roster.students import read_place
 from kinegrade.language.message import Fault, Message, Quoted, list_plainly
 
 _UNKNOWN = Message("exam.unknown-before")
@@ -177,8 +178,12 @@ def settle(
     changes = old.changes(folder)
     if not new_numbers:
         old.require_papers_kept(changes)
-    remarks = _keep(names, old.folder, folder) if changes.harmless else _dropped(names, old.folder)
-    return changes, tuple(remarks)
+    if not changes.harmless:
+        return changes, tuple(_dropped(names, old.folder))
+    remarks = tuple(_keep(names, old.folder, folder))
+    if not solutions:
+        _move_solutions(old, folder)
+    return changes, remarks
 
 
 def _paper_digests(exam: ExamFolder) -> dict[str, bytes]:
@@ -222,6 +227,19 @@ def _keep(names: Iterable[str], old: Path, new: Path) -> Iterator[Message]:
             yield Message("exam.pool-stays", name=name)
         else:
             yield Message("exam.solutions-stay", name=name)
+
+
+def _move_solutions(old: ReplacedExam, new: Path) -> None:
+    """Put worked solutions that were kept to where the new exam has their papers."""
+    everybody = old.head.everybody if old.head else ()
+    before = {each.student: read_place(each.file) for each in everybody}
+    for each in read_head(new).everybody:
+        place = read_place(each.file)
+        kept = new / SOLUTIONS / f"{before.get(each.student, place)}.pdf"
+        target = new / SOLUTIONS / f"{place}.pdf"
+        if kept != target and kept.is_file():
+            target.parent.mkdir(exist_ok=True)
+            kept.rename(target)
 
 
 def _dropped(names: Iterable[str], old: Path) -> Iterator[Message]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
@@ -10,12 +11,14 @@ from kinegrade.errors import ExamError, OutputError
 from kinegrade.exam.folder.contents import HEAD, PAPERS
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.faults import explain_broken
+from kinegrade.exam.roster.students import read_place
 from kinegrade.files.csv_writing import neutralise, write_for_people
 from kinegrade.files.output import output_file, output_folder
 from kinegrade.language.message import Fault, Message, Quoted
 
 SEND_COLUMNS = ("student", "name", "email", "file")
 KINDS = (".pdf", ".docx", ".html")  # every student has the first
+_IN_PAPERS = re.compile(rf"{PAPERS}/([0-9]+/)?(?!\.\.?/)[^/\\]+{re.escape(KINDS[0])}")
 
 
 def hand_out(exam: ExamFolder, output: Path, *, force: bool = False) -> int:
@@ -27,13 +30,15 @@ def hand_out(exam: ExamFolder, output: Path, *, force: bool = False) -> int:
     """
     _require_outside(exam.path, output)
     _require_printed(exam)
-    stems = _list_paper_stems(exam)
-    files = list(_list_paper_files(exam.path, stems))
-    names = [f"{stem}{kind}" for stem in stems for kind in KINDS]
+    places = _list_places(exam)
+    files = list(_list_paper_files(exam.path / PAPERS, places))
+    names = {Path(f"{place}{kind}").parts[0] for place in places for kind in KINDS}
     with output_folder(output, marker=None, contents=names, force=force) as folder:
         for file in files:
-            (folder / file.name).write_bytes(_read_paper(file))
-    return len(stems)
+            copy = folder / file.relative_to(exam.path / PAPERS)
+            copy.parent.mkdir(exist_ok=True)
+            copy.write_bytes(_read_paper(file))
+    return len(places)
 
 
 @contextmanager
@@ -71,7 +76,9 @@ def send_list(
 
 def list_papers(exam: ExamFolder, papers: Path) -> dict[str, Path]:
     """Where `hand_out` puts everybody's paper, by student."""
-    return {each.student: papers / Path(each.file).name for each in exam.head.students}
+    return {
+        each.student: papers / f"{read_place(each.file)}{KINDS[0]}" for each in exam.head.students
+    }
 
 
 def _require_outside(exam: Path, output: Path) -> None:
@@ -88,27 +95,24 @@ def _require_printed(exam: ExamFolder) -> None:
         raise ExamError(Fault(str(exam.path), Message("exam.unprinted"), expected, do))
 
 
-def _list_paper_stems(exam: ExamFolder) -> list[str]:
-    """The file name of every paper, without its suffix. Raises ExamError if a paper is not where
-    the others are.
-    """
-    files = [Path(candidate.file) for candidate in exam.head.students]
-    for file in files:
-        if file.parent != Path(PAPERS) or file.suffix != KINDS[0]:
-            paper = Quoted(str(file))
+def _list_places(exam: ExamFolder) -> list[str]:
+    """The place of every paper. Raises ExamError if a paper is not where the others are."""
+    for candidate in exam.head.students:
+        if not _IN_PAPERS.fullmatch(candidate.file):
+            paper = Quoted(candidate.file)
             what = Message("exam.strange-paper", paper=paper, kind=KINDS[0], folder=PAPERS)
             raise explain_broken(exam.path / HEAD, [what])
-    return [file.stem for file in files]
+    return [read_place(candidate.file) for candidate in exam.head.students]
 
 
-def _list_paper_files(exam: Path, stems: list[str]) -> Iterator[Path]:
+def _list_paper_files(papers: Path, places: list[str]) -> Iterator[Path]:
     """The files of these papers, of every kind that there is.
 
     A PDF that is missing is noticed when it is read.
     """
-    for stem in stems:
+    for place in places:
         for kind in KINDS:
-            file = exam / PAPERS / f"{stem}{kind}"
+            file = papers / f"{place}{kind}"
             if kind == KINDS[0] or file.is_file():
                 yield file
 

@@ -122,7 +122,7 @@ def _collect_printouts(printed: Printed) -> Mapping[str, Printout]:
 
 
 def _write(target: Path, printout: Printout, sources: Path) -> None:
-    target.write_bytes(printout.pdf)
+    _write_content(target, printout.pdf)
     for name, content in printout.sources.items():
         _write_content(sources / name, content)
 

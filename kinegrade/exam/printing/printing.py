@@ -62,6 +62,11 @@ class Extras:
     papers: bool = True
 
     @property
+    def files(self) -> int:
+        """How many files each paper has in its folder."""
+        return 1 + len(self.also)
+
+    @property
     def folders(self) -> tuple[str, ...]:
         """The folders of what is printed."""
         wanted = {PAPERS: self.papers, SOLUTIONS: self.solutions}

@@ -10,7 +10,6 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from pathlib import Path
 from typing import TypeVar
 
 import msgspec
@@ -26,7 +25,7 @@ from kinegrade.exam.printing.printing import Extras, PressOrder, PrintRun
 from kinegrade.exam.roster.complaints import roster_complaints
 from kinegrade.exam.roster.roster import Roster
 from kinegrade.exam.roster.student_ids import StudentIds
-from kinegrade.exam.roster.students import make_student_key
+from kinegrade.exam.roster.students import make_student_key, read_place
 from kinegrade.exam.setting.kept_exam import KeptExam
 from kinegrade.exam.setting.setting import SetPaper
 from kinegrade.language.message import Fault, Message, Quoted
@@ -122,17 +121,17 @@ def find_printed(exam: ExamFolder) -> Mapping[str, object]:
     return {
         "papers": not exam.head.unprinted,
         "solutions": (exam.path / SOLUTIONS).exists(),
-        "also": _find_kinds(exam),
+        "also": find_kinds(exam),
     }
 
 
-def _find_kinds(exam: ExamFolder) -> tuple[str, ...]:
+def find_kinds(exam: ExamFolder) -> tuple[str, ...]:
     """The kinds of files, besides PDF, in which the folder has papers."""
-    stems = [Path(each.file).stem for each in exam.head.students]
+    places = [read_place(each.file) for each in exam.head.students]
     return tuple(
         kind.removeprefix(".")
         for kind in KINDS[1:]
-        if any((exam.path / PAPERS / f"{stem}{kind}").is_file() for stem in stems)
+        if any((exam.path / PAPERS / f"{place}{kind}").is_file() for place in places)
     )
 
 

@@ -9,20 +9,23 @@ from dataclasses import replace
 from itertools import count, islice
 
 from kinegrade.exam.roster.roster import Roster
-from kinegrade.exam.roster.students import Student, make_file_names, make_student_key
+from kinegrade.exam.roster.students import Student, choose_places, make_file_names, make_student_key
 
 _NAME = "spare-{}"
 
 
-def add_spare_papers(roster: Roster, wanted: int, existing: Collection[str]) -> Roster:
+def add_spare_papers(
+    roster: Roster, wanted: int, existing: Collection[str], *, files: int = 1
+) -> Roster:
     """The roster with as many spare papers behind its students; those that exist stay, whatever is
-    wanted.
+    wanted. All have the places of their files, so many for each paper.
     """
     taken = {make_student_key(each.student) for each in roster.students}
     names = (_NAME.format(number) for number in count(1))
     free = (name for name in names if name not in taken and name not in existing)
     spares = [*existing, *islice(free, max(wanted - len(existing), 0))]
     stems = make_file_names([*(each.student for each in roster.students), *spares])
-    students = tuple(replace(each, file_name=stems[each.student]) for each in roster.students)
-    papers = (Student(name, "", "", stems[name], spare=True) for name in spares)
+    places = dict(zip(stems, choose_places(list(stems.values()), each=files), strict=True))
+    students = tuple(replace(each, file_name=places[each.student]) for each in roster.students)
+    papers = (Student(name, "", "", places[name], spare=True) for name in spares)
     return replace(roster, students=(*students, *papers))

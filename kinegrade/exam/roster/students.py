@@ -1,12 +1,19 @@
-"""Students: who they are, how ids are compared, and what their files are called."""
+"""Students: who they are, how ids are compared, what their files are called, and where they stand
+below a folder with a file for each.
+
+There they stand side by side, and from a thousand on in numbered folders, as programs that show a
+folder are slow with more. A place is a path without suffix, `0012` or `07/0012`. An exam keeps that
+of each paper, so that folders of any version are read alike.
+"""
 
 from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from hashlib import sha256
+from pathlib import PurePosixPath
 from typing import Literal, TypeAlias
 from unicodedata import normalize
 from urllib.parse import quote
@@ -15,6 +22,7 @@ from kinegrade.files.cell_text import trim
 
 #: How a paper is printed: as usual, or in letters of 18 points, a question a page.
 PrintFormat: TypeAlias = Literal["", "large-print"]
+MOST_TOGETHER = 1000  # files in one folder
 _LONGEST_STEM = 100
 _LONGEST_ROOM = 50  # characters of up to four bytes
 _UNSAFE = re.compile(r"[^\w.-]+")
@@ -23,8 +31,8 @@ _RESERVED = re.compile(r"(?:con|prn|aux|nul|com[0-9]|lpt[0-9])(?:\.|$)", re.IGNO
 
 @dataclass(frozen=True, slots=True)
 class Student:
-    """One student; `file_name` is a stem safe on every system and different from all others of the
-    roster.
+    """One student; `file_name` is safe on every system and different from all others of the
+    roster, on a paper that is set behind a numbered folder where the class is large.
 
     What a roster does not say is "": `language`, in which the paper is printed, is then that of the
     exam, and `print_format` the usual one; `extra_time` is a text such as "25 %" or "30 min".
@@ -93,6 +101,29 @@ def make_room_stems(rooms: Iterable[str]) -> dict[str, str]:
         room: stem if _is_safe(stem) and alike[stem.casefold()] == 1 else encoded[room]
         for room, stem in plain.items()
     }
+
+
+def choose_places(stems: Sequence[str], *, each: int = 1, before: int = 0) -> list[str]:
+    """The places of students whose files begin with these stems, of whom everybody has `each` so
+    many, behind those of so many students `before`.
+
+    >>> choose_places(["a", "b"], before=999)
+    ['00/a', '01/b']
+    """
+    together = MOST_TOGETHER // each
+    if before + len(stems) <= together:
+        return list(stems)
+    return [f"{number // together:02}/{stem}" for number, stem in enumerate(stems, before)]
+
+
+def read_place(file: str) -> str:
+    """The place of a file that is named from the exam folder on; "" where none is named.
+
+    >>> read_place("papers/07/0012.pdf")
+    '07/0012'
+    """
+    path = PurePosixPath(file)
+    return "" if not file else str(PurePosixPath(*path.parts[1:]).with_name(path.stem))
 
 
 def _is_safe(stem: str) -> bool:

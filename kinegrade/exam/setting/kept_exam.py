@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from pathlib import Path
 from typing import Literal, TypeAlias
 
 from kinegrade.errors import ExamError
@@ -17,7 +16,7 @@ from kinegrade.exam.folder.contradictions import explain_contradiction, list_nam
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.faults import explain_broken
 from kinegrade.exam.folder.records import Candidate, KeyLine, KeyQuestion
-from kinegrade.exam.roster.students import Student
+from kinegrade.exam.roster.students import Student, read_place
 from kinegrade.exam.setting.derivation import derive_question, find_differences, work_out
 from kinegrade.exam.setting.setting import Exam, SetPaper, SetQuestion
 from kinegrade.language.message import Fault, Message, Quoted
@@ -173,12 +172,11 @@ def list_with_keys(
 
 def student_of(candidate: Candidate) -> Student:
     """A student of an exam as a roster has them."""
-    stem = Path(candidate.file).stem
     return Student(
         candidate.student,
         candidate.name,
         candidate.email,
-        stem,
+        read_place(candidate.file),
         group=candidate.group,
         room=candidate.room,
         seat=candidate.seat,

@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import lru_cache
-from pathlib import Path
+from pathlib import Path, PurePosixPath
 from types import MappingProxyType
 from typing import Generic, TypeVar
 
@@ -209,10 +209,11 @@ def _make_printout(
     language: Language,
     pictures: Mapping[str, bytes] = MappingProxyType({}),
 ) -> Printout:
-    """The pages, and their source with the style and the pictures that it asks for."""
-    text = _write_introduction(name, language) + source
-    files = {f"{name}.tex": text.encode(), STYLE: write_style().encode()}
-    return Printout(pdf, files | dict(pictures))
+    """The pages, and their source with the style and the pictures that it asks for beside it."""
+    place = PurePosixPath(name)
+    text = _write_introduction(place.name, language) + source
+    files = {f"{place.name}.tex": text.encode(), STYLE: write_style().encode(), **pictures}
+    return Printout(pdf, {str(place.with_name(beside)): files[beside] for beside in files})
 
 
 def _find_missing(characters: Iterable[str]) -> frozenset[str]:

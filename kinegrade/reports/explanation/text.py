@@ -8,7 +8,7 @@ from fractions import Fraction
 from itertools import groupby
 from shlex import quote
 
-from kinegrade.exam.folder.contents import PAPERS, SOLUTIONS
+from kinegrade.exam.folder.contents import PAPERS
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.printing.rules import make_percent
 from kinegrade.files.csv_writing import restore
@@ -145,7 +145,7 @@ class ExplanationWriter:
         stem = exam.head.file_stems[who.student]
         again = quote(str(exam.path)), quote(who.student), "-o"
         paper = exam.path / (who.file or f"{PAPERS}/{stem}.pdf")
-        solution = exam.path / SOLUTIONS / f"{stem}.pdf"
+        solution = exam.solution_file(who.student)
         place = Message("explain.paper", place=str(paper))
         making = Message("explain.print-paper", arguments=" ".join((*again, quote(paper.name))))
         yield self.words.write(place if paper.is_file() else making)

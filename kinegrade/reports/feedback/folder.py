@@ -11,12 +11,13 @@ from concurrent.futures import Executor
 from dataclasses import dataclass, field, replace
 from functools import partial
 from itertools import chain
-from pathlib import Path
+from pathlib import Path, PurePosixPath
 from typing import Literal, assert_never
 
 from kinegrade.errors import ExamError
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.records import Candidate
+from kinegrade.exam.roster.students import choose_places
 from kinegrade.files.csv_writing import neutralise, write_for_people
 from kinegrade.files.output import output_folder
 from kinegrade.grading.wording import Wording
@@ -58,10 +59,10 @@ class FeedbackWishes:
 
 @dataclass(frozen=True)
 class _Handout:
-    """What one student gets, before it is printed; `stem` begins the names of the files."""
+    """What one student gets, before it is printed; `place` begins the paths of the files."""
 
     candidate: Candidate
-    stem: str
+    place: str
     sheet: FeedbackSheet
     solution: bytes | None
 
@@ -88,13 +89,15 @@ def write_feedback(
     with output_folder(output, marker=_MARKER, contents=contents, force=wishes.force) as folder:
         (folder / _SHEETS).mkdir()
         rows, written = [], dict[str, list[Path]]()
-        handouts = _print_handouts(
-            make_feedback_sheets(marks, exam, wording, wishes.language, wishes.own), exam, wishes
-        )
+        sheets = make_feedback_sheets(marks, exam, wording, wishes.language, wishes.own)
+        places = _choose_places(exam, marks, wishes.form)
+        handouts = _print_handouts(sheets, places, exam, wishes)
         parts = map_in_order(workers, make, split_in_parts(handouts, _PART))
         for candidate, files in chain.from_iterable(parts):
             for name, content in files.items():
-                (folder / _SHEETS / name).write_bytes(content)
+                sheet = folder / _SHEETS / name
+                sheet.parent.mkdir(exist_ok=True)
+                sheet.write_bytes(content)
             written[candidate.student] = [folder / _SHEETS / name for name in files]
             whose = candidate.student, neutralise(candidate.name), neutralise(candidate.email)
             rows.append((*whose, f"{_SHEETS}/{next(iter(files))}"))
@@ -109,17 +112,28 @@ def list_sheets(
 ) -> dict[str, Path]:
     """Where the sheets will be, by student."""
     suffix = "pdf" if callable(form) else form
+    places = _choose_places(exam, marks, form)
+    return {student: output / _SHEETS / f"{place}.{suffix}" for student, place in places.items()}
+
+
+def _choose_places(exam: ExamFolder, marks: MarksFolder, form: Text | Press) -> dict[str, str]:
+    """Where the sheet of each marked student is, and what may stand beside a text."""
     stems = exam.head.file_stems
-    marked = (each.student for each in marks.totals.students if each.student in stems)
-    return {student: output / _SHEETS / f"{stems[student]}.{suffix}" for student in marked}
+    marked = [each.student for each in marks.totals.students if each.student in stems]
+    files = 1 if callable(form) else 2
+    chosen = choose_places([stems[student] for student in marked], each=files)
+    return dict(zip(marked, chosen, strict=True))
 
 
 def _print_handouts(
-    sheets: Iterable[tuple[Candidate, FeedbackSheet]], exam: ExamFolder, wishes: FeedbackWishes
+    sheets: Iterable[tuple[Candidate, FeedbackSheet]],
+    places: Mapping[str, str],
+    exam: ExamFolder,
+    wishes: FeedbackWishes,
 ) -> Iterator[_Handout]:
     for candidate, sheet in sheets:
-        stem = exam.head.file_stems[candidate.student]
-        yield _Handout(candidate, stem, sheet, exam.solution(stem) if wishes.solutions else None)
+        solution = exam.solution(candidate.student) if wishes.solutions else None
+        yield _Handout(candidate, places[candidate.student], sheet, solution)
 
 
 def _make_part(
@@ -127,22 +141,22 @@ def _make_part(
 ) -> list[tuple[Candidate, dict[str, bytes]]]:
     """Whose files, and the files by name, for a part of the class."""
     return [
-        (each.candidate, dict(_write_files(each.stem, each.sheet, each.solution, form)))
+        (each.candidate, dict(_write_files(each.place, each.sheet, each.solution, form)))
         for each in part
     ]
 
 
 def _write_files(
-    stem: str, sheet: FeedbackSheet, solution: bytes | None, form: Text | Press
+    place: str, sheet: FeedbackSheet, solution: bytes | None, form: Text | Press
 ) -> Iterator[tuple[str, bytes]]:
     """The names and contents of one student's files, the sheet first."""
     if callable(form):
-        yield f"{stem}.pdf", form(sheet, solution)
+        yield f"{place}.pdf", form(sheet, solution)
         return
-    beside = f"{stem}-solution.pdf" if solution is not None else ""
-    sheet = replace(sheet, solution=beside)
+    beside = f"{place}-solution.pdf" if solution is not None else ""
+    sheet = replace(sheet, solution=PurePosixPath(beside).name)
     text = _write_text(sheet, form)
-    yield f"{stem}.{form}", text.encode("utf-8", "backslashreplace")
+    yield f"{place}.{form}", text.encode("utf-8", "backslashreplace")
     if solution is not None:
         yield beside, solution
 
