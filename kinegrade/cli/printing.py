@@ -28,6 +28,7 @@ from kinegrade.cli.terminal import refuse_usage, say
 from kinegrade.language.message import Message
 
 if TYPE_CHECKING:
+    from kinegrade.exam.handing_out.group_bundles import Bundle
     from kinegrade.language import Language
     from kinegrade.problem.template.template import Method
 
@@ -58,16 +59,24 @@ def sample(bank: Path, *, output: Path, seed: str, language: Language, force: bo
     metavar="DIR",
 )
 @click.option("--send-list", "listed", type=FILE, metavar="FILE")
+@click.option("--by-group", "bundle", type=click.Choice(["pdf", "zip"]))
 @FORCE
 @refusing
-def papers(exam: Path, output: Path, *, listed: Path | None, force: bool) -> None:
+def papers(
+    exam: Path, output: Path, *, listed: Path | None, bundle: Bundle | None, force: bool
+) -> None:
     """Copy from EXAM what students may have: everybody's paper as PDF, and for Word and the browser
     where it exists.
     """
-    from kinegrade.exam.printing.handout import hand_out, list_papers, send_list
+    from kinegrade.exam.handing_out.group_bundles import hand_out_groups
+    from kinegrade.exam.handing_out.handout import hand_out, list_papers, send_list
 
+    if listed and bundle:
+        raise refuse_usage(Message("terminal.list-or-groups"))
     folder = kinegrade.open_exam(exam)
-    if listed is None:
+    if bundle is not None:
+        count = hand_out_groups(folder, output, bundle, force=force)
+    elif listed is None:
         count = hand_out(folder, output, force=force)
     else:
         files = list_papers(folder, output)

@@ -12,7 +12,7 @@ from typing import Literal, assert_never
 
 from kinegrade.exam.exam_wording import ExamWording, read_exam_wording
 from kinegrade.exam.folder.exam_folder import ExamFolder
-from kinegrade.exam.printing.handout import send_list
+from kinegrade.exam.handing_out.handout import send_list
 from kinegrade.language import Language
 from kinegrade.language.message import Message
 from kinegrade.lms.feedback_zip import Participants, pack_feedback, read_participants

@@ -19,7 +19,7 @@ from kinegrade.exam.folder.contents import PAPERS, SOLUTIONS
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.faults import describe_damage, explain_broken
 from kinegrade.exam.folder.records import Candidate
-from kinegrade.exam.printing.handout import KINDS
+from kinegrade.exam.handing_out.handout import KINDS
 from kinegrade.exam.printing.pages import lay_out_paper
 from kinegrade.exam.printing.printing import Extras, PressOrder, PrintRun
 from kinegrade.exam.roster.complaints import roster_complaints

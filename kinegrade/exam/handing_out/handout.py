@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
+from itertools import chain
 from pathlib import Path
 
 from kinegrade.errors import ExamError, OutputError
@@ -28,17 +29,27 @@ def hand_out(exam: ExamFolder, output: Path, *, force: bool = False) -> int:
     With `force`, the contents of the folder `output` are replaced if they are papers of this exam
     and nothing else. Raises ExamError, OutputError; then nothing is written.
     """
-    _require_outside(exam.path, output)
-    _require_printed(exam)
-    places = _list_places(exam)
-    files = list(_list_paper_files(exam.path / PAPERS, places))
-    names = {Path(f"{place}{kind}").parts[0] for place in places for kind in KINDS}
+    files = list_files(exam, output)
+    names = {Path(f"{place}{kind}").parts[0] for place in _list_places(exam) for kind in KINDS}
     with output_folder(output, marker=None, contents=names, force=force) as folder:
-        for file in files:
+        for file in chain.from_iterable(files.values()):
             copy = folder / file.relative_to(exam.path / PAPERS)
             copy.parent.mkdir(exist_ok=True)
-            copy.write_bytes(_read_paper(file))
-    return len(places)
+            copy.write_bytes(read_paper(file))
+    return len(files)
+
+
+def list_files(exam: ExamFolder, output: Path) -> Mapping[str, Sequence[Path]]:
+    """The files of each student's paper, by id, of every kind that there is, which are to go to
+    `output`. A PDF that is missing is noticed when it is read.
+
+    Raises ExamError where papers are not printed, or not where papers are; OutputError.
+    """
+    _require_outside(exam.path, output)
+    _require_printed(exam)
+    students, places = exam.students, _list_places(exam)
+    found = (tuple(_list_kinds(exam.path / PAPERS, place)) for place in places)
+    return dict(zip(students, found, strict=True))
 
 
 @contextmanager
@@ -105,19 +116,14 @@ def _list_places(exam: ExamFolder) -> list[str]:
     return [read_place(candidate.file) for candidate in exam.head.students]
 
 
-def _list_paper_files(papers: Path, places: list[str]) -> Iterator[Path]:
-    """The files of these papers, of every kind that there is.
-
-    A PDF that is missing is noticed when it is read.
-    """
-    for place in places:
-        for kind in KINDS:
-            file = papers / f"{place}{kind}"
-            if kind == KINDS[0] or file.is_file():
-                yield file
+def _list_kinds(papers: Path, place: str) -> Iterator[Path]:
+    for kind in KINDS:
+        file = papers / f"{place}{kind}"
+        if kind == KINDS[0] or file.is_file():
+            yield file
 
 
-def _read_paper(file: Path) -> bytes:
+def read_paper(file: Path) -> bytes:
     """The bytes of a paper. Raises ExamError."""
     if file.is_symlink():
         raise ExamError(Fault(str(file), Message("exam.paper-is-link")))
