@@ -62,8 +62,8 @@ class Reason(ABC):
         """The rolling without slipping that it is; None where it is something else."""
         return None
 
-    def find_rim_carrier(self) -> str | None:
-        """The body seen from which two rims have equal speeds; None where nothing says so."""
+    def find_rims(self) -> EqualRimSpeed | None:
+        """The rims of equal speed that it is; None where it is something else."""
         return None
 
     def find_imposed_direction(self) -> Vector | None:
@@ -246,9 +246,9 @@ class EqualRimSpeed(Reason):
         """No: it links two rotations."""
         return False
 
-    def find_rim_carrier(self) -> str:
-        """That of the centres."""
-        return self.carrier
+    def find_rims(self) -> EqualRimSpeed:
+        """Itself."""
+        return self
 
     @property
     @abstractmethod

@@ -43,6 +43,54 @@ def turn_reverted_train(given: Given) -> Answers:
     }
 
 
+def turn_differential(given: Given) -> Answers:
+    """Arcs in teeth, seen from the arm: the planet on the sun, the ring on the planet."""
+    teeth = (given["z_R"] - given["z_S"]) / 2
+
+    def arm(t: mpf) -> mpf:
+        return 2 * pi * given["n_A"] / MINUTE * t
+
+    def sun(t: mpf) -> mpf:
+        return 2 * pi * given["n_S"] / MINUTE * t
+
+    def planet(t: mpf) -> mpf:
+        return arm(t) - given["z_S"] / teeth * (sun(t) - arm(t))
+
+    def ring(t: mpf) -> mpf:
+        return arm(t) + teeth / given["z_R"] * (planet(t) - arm(t))
+
+    return {
+        "n_P": count_turns(planet),
+        "n_R": count_turns(ring),
+        "v_P": abs(diff(lambda t: given["l"] * exp(1j * arm(t)), 0)) / METRE,
+    }
+
+
+def push_racks(given: Given) -> Answers:
+    """The pinion rolls off the lower rack forwards and the upper one backwards."""
+    radius = given["r"]
+
+    def lower(t: mpf) -> mpf:
+        return given["u"] * t
+
+    def upper(t: mpf) -> mpf:
+        return given["v"] * t + given["a"] * t**2 / 2
+
+    def turned(t: mpf) -> mpf:
+        return (lower(t) - upper(t)) / (2 * radius)
+
+    def edge(t: mpf) -> mpf:
+        return (lower(t) + upper(t)) / 2 + radius * exp(1j * turned(t))
+
+    return {
+        "omega": diff(turned, 0),
+        "v_C": diff(lambda t: (lower(t) + upper(t)) / 2, 0),
+        "v_E": abs(diff(edge, 0)),
+        "alpha": diff(turned, 0, 2),
+        "a_E": abs(diff(edge, 0, 2)),
+    }
+
+
 CASES: tuple[Case, ...] = (
     (
         "reverted-epicyclic-train",
@@ -54,6 +102,18 @@ CASES: tuple[Case, ...] = (
         turn_reverted_train,
         {"z_B": 60, "z_C": 40, "z_D": 70, "l": 275, "n": 30},
     ),
+    (
+        "differential-epicyclic-train",
+        turn_differential,
+        {"z_S": 24, "z_R": 72, "l": 120, "phi": 45, "n_S": -180, "n_A": 60},
+    ),
+    (
+        "differential-epicyclic-train",
+        turn_differential,
+        {"z_S": 40, "z_R": 96, "l": 80, "phi": 120, "n_S": 300, "n_A": 75},
+    ),
+    ("pinion-between-two-racks", push_racks, {"r": 70, "u": 250, "v": -100, "a": 400}),
+    ("pinion-between-two-racks", push_racks, {"r": 40, "u": -50, "v": -350, "a": -600}),
 )
 
 

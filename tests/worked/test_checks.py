@@ -117,6 +117,34 @@ def test_a_planet_is_checked_as_its_carrier_sees_it() -> None:
     )
 
 
+def test_gears_that_a_planet_joins_are_checked_as_their_carrier_sees_them() -> None:
+    (check,) = read_checks("differential-epicyclic-train")
+    assert check == Check(
+        "the rim speeds of gear $S$ and of gear $R$, equal by way of the planet gear, "
+        "seen from the carrier $OP$",
+        r"0.04364\,\unit{m} \cdot (-31.42\,\unit{rad/s} - 3.142\,\unit{rad/s})"
+        r" \approx -1.508\,\unit{m/s}",
+        r"-0.1164\,\unit{m} \cdot (16.10\,\unit{rad/s} - 3.142\,\unit{rad/s})"
+        r" \approx -1.508\,\unit{m/s}",
+    )
+
+
+def test_a_wheel_between_tracks_is_checked_from_contact_to_contact() -> None:
+    assert read_checks("pinion-between-two-racks") == [
+        Check(
+            "the velocities of both contact points of the pinion, which differ by its rotation",
+            r"0.25\,\unit{m/s} - (-0.1\,\unit{m/s}) = 0.35\,\unit{m/s}",
+            r"2.5\,\unit{rad/s} \cdot 0.14\,\unit{m} = 0.35\,\unit{m/s}",
+        ),
+        Check(
+            "the tangential accelerations of both contact points of the pinion, "
+            "which differ by its angular acceleration",
+            r"-0.4\,\unit{m/s^2}",
+            r"-2.857\,\unit{rad/s^2} \cdot 0.14\,\unit{m} \approx -0.4\,\unit{m/s^2}",
+        ),
+    ]
+
+
 def test_a_pose_is_checked_by_a_distance_that_is_given() -> None:
     assert read_checks("pose-four-bar-coupler")[0] == Check(
         "the distance of $D$ and $C$ in coordinates, and as it is given",
@@ -175,6 +203,8 @@ def slip(solution: Solution, rate: Rate) -> list[Check]:
         ("crank-slider-in-floating-link", "BC"),
         ("square-on-two-fixed-points", "plate"),
         ("ring-gear-planet-relative-spin", "planet"),
+        ("differential-epicyclic-train", "R"),
+        ("pinion-between-two-racks", "pinion"),
         ("rolling-wheel-pin-slotted-rocker", "rocker"),
         ("flat-faced-follower-eccentric-circle", "cam"),
     ],

@@ -1,14 +1,17 @@
-"""Checks of a gear on a carrier that rolls on a fixed circle: seen from the carrier both turn about
-fixed centres, and their rims move alike.
+"""Checks of gears on a carrier: seen from it all turn about fixed centres, and rims that run on
+each other move alike, those of gears that a third one joins too.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import chain, combinations, product
+from typing import Any
 
 from kinegrade.language.message import Message
 from kinegrade.mechanics.ground import GROUND
-from kinegrade.mechanics.laws import NoSlip
+from kinegrade.mechanics.laws import EqualRimSpeed, NoSlip
 from kinegrade.mechanics.rates import make_turning
 from kinegrade.mechanics.shapes import Circle
 from kinegrade.mechanics.vector_equation import Level
@@ -20,7 +23,13 @@ from kinegrade.worked.vectors.vectors import UNITS
 
 
 def list_carrier_checks(level: Level, case: Case) -> Iterator[Check]:
-    """The checks of all gears that roll on a fixed circle, unless nothing moves at this level."""
+    """The checks of all gears that roll on a fixed circle, then of those that mesh with one third
+    gear, unless nothing moves at this level.
+    """
+    return chain(_list_rolling(level, case), _list_joined(level, case))
+
+
+def _list_rolling(level: Level, case: Case) -> Iterator[Check]:
     for relation in case.motion.frames.relations:
         roll = relation.source.find_rolling() if relation.source else None
         if roll and roll.of == GROUND and isinstance(roll.on, Circle):
@@ -44,12 +53,78 @@ def _check_rims(
     if not double(gear - frame):
         return
     turned, unit = UNITS[level, True], UNITS[level, False]
-    spin = measure(gear, turned) - measure(frame, turned)
     rim = measure(track.radius, "m").dot(measure(-frame, turned)).signed(sense)
     body, other = map(case.naming.body, (roll.body, carrier))
     yield compare(
         Message(f"solution.rims-{level}", body=body, carrier=other),
-        Side(measure(roll.circle.radius, "m").dot(spin), roll.circle.radius * (gear - frame)),
+        _state_rim(_Gear(roll.body, roll.circle), carrier, level, case),
         Side(rim, -track.radius * frame * sense),
         unit,
     )
+
+
+@dataclass(frozen=True)
+class _Gear:
+    """A body with the circle on which it meshes."""
+
+    body: str
+    circle: Circle
+
+    def is_same(self, other: _Gear) -> bool:
+        """Whether the other one is this circle of this body."""
+        radii = (double(gear.circle.radius) for gear in (self, other))
+        return self.body == other.body and len(set(radii)) == 1
+
+
+@dataclass(frozen=True)
+class _Pair:
+    """Two gears in mesh, the second one seen from the first; -1 where they turn in opposite
+    senses.
+    """
+
+    first: _Gear
+    second: _Gear
+    carrier: str
+    sense: int
+
+
+def _list_joined(level: Level, case: Case) -> Iterator[Check]:
+    """The checks of gears that mesh with the same circle of a third one."""
+    sources = (relation.source for relation in case.motion.frames.relations)
+    found = (source.find_rims() for source in sources if source)
+    for one, other in combinations(filter(None, found), 2):
+        for first, second in product(_list_pairs(one), _list_pairs(other)):
+            if first.carrier == second.carrier and first.second.is_same(second.second):
+                yield from _check_joined(first, second, level, case)
+
+
+def _list_pairs(mesh: EqualRimSpeed) -> tuple[_Pair, _Pair]:
+    """Two gears in mesh, in either order."""
+    one, other = _Gear(mesh.body, mesh.circle), _Gear(mesh.of, mesh.on)
+    sense = -1 if mesh.is_opposite else 1
+    return _Pair(one, other, mesh.carrier, sense), _Pair(other, one, mesh.carrier, sense)
+
+
+def _check_joined(one: _Pair, other: _Pair, level: Level, case: Case) -> Iterator[Check]:
+    """The rim speeds of both gears that mesh with the third one, seen from the carrier."""
+    sense = one.sense * other.sense
+    left, right = (_state_rim(pair.first, pair.carrier, level, case) for pair in (one, other))
+    if not double(left.value):
+        return
+    names = {"first": one.first, "second": other.first, "idler": one.second}
+    way = Message(
+        f"solution.joined-rims-{level}",
+        carrier=case.naming.body(one.carrier),
+        **{name: case.naming.body(gear.body) for name, gear in names.items()},
+    )
+    turned = Side(right.numbers.signed(sense), right.value * sense)
+    yield compare(way, left, turned, UNITS[level, False])
+
+
+def _state_rim(gear: _Gear, carrier: str, level: Level, case: Case) -> Side:
+    """The speed of a gear's rim, seen from the carrier."""
+    rates, turned = case.rates(level), UNITS[level, True]
+    rate, frame = (rates[make_turning(body)] for body in (gear.body, carrier))
+    spin = measure(rate, turned) - measure(frame, turned)
+    radius: Any = gear.circle.radius
+    return Side(measure(radius, "m").dot(spin), radius * (rate - frame))

@@ -14,19 +14,22 @@ from kinegrade.worked.checks.carriers import list_carrier_checks
 from kinegrade.worked.checks.check import Check
 from kinegrade.worked.checks.places import list_place_checks
 from kinegrade.worked.checks.projections import list_projection_checks
+from kinegrade.worked.checks.tracks import list_track_checks
 from kinegrade.worked.document import Block
 from kinegrade.worked.vectors.stage import Stage
 
 
 def check_rates(stages: Mapping[Step, Stage], level: Level, case: Case) -> Iterator[Block]:
-    """The check of the last step that has one, else that of the points of a body."""
+    """The check of the last step that has one, else that of a wheel between tracks, of the points
+    of a body or of gears on a carrier.
+    """
     for step, stage in reversed(tuple(stages.items())):
         for check in list_projection_checks(step, stage):
             if check.is_telling:
                 yield check.say(case)
                 return
-    others = chain(list_body_checks(level, case), list_carrier_checks(level, case))
-    yield from _say_first(others, case)
+    kinds = (list_track_checks, list_body_checks, list_carrier_checks)
+    yield from _say_first(chain.from_iterable(kind(level, case) for kind in kinds), case)
 
 
 def check_places(asked: Sequence[Ask], case: Case) -> Iterator[Block]:

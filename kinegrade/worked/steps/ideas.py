@@ -110,11 +110,11 @@ def _explain_link(law: Law | None, case: Case) -> Iterator[Message]:
     """What a relation of rates alone links; nothing for what is given, or turns alike."""
     if law is None:
         return
-    roll, carrier = law.find_rolling(), law.find_rim_carrier()
+    roll, rims = law.find_rolling(), law.find_rims()
     if roll is not None:
         yield _explain_roll(roll, case)
-    if carrier is not None:
-        yield Message("solution.idea-rims", carrier=case.naming.body(carrier))
+    if rims is not None:
+        yield Message("solution.idea-rims", carrier=case.naming.body(rims.carrier))
 
 
 def _explain_roll(roll: NoSlip, case: Case) -> Message:

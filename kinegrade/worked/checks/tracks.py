@@ -1,0 +1,81 @@
+"""Checks of a wheel between two parallel tracks that do not turn: from one point of contact to the
+other, without its centre, only its rotation changes what they have along the tracks.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import combinations
+from typing import Any
+
+from kinegrade.language.message import Message
+from kinegrade.mechanics.geometry import foot
+from kinegrade.mechanics.ground import GROUND
+from kinegrade.mechanics.laws import NoSlip
+from kinegrade.mechanics.rates import make_turning
+from kinegrade.mechanics.shapes import Line
+from kinegrade.mechanics.vector import Vector
+from kinegrade.mechanics.vector_equation import Level
+from kinegrade.worked.case import Case
+from kinegrade.worked.checks.check import Check, Side, compare
+from kinegrade.worked.formulas.measures import double, length
+from kinegrade.worked.formulas.numbers import measure
+from kinegrade.worked.vectors.vectors import UNITS
+
+
+def list_track_checks(level: Level, case: Case) -> Iterator[Check]:
+    """The checks of all wheels between two tracks, unless the wheel does not turn at this level."""
+    found = (one.source.find_rolling() for one in case.motion.frames.relations if one.source)
+    rolls = [roll for roll in found if roll and not _turns(roll.of, case)]
+    for one, other in combinations(rolls, 2):
+        match one.on, other.on:
+            case Line() as first, Line() as second if _is_between(one, other, first, second):
+                yield from _check_contacts((one, first), (other, second), level, case)
+            case _:
+                continue
+
+
+def _turns(body: str, case: Case) -> bool:
+    return bool(double(case.motion.omega(body)) or double(case.motion.alpha(body)))
+
+
+def _is_between(one: NoSlip, other: NoSlip, first: Line, second: Line) -> bool:
+    """Whether it is one circle's centre that two parallel tracks have beside it."""
+    wheels = {(roll.body, roll.circle.centre) for roll in (one, other)}
+    return len(wheels) == 1 and not double(first.direction.cross(second.direction))
+
+
+def _check_contacts(
+    one: tuple[NoSlip, Line], other: tuple[NoSlip, Line], level: Level, case: Case
+) -> Iterator[Check]:
+    """The difference of the contacts along the tracks, and what the rotation makes of it."""
+    (first, track), (second, _) = one, other
+    rate = case.rates(level)[make_turning(first.body)]
+    if not double(rate):
+        return
+    along = track.direction / length(track.direction, case.arithmetic)
+    start, end = (along.dot(_find_motion(roll.of, level, case)) for roll in (first, second))
+    unit = UNITS[level, False]
+    both = double(start) and double(end)
+    numbers = measure(start, unit) - measure(end, unit) if both else measure(start - end, unit)
+    arm = foot(first.centre, track) - foot(second.centre, other[1])
+    way = Message(f"solution.both-contacts-{level}", body=case.naming.body(first.body))
+    left = Side(numbers, start - end)
+    yield compare(way, left, _state_turning(rate, along.dot(arm.turned()), level), unit)
+
+
+def _find_motion(body: str, level: Level, case: Case) -> Vector:
+    """The velocity or acceleration of a body that does not turn."""
+    if body == GROUND:
+        return Vector(0, 0)
+    bodies = case.motion.frames.mechanism.bodies
+    point = next(each.points[0] for each in bodies if each.name == body)
+    read = {"velocity": case.motion.velocity, "acceleration": case.motion.acceleration}
+    return read[level](point, body)
+
+
+def _state_turning(rate: Any, arm: Any, level: Level) -> Side:
+    """The rotation times the distance of the contacts."""
+    sign = 1 if double(rate * arm) > 0 else -1
+    numbers = measure(abs(rate), UNITS[level, True]).dot(measure(abs(arm), "m"))
+    return Side(numbers.signed(sign), rate * arm)
