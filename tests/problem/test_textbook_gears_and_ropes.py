@@ -66,6 +66,28 @@ def turn_differential(given: Given) -> Answers:
     }
 
 
+def lift_stepped_drum(given: Given) -> Answers:
+    """Each end has risen by what the centre has and what its rope has run off or on."""
+    wide, narrow = given["R"], given["r"]
+
+    def left(t: mpf) -> mpf:
+        return given["u"] * t + given["w"] * t**2 / 2
+
+    def turned(t: mpf) -> mpf:
+        """By left = centre - wide * turned and right = centre + narrow * turned."""
+        return (given["v"] * t - left(t)) / (wide + narrow)
+
+    def centre(t: mpf) -> mpf:
+        return left(t) + wide * turned(t)
+
+    return {
+        "omega": diff(turned, 0),
+        "v_C": diff(centre, 0),
+        "x_P": -diff(centre, 0) / diff(turned, 0),
+        "a_C": diff(centre, 0, 2),
+    }
+
+
 def push_racks(given: Given) -> Answers:
     """The pinion rolls off the lower rack forwards and the upper one backwards."""
     radius = given["r"]
@@ -111,6 +133,16 @@ CASES: tuple[Case, ...] = (
         "differential-epicyclic-train",
         turn_differential,
         {"z_S": 40, "z_R": 96, "l": 80, "phi": 120, "n_S": 300, "n_A": 75},
+    ),
+    (
+        "stepped-drum-on-two-ropes",
+        lift_stepped_drum,
+        {"R": 30, "r": 18, "u": 40, "w": -20, "v": -10},
+    ),
+    (
+        "stepped-drum-on-two-ropes",
+        lift_stepped_drum,
+        {"R": 24, "r": 12, "u": -30, "w": -30, "v": -60},
     ),
     ("pinion-between-two-racks", push_racks, {"r": 70, "u": 250, "v": -100, "a": 400}),
     ("pinion-between-two-racks", push_racks, {"r": 40, "u": -50, "v": -350, "a": -600}),

@@ -24,7 +24,6 @@ from kinegrade.proof.published import prove_published
 from kinegrade.proof.report import Report
 from kinegrade.proof.reporting import write_findings, write_verdict
 from tests.problem.crank import crank, crank_text
-from tests.problem.unshipped import load_problem
 from tests.said import all_said, said
 
 SLIDER = load_template("slider-crank").file.text
@@ -177,7 +176,7 @@ def test_a_formula_that_no_field_holds_at_its_values_proves_nothing() -> None:
 
 
 def test_a_published_result_needs_no_value_where_the_answer_has_none() -> None:
-    template = load_problem("stepped-drum-on-two-ropes")
+    template = load_template("stepped-drum-on-two-ropes")
     report = Report(template, sound=("x_P",))
     prove_published(report, replace(template.published[0], given={"u": "20", "v": "20"}))
     assert (all_said(report.faults), report.proved) == ([], 5)
