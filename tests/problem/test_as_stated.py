@@ -14,7 +14,6 @@ from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.library.library import load_template
 from kinegrade.worked.solution import write_worked_solution
 from tests.problem.crank import crank
-from tests.problem.unshipped import load_problem
 from tests.worked.telling import displayed
 
 NEGATIVE = {
@@ -40,7 +39,7 @@ def test_the_restated_template_at_positive_values_has_the_same_answers(name: str
 
 
 def test_a_restated_angle_goes_with_pi_where_no_field_holds_the_instance() -> None:
-    solution = solve_template(load_problem("oscillating-flat-faced-follower"), {"phi": "-45"})
+    solution = solve_template(load_template("oscillating-flat-faced-follower"), {"phi": "-45"})
     assert not solution.arithmetic.exact  # by the pi of 60 r/min
     values = restate(solution).assembly.values
     assert float(values["phi"] + values["pi"]) == pytest.approx(1.25 * math.pi)

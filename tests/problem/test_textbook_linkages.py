@@ -7,7 +7,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import pytest
-from mpmath import asin, diff, exp, mpf, pi, radians, sin
+from mpmath import arg, asin, diff, exp, mpc, mpf, pi, radians, sin, sqrt
 
 from tests.problem.textbook import MINUTE, Answers, Case, Given, hold
 
@@ -38,9 +38,43 @@ def turn_cylinder(given: Given) -> Answers:
     }
 
 
+def rock_flat_face(given: Given) -> Answers:
+    """The face is a tangent from Q: its angle with QC has the sine R / QC."""
+    disc = turn_at(given, given["n"])
+    along_face = exp(1j * radians(given["psi"]))
+    pivot = (given["s"] - 1j * given["R"]) * along_face - given["e"] * exp(1j * disc(mpf(0)))
+
+    def centre(t: mpf) -> mpc:
+        """C seen from Q."""
+        return pivot + given["e"] * exp(1j * disc(t))
+
+    def face(t: mpf) -> mpf:
+        return arg(centre(t)) + asin(given["R"] / abs(centre(t)))
+
+    def along(t: mpf) -> mpf:
+        """The contact from Q."""
+        return sqrt(abs(centre(t)) ** 2 - given["R"] ** 2)
+
+    return {
+        "omega_Q": diff(face, 0),
+        "v_r": diff(along, 0) / METRE,
+        "alpha_Q": diff(face, 0, 2),
+    }
+
+
 CASES: tuple[Case, ...] = (
     ("rotary-engine", turn_cylinder, {"r": 60, "l": 200, "phi": 40, "n": 900}),
     ("rotary-engine", turn_cylinder, {"r": 75, "l": 160, "phi": 130, "n": 700}),
+    (
+        "oscillating-flat-faced-follower",
+        rock_flat_face,
+        {"R": 60, "e": 25, "s": 120, "psi": 10, "phi": -45, "n": 90},
+    ),
+    (
+        "oscillating-flat-faced-follower",
+        rock_flat_face,
+        {"R": 50, "e": 30, "s": 90, "psi": 25, "phi": 135, "n": 270},
+    ),
 )
 
 
