@@ -15,9 +15,9 @@ from kinegrade.figure.plane import angle_of, length, polar
 from kinegrade.figure.scene import PITCH, Disc, Outline, Primitive, Strokes
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.solving import solve_template
+from kinegrade.problem.template.library.library import load_template
 from tests.figure.mechanisms import follower_curvature
 from tests.figure.more_mechanisms import pointed_follower
-from tests.problem.unshipped import load_problem
 
 
 @given(st.floats(0.1, 0.5), st.integers(-30, 30), st.floats(0.4, 1.6))
@@ -72,7 +72,7 @@ def test_a_base_circle_touches_the_profile_from_inside() -> None:
 def draw_tangent_cam() -> tuple[Primitive, ...]:
     """That of the shipped template, in millimetres at half its size."""
     solution = solve_template(
-        load_problem("tangent-cam-with-roller"), {"r": "40", "q": "20", "theta": "30"}
+        load_template("tangent-cam-with-roller"), {"r": "40", "q": "20", "theta": "30"}
     )
     mechanism = solution.assembly.mechanism.map(float)
     return draw(scale_to_paper(mechanism, 500.0), solution.template.figure).primitives

@@ -7,7 +7,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import pytest
-from mpmath import arg, asin, diff, exp, mpc, mpf, pi, radians, sin, sqrt
+from mpmath import arg, asin, cos, diff, exp, mpc, mpf, pi, radians, sin, sqrt
 
 from tests.problem.textbook import MINUTE, Answers, Case, Given, hold
 
@@ -38,6 +38,31 @@ def turn_cylinder(given: Given) -> Answers:
     }
 
 
+def turn_tangent_cam(given: Given) -> Answers:
+    """The centre of the roller is r + q from a line through O that turns; the roller has gone along
+    the flank what it has turned on it.
+    """
+    offset = given["r"] + given["q"]
+
+    def flank(t: mpf) -> mpf:
+        """The direction of the flank from the right."""
+        return radians(given["theta"]) + 2 * pi * given["n"] / MINUTE * t
+
+    def height(t: mpf) -> mpf:
+        return offset / cos(flank(t))
+
+    def along(t: mpf) -> mpf:
+        """The contact from E."""
+        return height(t) * sin(flank(t))
+
+    return {
+        "y_C": height(mpf(0)),
+        "v_C": diff(height, 0) / METRE,
+        "omega_C": diff(lambda t: flank(t) - along(t) / given["q"], 0),
+        "a_C": diff(height, 0, 2) / METRE,
+    }
+
+
 def rock_flat_face(given: Given) -> Answers:
     """The face is a tangent from Q: its angle with QC has the sine R / QC."""
     disc = turn_at(given, given["n"])
@@ -65,6 +90,8 @@ def rock_flat_face(given: Given) -> Answers:
 CASES: tuple[Case, ...] = (
     ("rotary-engine", turn_cylinder, {"r": 60, "l": 200, "phi": 40, "n": 900}),
     ("rotary-engine", turn_cylinder, {"r": 75, "l": 160, "phi": 130, "n": 700}),
+    ("tangent-cam-with-roller", turn_tangent_cam, {"r": 30, "q": 12, "theta": 25, "n": 240}),
+    ("tangent-cam-with-roller", turn_tangent_cam, {"r": 50, "q": 17, "theta": 40, "n": 600}),
     (
         "oscillating-flat-faced-follower",
         rock_flat_face,
