@@ -20,17 +20,27 @@ from kinegrade.problem.solution import Solution
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.library.library import find_template_names, load_template
 from kinegrade.problem.template.template import Published, Template
+from kinegrade.proof.published import is_printed_decimal
 from tests.laws.cases import shipped
 
 INSTANCES = 6
 REFERENCE = json.loads(
     (Path(__file__).parent.parent / "data" / "reference.json").read_text(encoding="utf-8")
 )
-PUBLISHED = [
+ALL = [
     pytest.param(name, index, id=f"{name}-{index}")
     for name in find_template_names()
     for index in range(len(shipped(name).published))
 ]
+
+
+def is_printed(name: str, index: int) -> bool:
+    """Whether a published result is but decimals, which a book may have rounded."""
+    return all(map(is_printed_decimal, shipped(name).published[index].texts.values()))
+
+
+PRINTED = [one for one in ALL if is_printed(*one.values)]
+PUBLISHED = [one for one in ALL if one not in PRINTED]
 
 
 def instances(template: Template, published: Published) -> list[Solution]:
@@ -104,6 +114,15 @@ def test_published_results_hold_with_zero_difference_in_the_field(name: str, ind
                 assert (answer.number - degrees).direction(solution.arithmetic) == (1, 0)
             else:
                 assert difference(solution, ask, published) == 0, (ask, dict(solution.parameters))
+
+
+@pytest.mark.parametrize(("name", "index"), PRINTED)
+def test_published_decimals_hold_to_half_a_unit_of_their_last_place(name: str, index: int) -> None:
+    published = shipped(name).published[index]
+    solution = solve_template(shipped(name), published.given, published.gives)
+    for ask, text in published.texts.items():
+        places = len(text.partition(".")[2])
+        assert f"{solution[ask].value:.{places}f}" == text
 
 
 def test_every_template_has_published_results() -> None:

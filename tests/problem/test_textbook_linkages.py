@@ -7,7 +7,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import pytest
-from mpmath import arg, asin, cos, diff, exp, mpc, mpf, pi, radians, sin, sqrt
+from mpmath import acos, arg, asin, cos, diff, exp, mpc, mpf, pi, radians, sin, sqrt
 
 from tests.problem.textbook import MINUTE, Answers, Case, Given, hold
 
@@ -35,6 +35,29 @@ def turn_cylinder(given: Given) -> Answers:
         "v_r": diff(reach, 0) / METRE,
         "a_C": 2 * diff(cylinder, 0) * abs(diff(reach, 0)) / METRE,
         "alpha_AB": diff(lean, 0, 2),
+    }
+
+
+def turn_four_bar(given: Given) -> Answers:
+    """The triangle BCD by its three sides."""
+    crank = turn_at(given, -given["n"])
+
+    def coupler(t: mpf) -> mpc:
+        """C seen from B."""
+        diagonal = given["d"] - given["a"] * exp(1j * crank(t))
+        squares = abs(diagonal) ** 2 + given["b"] ** 2 - given["c"] ** 2
+        opening = acos(squares / (2 * abs(diagonal) * given["b"]))
+        return given["b"] * exp(1j * (arg(diagonal) + opening))
+
+    def rocker(t: mpf) -> mpc:
+        """C seen from D."""
+        return given["a"] * exp(1j * crank(t)) + coupler(t) - given["d"]
+
+    return {
+        "omega_BC": diff(lambda t: arg(coupler(t)), 0),
+        "omega_CD": diff(lambda t: arg(rocker(t)), 0),
+        "v_C": abs(diff(rocker, 0)) / METRE,
+        "alpha_CD": diff(lambda t: arg(rocker(t)), 0, 2),
     }
 
 
@@ -90,6 +113,16 @@ def rock_flat_face(given: Given) -> Answers:
 CASES: tuple[Case, ...] = (
     ("rotary-engine", turn_cylinder, {"r": 60, "l": 200, "phi": 40, "n": 900}),
     ("rotary-engine", turn_cylinder, {"r": 75, "l": 160, "phi": 130, "n": 700}),
+    (
+        "four-bar-by-lengths",
+        turn_four_bar,
+        {"a": 40, "b": 150, "c": 80, "d": 150, "phi": 60, "n": 120},
+    ),
+    (
+        "four-bar-by-lengths",
+        turn_four_bar,
+        {"a": 50, "b": 140, "c": 120, "d": 160, "phi": 110, "n": 80},
+    ),
     ("tangent-cam-with-roller", turn_tangent_cam, {"r": 30, "q": 12, "theta": 25, "n": 240}),
     ("tangent-cam-with-roller", turn_tangent_cam, {"r": 50, "q": 17, "theta": 40, "n": 600}),
     (
