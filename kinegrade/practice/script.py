@@ -6,13 +6,15 @@ import re
 from collections.abc import Iterable
 from functools import cache
 from importlib.resources import files
+from importlib.resources.abc import Traversable
 
 _FOR_READERS = re.compile(
     r"^ *(?://[^\n]*|/\*\*(?:(?!\*/).)*\*/) *\n|^ +", re.MULTILINE | re.DOTALL
 )
+_OF_LAYOUTS = ("player",)
 READER = ("keyboard", "number", "formula", "unit", "sense", "answer")
 JUDGE = ("judge", "guess", "unpack", "follow")
-MOTION = ("poses", "poles", "drawing", "graph", "motion")
+MOTION = ("player", "poses", "poles", "drawing", "graph", "motion")
 PAGE = ("words", "explain", "score", *MOTION, "question")
 
 
@@ -25,6 +27,12 @@ def join_scripts(*, scorm: bool = False) -> str:
 
 def read_scripts(names: Iterable[str]) -> str:
     """The files of these names, one after the other, without comments and indentation."""
-    folder = files("kinegrade.practice") / "scripts"
-    texts = ((folder / f"{name}.js").read_text(encoding="utf-8") for name in names)
+    texts = (_find_script(name).read_text(encoding="utf-8") for name in names)
     return "\n" + "".join(_FOR_READERS.sub("", text) for text in texts)
+
+
+def _find_script(name: str) -> Traversable:
+    """A script of this room, or one that pages below it have as well."""
+    if name in _OF_LAYOUTS:
+        return files("kinegrade.press.html") / "layouts" / f"{name}.js"
+    return files("kinegrade.practice") / "scripts" / f"{name}.js"

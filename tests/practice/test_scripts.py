@@ -27,7 +27,17 @@ def list_faults(files: list[Path]) -> str:
 
 @pytest.mark.parametrize("other", ["alone", "scorm"])
 def test_the_script_of_a_practice_sheet_keeps_to_its_types(other: str) -> None:
-    assert list_faults([file for file in SCRIPTS if file.stem != other]) == ""
+    shared = LAYOUTS / "player.js"
+    assert list_faults([shared, *(file for file in SCRIPTS if file.stem != other)]) == ""
+
+
+def test_the_script_of_a_moving_figure_keeps_to_its_types(tmp_path: Path) -> None:
+    baked = tmp_path / "baked.d.ts"
+    texts = "play: string; stop: string; drawings: string[]; moved: string[]"
+    data = f"{{ {texts}; first: number; closed: boolean }}"
+    baked.write_text(f"declare const ID: string;\ndeclare const DATA: {data};\n", encoding="utf-8")
+    scripts = [LAYOUTS / "player.js", LAYOUTS / "moving-figure.js"]
+    assert list_faults([baked, *scripts]) == ""
 
 
 def test_the_script_of_the_preview_keeps_to_its_types() -> None:

@@ -1,8 +1,6 @@
 // @ts-check
 // The moving mechanism of a question: it is played, or its input is moved by hand.
 
-const CYCLE_SECONDS = 6;
-
 /** Shows the motions of a question's draws; `box` is the part of the page for them. */
 class MotionView {
   /** @param {Element} box @param {Question} question @param {Words} words */
@@ -10,22 +8,14 @@ class MotionView {
     this.box = box;
     this.question = question;
     this.words = words;
-    this.place = 0;
-    this.sense = 1;
-    this.playing = 0;
     /** @type {Poses | null} */
     this.poses = null;
-    this.slider = /** @type {HTMLInputElement} */ (find(box, "input[type=range]"));
-    this.button = find(box, ".play");
     this.stage = /** @type {SVGElement} */ (find(box, ".stage svg"));
-    this.slider.setAttribute("aria-label", question.skeleton?.input ?? "");
-    this.button.addEventListener("click", () => (this.playing ? this.stop() : this.play()));
-    this.slider.addEventListener("input", () => {
-      this.stop();
-      this.show(Number(this.slider.value));
-    });
+    const said = { play: words.say("play"), stop: words.say("stop") };
+    this.player = new Player(box, said, (place) => this.show(place));
+    this.player.slider.setAttribute("aria-label", question.skeleton?.input ?? "");
     for (const each of box.querySelectorAll("input[type=checkbox]")) {
-      each.addEventListener("change", () => this.show(this.place));
+      each.addEventListener("change", () => this.show(this.player.place));
     }
     this.stage.addEventListener("pointerdown", (event) => this.grab(event));
     box.addEventListener("toggle", () => this.open());
@@ -33,7 +23,7 @@ class MotionView {
 
   /** @param {Draw} draw the draw that is shown from now on */
   take(draw) {
-    this.stop();
+    this.player.stop();
     this.draw = draw;
     this.poses = null;
     this.box.toggleAttribute("hidden", !draw.motion);
@@ -43,7 +33,7 @@ class MotionView {
   /** Draws what was not drawn as long as this part of the page was closed. */
   open() {
     const { draw, question } = this;
-    if (!this.box.hasAttribute("open")) this.stop();
+    if (!this.box.hasAttribute("open")) this.player.stop();
     const motion = draw?.motion;
     if (!this.box.hasAttribute("open") || this.poses || !motion || !question.skeleton) return;
     const poses = new Poses(motion);
@@ -57,16 +47,17 @@ class MotionView {
     this.graphs = question.followed.map(
       (row, number) => new Graph(graphs, question.asks[row], motion.curves[number], poses, this.words),
     );
-    this.slider.max = String(poses.last);
-    this.sense = Math.sign(motion.speed) || 1;
-    this.show(poses.instant);
+    this.player.load({
+      last: poses.last,
+      closed: motion.closed,
+      first: poses.instant,
+      sense: Math.sign(motion.speed) || 1,
+    });
   }
 
   /** @param {number} place */
   show(place) {
     if (!this.poses || !this.drawing) return;
-    this.place = place;
-    this.slider.value = String(place);
     const wants = (/** @type {string} */ name) =>
       /** @type {HTMLInputElement} */ (find(this.box, `.${name}`)).checked;
     this.drawing.show(place, {
@@ -81,44 +72,15 @@ class MotionView {
     const moved = this.poses.inputAt(place);
     const said = unit === "m" ? `${this.words.writeNumber(Number(moved.toFixed(4)), 3)} m` : `${Math.round(moved)}°`;
     find(this.box, "output").textContent = said;
-    this.slider.setAttribute("aria-valuetext", said);
-  }
-
-  play() {
-    this.button.textContent = this.words.say("stop");
-    let before = 0;
-    const advance = (/** @type {number} */ time) => {
-      if (before) this.advance((time - before) / 1000);
-      before = time;
-      this.playing = requestAnimationFrame(advance);
-    };
-    this.playing = requestAnimationFrame(advance);
-  }
-
-  stop() {
-    cancelAnimationFrame(this.playing);
-    this.playing = 0;
-    this.button.textContent = this.words.say("play");
-  }
-
-  /** @param {number} seconds forward, and back where the input cannot go on */
-  advance(seconds) {
-    if (!this.poses) return;
-    const { last, motion } = this.poses;
-    const next = this.place + (this.sense * last * seconds) / CYCLE_SECONDS;
-    if (motion.closed) this.show(modulo(next, last));
-    else if (next < 0 || next > last) {
-      this.sense = -this.sense;
-      this.show(clamp(next, 0, last));
-    } else this.show(next);
+    this.player.slider.setAttribute("aria-valuetext", said);
   }
 
   /** @param {PointerEvent} event takes the nearest moving point along until it is let go */
   grab(event) {
     if (!this.poses || !this.drawing) return;
-    this.stop();
+    this.player.stop();
     const here = this.locate(event);
-    const points = this.poses.at(this.place);
+    const points = this.poses.at(this.player.place);
     const distance = (/** @type {number} */ row) =>
       Math.hypot(points[row][0] - here[0], points[row][1] - here[1]);
     const [held] = this.drawing.listMoving().sort((one, other) => distance(one) - distance(other));
@@ -134,16 +96,15 @@ class MotionView {
   /** @param {number} row @param {[number, number]} to shows the nearest place not far from here */
   pull(row, [x, y]) {
     const poses = /** @type {Poses} */ (this.poses);
-    const { last, motion } = poses;
-    let [best, least] = [this.place, Infinity];
+    const { last } = poses;
+    let [best, least] = [this.player.place, Infinity];
     for (let shift = -last / 5; shift <= last / 5; shift += last / 400) {
-      const moved = this.place + shift;
-      const place = motion.closed ? modulo(moved, last) : clamp(moved, 0, last);
+      const place = bound(this.player.place + shift, { last, closed: poses.motion.closed });
       const [left, top] = poses.at(place)[row];
       const distance = Math.hypot(left - x, top - y) + (1e-3 * Math.abs(shift)) / last;
       if (distance < least) [best, least] = [place, distance];
     }
-    this.show(best);
+    this.player.show(best);
   }
 
   /** @param {PointerEvent} event @returns {[number, number]} where it is in the drawing, in mm */

@@ -191,16 +191,6 @@ function weigh(place, count) {
   return weights;
 }
 
-/** @param {number} value @param {number} least @param {number} most @returns {number} */
-function clamp(value, least, most) {
-  return Math.min(Math.max(value, least), most);
-}
-
-/** @param {number} value @param {number} period @returns {number} the rest, never below zero */
-function modulo(value, period) {
-  return ((value % period) + period) % period;
-}
-
 /** @param {number[]} numbers @returns {[number, number][]} */
 function pair(numbers) {
   /** @type {[number, number][]} */

@@ -18,8 +18,6 @@ from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.press.html.filled_page import load_layout
 
-_PAUSE = 40  # milliseconds between two drawings
-
 
 def write_moving_figure(cycle: Cycle, language: Language) -> str:
     """The mechanism of a cycle as an element of a page, at the instant until it is played. Raises
@@ -35,7 +33,6 @@ def write_moving_figure(cycle: Cycle, language: Language) -> str:
         "moved": [write_signed(f"{each + 0.0:.{decimals}f}", language) for each in shown],
         "first": figure.first,
         "closed": figure.closed,
-        "pause": _PAUSE,
         "play": words.text("motion.play"),
         "stop": words.text("motion.stop"),
     }
