@@ -100,9 +100,10 @@ class _Fit:
         """The coefficients of each way of going on, with a "+" where they hold for values of the
         right sign alone; an empty one where there are none.
         """
-        everywhere = tuple(self._find(_TRIED, _PROVED))
-        if all(everywhere):
-            return everywhere
+        for tried in (_TRIED, _OF_ITS_SIGN[0]):  # the second for magnitudes of what changes sign
+            everywhere = tuple(self._find(tried, _PROVED))
+            if all(everywhere):
+                return everywhere
         fitted = self._find(*_OF_ITS_SIGN)
         return tuple(dict.fromkeys((*numbers, "+") if numbers else () for numbers in fitted))
 

@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from pathlib import Path
 
+import kinegrade
+from kinegrade.language import ENGLISH
 from kinegrade.practice.document import (
     PracticeAsk,
     PracticeDraw,
@@ -11,6 +14,7 @@ from kinegrade.practice.document import (
     PracticeRule,
     PracticeSheet,
 )
+from kinegrade.practice.making import make_practice_sheet
 from tests.practice.node import Shown, judge_in_node
 
 ASKS = tuple(
@@ -52,3 +56,27 @@ def test_an_answer_does_not_follow_from_one_that_may_follow_from_it() -> None:
     omega, alpha, a = judge("1.2", "2.4", "7.2")
     assert (omega.kind, alpha.kind, a.kind) == ("wrong", "follow-through", "wrong")
     assert a.is_cut_off
+
+
+def test_where_only_values_of_the_right_sign_are_known_the_page_says_so() -> None:
+    draw = replace(DRAW, follows=("0 1 0 2 0 +",))
+    sheet = replace(SHEET, questions=(replace(SHEET.questions[0], draws=(draw,)),))
+    (judged,) = judge_in_node(sheet, [[("-1.2", "2.4", "6")]])[0]
+    assert judged[1].kind == "wrong"
+    assert judged[1].is_cut_off
+
+
+def test_a_speed_follows_from_an_angular_velocity_of_the_wrong_sense_too(tmp_path: Path) -> None:
+    bank = tmp_path / "bank.toml"
+    bank.write_text(
+        'title = "T"\ncourse = "C"\n\n[[questions]]\n'
+        'template = "planetary-gear-external-rim-velocities"\n',
+        encoding="utf-8",
+    )
+    blueprint = kinegrade.Bank.read(bank).blueprint
+    (question,) = make_practice_sheet(blueprint, 1, "practice", ENGLISH).sheet.questions
+    names = [ask.name for ask in question.asks]
+    pair = f"{names.index('omega_II')} {names.index('v_C')} "
+    ways = [text for text in question.draws[0].follows if text.startswith(pair)]
+    assert len(ways) == 2  # the pole on the sun gear, and the base point A
+    assert not any(way.endswith("+") for way in ways)

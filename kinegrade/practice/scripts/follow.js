@@ -145,6 +145,12 @@ function isCutOff(question, draw, judged) {
     const wrong = listWrong(to);
     const behind = wrong.filter((each) => !isOpen(judged[each.from])).flatMap((each) => listWrong(each.from));
     const places = new Set([...wrong, ...behind].map((each) => each.from).filter((from) => from !== to));
-    return wrong.some((each) => !each.coefficients) || places.size > 1;
+    return wrong.some((each) => !isKnown(each, draw, judged)) || places.size > 1;
   });
+}
+
+/** @param {Following} following @param {Draw} draw @param {Verdict[]} judged whether what follows is baked */
+function isKnown({ from, coefficients, ofItsSign }, draw, judged) {
+  const hasItsSign = Number(draw.keys[from][0]) * judged[from].value >= 0;
+  return coefficients !== null && (hasItsSign || !ofItsSign);
 }
