@@ -214,15 +214,14 @@ class DrawFilter:
         if self.plan is None or not self.asks:
             return None
         asks = {name: self.template.asks[name] for name in self.asks}
-        sample = collect_columns(self._sample)
+        sample = collect_columns(self._sample.first(_SAMPLE))
         return find_separation(self.template, asks, self.accuracy, self.plan, sample)
 
     @cached_property
     def plan(self) -> Plan | None:
-        """The plan by which every instance is solved: that of the first sensible one of the sample,
-        None where there is none.
-        """
-        for values in self._sample:
+        """The plan of every instance: that of the first sensible one of the sample, if any."""
+        deck = self._sample
+        for values in map(deck.combination, range(min(_SAMPLE, deck.size))):
             with suppress(Refused):
                 return solve_sensible(self.template, values, self.asks, None).motion.plan
         return None
@@ -244,7 +243,7 @@ class DrawFilter:
         """The combinations that were screened last, by the number of their block."""
         return {}
 
-    @cached_property
-    def _sample(self) -> list[Combination]:
-        """Combinations that do not depend on the secret."""
-        return Deck(self.deck.domains, "sample", self.template.name).first(_SAMPLE)
+    @property
+    def _sample(self) -> Deck:
+        """Combinations in an order that does not depend on the secret."""
+        return Deck(self.deck.domains, "sample", self.template.name)

@@ -46,12 +46,10 @@ def has_pages(pdf: bytes) -> bool:
         return False
 
 
-def bind(paper: bytes, sheet: FormulaSheet | None, language: Language, size: PaperSize) -> bytes:
-    """A paper with the formula sheet behind it, where there is one. Raises TypesetError for a text
-    that cannot be typeset.
+def bind(paper: bytes, sheet: FormulaSheet, language: Language, size: PaperSize) -> bytes:
+    """A paper with the formula sheet behind it. Raises TypesetError for a text that cannot be
+    typeset.
     """
-    if sheet is None:
-        return paper
     return join_pages([paper, _print(sheet, language, size)])
 
 

@@ -6,11 +6,12 @@ from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from io import BytesIO
 from pathlib import Path
-from typing import BinaryIO
+from typing import TYPE_CHECKING, BinaryIO
 
-import pikepdf
+if TYPE_CHECKING:
+    import pikepdf
 
-from kinegrade.press.structure import JoinedStructure
+    from kinegrade.press.structure import JoinedStructure
 
 
 @contextmanager
@@ -20,6 +21,10 @@ def open_volume(target: Path, *, duplex: bool = False) -> Iterator[Callable[[byt
     For printing on both sides, `duplex` starts each on a new sheet: a blank page follows an odd
     number of pages.
     """
+    import pikepdf
+
+    from kinegrade.press.structure import JoinedStructure
+
     with pikepdf.new() as whole:
         structure = JoinedStructure(whole)
 
@@ -37,6 +42,10 @@ def open_volume(target: Path, *, duplex: bool = False) -> Iterator[Callable[[byt
 
 def join_pages(pdfs: Iterable[bytes]) -> bytes:
     """The pages of all `pdfs` in order as one PDF; same input, same bytes."""
+    import pikepdf
+
+    from kinegrade.press.structure import JoinedStructure
+
     whole_bytes = BytesIO()
     with pikepdf.new() as whole:
         structure = JoinedStructure(whole)
@@ -49,11 +58,15 @@ def join_pages(pdfs: Iterable[bytes]) -> bytes:
 
 def count_pages(pdf: bytes) -> int:
     """The number of pages of a PDF."""
+    import pikepdf
+
     with pikepdf.open(BytesIO(pdf)) as document:
         return len(document.pages)
 
 
 def _append(whole: pikepdf.Pdf, structure: JoinedStructure, pdf: bytes) -> None:
+    import pikepdf
+
     # Faster than mapping such a small file
     with pikepdf.open(BytesIO(pdf), access_mode=pikepdf.AccessMode.stream) as part:
         before = len(whole.pages)
@@ -63,4 +76,6 @@ def _append(whole: pikepdf.Pdf, structure: JoinedStructure, pdf: bytes) -> None:
 
 def _save(whole: pikepdf.Pdf, target: BinaryIO) -> None:
     """Write a PDF; packed, as the elements of a structure are many and small."""
+    import pikepdf
+
     whole.save(target, deterministic_id=True, object_stream_mode=pikepdf.ObjectStreamMode.generate)

@@ -18,7 +18,6 @@ from kinegrade.exam.setting.key_record import make_key_line
 from kinegrade.exam.setting.setting import SetPaper
 from kinegrade.figure.sketch import Sketcher, sketch
 from kinegrade.language import Language
-from kinegrade.press.formula_sheet import bind
 from kinegrade.press.join import count_pages
 from kinegrade.press.protocol import Engine, Press, Printout
 from kinegrade.press.sheet import KeyPaper, Paper, PaperSize
@@ -92,6 +91,10 @@ class PrintRun:
         TypesetError.
         """
         sheet, size = self.bank.formula_sheet, self.press_order.paper_size
+        if sheet is None:
+            return paper
+        from kinegrade.press.formula_sheet import bind  # few exams need it
+
         return replace(paper, pdf=bind(paper.pdf, sheet, self.language, size))
 
 
