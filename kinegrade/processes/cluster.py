@@ -22,6 +22,7 @@ from kinegrade.language.message import Fault, Message, Quoted
 if TYPE_CHECKING:
     from distributed import Client
 
+_ENCRYPTED = "tls://"  # how an address of Dask begins whose connections are encrypted
 _PATIENCE = 10  # seconds for the scheduler to answer
 _EACH = 2  # tasks for each thread of the cluster that are under way or wait for it
 _Outcome = tuple[bool, object]  # whether a task has given a result; this, or what it has raised
@@ -57,6 +58,7 @@ def open_cluster(address: str, command: str) -> Iterator[Executor]:
 def _connect(address: str) -> Iterator[Client]:
     from distributed import Client  # noqa: PLC0415
 
+    _require_certificates(address)
     try:
         client = Client(  # type: ignore[no-untyped-call]
             address, timeout=_PATIENCE, set_as_default=False
@@ -67,6 +69,18 @@ def _connect(address: str) -> Iterator[Client]:
         raise WorkerError(Fault(address, what, Message("files.scheduler"), do)) from fault
     with client:
         yield client
+
+
+def _require_certificates(address: str) -> None:
+    """Raises WorkerError where certificates are to be shown that the settings of Dask do not name:
+    it would notice that only after a while, and with a traceback.
+    """
+    from distributed.security import Security  # noqa: PLC0415
+
+    settings = Security().get_connection_args("client")  # type: ignore[no-untyped-call]
+    if address.startswith(_ENCRYPTED) and settings["ssl_context"] is None:
+        what, expected = Message("files.no-certificates"), Message("files.certificates")
+        raise WorkerError(Fault(address, what, expected, Message("files.set-certificates")))
 
 
 def _require_same_version(client: Client, address: str) -> None:

@@ -162,6 +162,17 @@ def test_results_are_bounded_on_the_way(workers: Cluster) -> None:
             assert len(asked) <= number + 6
 
 
+def test_an_encrypted_connection_needs_certificates() -> None:
+    address = "tls://127.0.0.1:1"
+    with pytest.raises(WorkerError) as raised, open_executor(1, "check", cluster=address):
+        pass
+    assert raised.value.problems == (
+        f"{address}: no certificates are known here for it - expected ca-file, cert and key under "
+        "distributed.comm.tls in the settings of Dask - set them, or let the network protect the "
+        "connection and use tcp://",
+    )
+
+
 def test_no_scheduler_is_one_line(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(module, "_PATIENCE", 1)
     address = "tcp://127.0.0.1:1"
