@@ -7,7 +7,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import chain, combinations, product
-from typing import Any
 
 from kinegrade.language.message import Message
 from kinegrade.mechanics.ground import GROUND
@@ -111,11 +110,13 @@ def _check_joined(one: _Pair, other: _Pair, level: Level, case: Case) -> Iterato
     left, right = (_state_rim(pair.first, pair.carrier, level, case) for pair in (one, other))
     if not double(left.value):
         return
-    names = {"first": one.first, "second": other.first, "idler": one.second}
+    name = case.naming.body
     way = Message(
         f"solution.joined-rims-{level}",
-        carrier=case.naming.body(one.carrier),
-        **{name: case.naming.body(gear.body) for name, gear in names.items()},
+        first=name(one.first.body),
+        second=name(other.first.body),
+        idler=name(one.second.body),
+        carrier=name(one.carrier),
     )
     turned = Side(right.numbers.signed(sense), right.value * sense)
     yield compare(way, left, turned, UNITS[level, False])
@@ -124,7 +125,8 @@ def _check_joined(one: _Pair, other: _Pair, level: Level, case: Case) -> Iterato
 def _state_rim(gear: _Gear, carrier: str, level: Level, case: Case) -> Side:
     """The speed of a gear's rim, seen from the carrier."""
     rates, turned = case.rates(level), UNITS[level, True]
-    rate, frame = (rates[make_turning(body)] for body in (gear.body, carrier))
+    rate = rates[make_turning(gear.body)]
+    frame = rates[make_turning(carrier)]
     spin = measure(rate, turned) - measure(frame, turned)
-    radius: Any = gear.circle.radius
+    radius = gear.circle.radius
     return Side(measure(radius, "m").dot(spin), radius * (rate - frame))

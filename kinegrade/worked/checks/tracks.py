@@ -6,7 +6,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from itertools import combinations
-from typing import Any
+from typing import Any, assert_never
 
 from kinegrade.language.message import Message
 from kinegrade.mechanics.geometry import foot
@@ -36,7 +36,9 @@ def list_track_checks(level: Level, case: Case) -> Iterator[Check]:
 
 
 def _turns(body: str, case: Case) -> bool:
-    return bool(double(case.motion.omega(body)) or double(case.motion.alpha(body)))
+    omega = double(case.motion.omega(body))
+    alpha = double(case.motion.alpha(body))
+    return omega != 0 or alpha != 0
 
 
 def _is_between(one: NoSlip, other: NoSlip, first: Line, second: Line) -> bool:
@@ -70,8 +72,13 @@ def _find_motion(body: str, level: Level, case: Case) -> Vector:
         return Vector(0, 0)
     bodies = case.motion.frames.mechanism.bodies
     point = next(each.points[0] for each in bodies if each.name == body)
-    read = {"velocity": case.motion.velocity, "acceleration": case.motion.acceleration}
-    return read[level](point, body)
+    match level:
+        case "velocity":
+            return case.motion.velocity(point, body)
+        case "acceleration":
+            return case.motion.acceleration(point, body)
+        case _:
+            assert_never(level)
 
 
 def _state_turning(rate: Any, arm: Any, level: Level) -> Side:
