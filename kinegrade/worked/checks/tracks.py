@@ -51,7 +51,8 @@ def _check_contacts(
     one: tuple[NoSlip, Line], other: tuple[NoSlip, Line], level: Level, case: Case
 ) -> Iterator[Check]:
     """The difference of the contacts along the tracks, and what the rotation makes of it."""
-    (first, track), (second, _) = one, other
+    first, track = one
+    second, beyond = other
     rate = case.rates(level)[make_turning(first.body)]
     if not double(rate):
         return
@@ -60,7 +61,7 @@ def _check_contacts(
     unit = UNITS[level, False]
     both = double(start) and double(end)
     numbers = measure(start, unit) - measure(end, unit) if both else measure(start - end, unit)
-    arm = foot(first.centre, track) - foot(second.centre, other[1])
+    arm = foot(first.centre, track) - foot(second.centre, beyond)
     way = Message(f"solution.both-contacts-{level}", body=case.naming.body(first.body))
     left = Side(numbers, start - end)
     yield compare(way, left, _state_turning(rate, along.dot(arm.turned()), level), unit)
