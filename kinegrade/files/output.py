@@ -29,11 +29,15 @@ from kinegrade.files.leftovers import (
     make_process_name,
     remove,
 )
-from kinegrade.files.publishing import move_to_free_place, publish, sync_folder
+from kinegrade.files.publishing import (
+    check_file,
+    check_folder,
+    move_to_free_place,
+    publish,
+    sync_folder,
+)
 from kinegrade.files.temporary import clear_temporary_folders
-from kinegrade.language.message import Fault, Message, list_plainly
-
-DESKTOP_DROPPINGS = {".DS_Store", "Thumbs.db", "desktop.ini"}
+from kinegrade.language.message import Fault, Message
 
 
 @dataclass(frozen=True)
@@ -75,14 +79,15 @@ def output_folder(
     """Gives a hidden folder to write into; it becomes `path` when the block ends without an error.
 
     `marker` is the file by which kinegrade recognises its own folders, None where they have none;
-    `contents` are all the names that it writes at their top. With `force` an existing folder is
-    replaced only if it is empty, or contains the marker and no name beyond `contents`, so that no
-    file of the user's is lost. With `access` the folder is closed to all other users from the
-    start; without it, the mode of a replaced folder is kept. Raises OutputError.
+    `contents` are all that it writes: names at their top, or paths of files in folders there. With
+    `force` an existing folder is replaced only if it is empty, or contains the marker and nothing
+    beyond `contents`, so that no file of the user's is lost. With `access` the folder is closed to
+    all other users from the start; without it, the mode of a replaced folder is kept. Raises
+    OutputError.
     """
     target = _find_place(path)
     with _open_partial(path, target, resumable) as partial:
-        _check_folder(path, target, marker, contents, force)
+        check_folder(path, target, marker, contents, force)
         if not partial.exists():
             partial.mkdir(mode=0o777 if access is None else 0o700)
         if target.exists() and access is None:
@@ -92,7 +97,7 @@ def output_folder(
             _restrict(partial, access)
         _bring_to_disk(partial)
         # Another process may have written there in the meantime
-        _check_folder(path, target, marker, contents, force)
+        check_folder(path, target, marker, contents, force)
         if resumable:
             remove(partial / resumable.workings)
         publish(path, partial, target)
@@ -134,7 +139,7 @@ def output_file(path: Path, *, force: bool = False) -> Iterator[Path]:
     """
     target = _find_place(path)
     with _open_partial(path, target) as partial:
-        _check_file(path, target, force)
+        check_file(path, target, force)
         yield partial
         _flush(partial)
         if force:
@@ -152,38 +157,6 @@ def _find_place(path: Path) -> Path:
     if not target.name:
         raise OutputError(Fault(str(path), Message("files.root")))
     return target
-
-
-def _check_folder(
-    path: Path, target: Path, marker: str | None, contents: Collection[str] | None, force: bool
-) -> None:
-    if not target.exists():
-        return
-    if not target.is_dir():
-        raise OutputError(Fault(str(path), Message("files.not-a-folder")))
-    if not force:
-        raise OutputError(Fault(str(path), Message("files.folder-exists")))
-    names = {entry.name for entry in target.iterdir()} - DESKTOP_DROPPINGS
-    if names and marker is not None and marker not in names:
-        raise OutputError(Fault(str(path), Message("files.not-ours", marker=marker)))
-    strangers = sorted(names - set(contents)) if contents is not None else []
-    if strangers:
-        lost = list_plainly(strangers[:5])
-        raise OutputError(
-            Fault(
-                str(path),
-                Message("files.would-be-lost", names=lost),
-                Message("files.only-what-is-written-again"),
-                Message("files.move-elsewhere"),
-            )
-        )
-
-
-def _check_file(path: Path, target: Path, force: bool) -> None:
-    if target.exists() and not target.is_file():
-        raise OutputError(Fault(str(path), Message("files.not-a-file")))
-    if target.exists() and not force:
-        raise OutputError(Fault(str(path), Message("files.file-exists")))
 
 
 def _explain_unwritable(path: Path, fault: Exception) -> OutputError:

@@ -1,4 +1,6 @@
-"""Output put in place in one step, whatever stands there."""
+"""Output put in place in one step, whatever stands there; and what may be replaced by it: nothing
+that somebody else has put there.
+"""
 
 from __future__ import annotations
 
@@ -7,11 +9,15 @@ import errno
 import os
 import secrets
 import sys
-from pathlib import Path
+from collections.abc import Collection, Iterator
+from pathlib import Path, PurePosixPath
 
 from kinegrade.errors import OutputError
 from kinegrade.files.leftovers import remove
-from kinegrade.language.message import Fault, Message
+from kinegrade.language.message import Fault, Message, list_plainly
+
+DESKTOP_DROPPINGS = {".DS_Store", "Thumbs.db", "desktop.ini"}
+_MOST_NAMED = 5
 
 _CURRENT_FOLDER = -100  # AT_FDCWD
 _LINUX_NO_REPLACE, _LINUX_EXCHANGE = 1, 2
@@ -76,3 +82,56 @@ def _rename_atomically(source: Path, target: Path, *, exchange: bool) -> bool:
     if status != 0 and code not in _UNSUPPORTED:
         raise OSError(code, os.strerror(code), str(target))
     return bool(status == 0)
+
+
+def check_folder(
+    path: Path, target: Path, marker: str | None, contents: Collection[str] | None, force: bool
+) -> None:
+    """Raises OutputError where `target`, which `path` leads to, must not be replaced by a folder.
+
+    `marker` and `contents` are as `output_folder` has them.
+    """
+    if not target.exists():
+        return
+    if not target.is_dir():
+        raise OutputError(Fault(str(path), Message("files.not-a-folder")))
+    if not force:
+        raise OutputError(Fault(str(path), Message("files.folder-exists")))
+    names = set(_list_names(target, contents or ()))
+    if names and marker is not None and marker not in names:
+        raise OutputError(Fault(str(path), Message("files.not-ours", marker=marker)))
+    strangers = sorted(names - set(contents)) if contents is not None else []
+    if strangers:
+        lost = list_plainly(strangers[:_MOST_NAMED])
+        raise OutputError(
+            Fault(
+                str(path),
+                Message("files.would-be-lost", names=lost),
+                Message("files.only-what-is-written-again"),
+                Message("files.move-elsewhere"),
+            )
+        )
+
+
+def check_file(path: Path, target: Path, force: bool) -> None:
+    """Raises OutputError where `target`, which `path` leads to, must not be replaced by a file."""
+    if target.exists() and not target.is_file():
+        raise OutputError(Fault(str(path), Message("files.not-a-file")))
+    if target.exists() and not force:
+        raise OutputError(Fault(str(path), Message("files.file-exists")))
+
+
+def _list_names(folder: Path, contents: Collection[str]) -> Iterator[str]:
+    """The names at the top of a folder; in place of a folder there, of which contents are paths
+    below it, the paths of what it holds.
+    """
+    inner = {path.parts[0] for path in map(PurePosixPath, contents) if len(path.parts) > 1}
+    for entry in _list_entries(folder):
+        if entry.name in inner and entry.is_dir():
+            yield from (f"{entry.name}/{each.name}" for each in _list_entries(entry))
+        else:
+            yield entry.name
+
+
+def _list_entries(folder: Path) -> Iterator[Path]:
+    return (entry for entry in folder.iterdir() if entry.name not in DESKTOP_DROPPINGS)

@@ -112,6 +112,10 @@ def test_they_are_handed_out_in_the_same_folders(exam: Path, tmp_path: Path) -> 
         "01/%3D2.pdf",
     ]
     run("papers", exam, "-o", out, "--force")
+    (out / "00" / "notes.txt").write_text("mine", encoding="utf-8")
+    refused = kinegrade("papers", exam, "-o", out, "--force")
+    assert (refused.exit_code, (out / "00" / "notes.txt").exists()) == (2, True)
+    assert "holds 00/notes.txt, which would be lost" in refused.stderr
 
 
 @pytest.mark.parametrize("file", ["papers/../key.pdf", "papers/00/../x.pdf", "papers/a/x.pdf"])

@@ -30,7 +30,7 @@ def hand_out(exam: ExamFolder, output: Path, *, force: bool = False) -> int:
     and nothing else. Raises ExamError, OutputError; then nothing is written.
     """
     files = list_files(exam, output)
-    names = {Path(f"{place}{kind}").parts[0] for place in _list_places(exam) for kind in KINDS}
+    names = [f"{place}{kind}" for place in _list_places(exam) for kind in KINDS]
     with output_folder(output, marker=None, contents=names, force=force) as folder:
         for file in chain.from_iterable(files.values()):
             copy = folder / file.relative_to(exam.path / PAPERS)
