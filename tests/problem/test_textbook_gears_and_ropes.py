@@ -19,30 +19,6 @@ def count_turns(angle: Callable[[mpf], mpf]) -> mpf:
     return diff(angle, 0) * MINUTE / (2 * pi)
 
 
-def turn_reverted_train(given: Given) -> Answers:
-    """Arcs in teeth: E on the fixed gear B, then C on D, seen from the arm."""
-    teeth = given["z_C"] + given["z_D"] - given["z_B"]
-
-    def arm(t: mpf) -> mpf:
-        return -2 * pi * given["n"] / MINUTE * t
-
-    def pair(t: mpf) -> mpf:
-        return arm(t) + given["z_B"] / teeth * arm(t)
-
-    def driven(t: mpf) -> mpf:
-        return arm(t) - given["z_D"] / given["z_C"] * (pair(t) - arm(t))
-
-    def centre(t: mpf) -> mpf:
-        return given["l"] * exp(1j * arm(t))
-
-    return {
-        "z_E": teeth,
-        "n_P": count_turns(pair),
-        "n_C": count_turns(driven),
-        "v_P": abs(diff(centre, 0)) / METRE,
-    }
-
-
 def turn_differential(given: Given) -> Answers:
     """Arcs in teeth, seen from the arm: the planet on the sun, the ring on the planet."""
     teeth = (given["z_R"] - given["z_S"]) / 2
@@ -114,16 +90,6 @@ def push_racks(given: Given) -> Answers:
 
 
 CASES: tuple[Case, ...] = (
-    (
-        "reverted-epicyclic-train",
-        turn_reverted_train,
-        {"z_B": 75, "z_C": 30, "z_D": 90, "l": 180, "n": 100},
-    ),
-    (
-        "reverted-epicyclic-train",
-        turn_reverted_train,
-        {"z_B": 60, "z_C": 40, "z_D": 70, "l": 275, "n": 30},
-    ),
     (
         "differential-epicyclic-train",
         turn_differential,
