@@ -43,7 +43,7 @@ def write_exam(folder: Path, options: str, students: list[str] = CLASS, *argumen
     )
     result = generate(folder, f"EXAM{len(list(folder.iterdir()))}", *arguments)
     assert result.exit_code == 0, result.stderr
-    assert re.search("q2: drawn from the bank: (planetary|ring)-gear-", result.stderr)
+    assert re.search(r"q2: drawn from the bank: \S*(gear|train)", result.stderr)
     return max(folder.glob("EXAM*"), key=lambda path: int(path.name[4:]))
 
 

@@ -26,13 +26,14 @@ from kinegrade.worked.vectors.vectors import UNITS
 def list_track_checks(level: Level, case: Case) -> Iterator[Check]:
     """The checks of all wheels between two tracks, unless the wheel does not turn at this level."""
     found = (one.source.find_rolling() for one in case.motion.frames.relations if one.source)
-    rolls = [roll for roll in found if roll and not _turns(roll.of, case)]
+    rolls = [
+        (roll, roll.on)
+        for roll in found
+        if roll and isinstance(roll.on, Line) and not _turns(roll.of, case)
+    ]
     for one, other in combinations(rolls, 2):
-        match one.on, other.on:
-            case Line() as first, Line() as second if _is_between(one, other, first, second):
-                yield from _check_contacts((one, first), (other, second), level, case)
-            case _:
-                continue
+        if _is_between(one, other):
+            yield from _check_contacts(one, other, level, case)
 
 
 def _turns(body: str, case: Case) -> bool:
@@ -41,10 +42,11 @@ def _turns(body: str, case: Case) -> bool:
     return omega != 0 or alpha != 0
 
 
-def _is_between(one: NoSlip, other: NoSlip, first: Line, second: Line) -> bool:
+def _is_between(one: tuple[NoSlip, Line], other: tuple[NoSlip, Line]) -> bool:
     """Whether it is one circle's centre that two parallel tracks have beside it."""
-    wheels = {(roll.body, roll.circle.centre) for roll in (one, other)}
-    return len(wheels) == 1 and not double(first.direction.cross(second.direction))
+    wheels = {(roll.body, roll.circle.centre) for roll, _ in (one, other)}
+    first, second = (track.direction for _, track in (one, other))
+    return len(wheels) == 1 and not double(first.cross(second))
 
 
 def _check_contacts(

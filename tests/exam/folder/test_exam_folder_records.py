@@ -183,9 +183,9 @@ def test_files_that_are_missing_are_named(tmp_path: Path) -> None:
             with pytest.raises(ExamError, match=rf"{name}: cannot be read \(No such file"):
                 read()
     with pytest.raises(
-        ExamError, match=r"solutions/7.pdf: cannot be read .* kinegrade solutions EXAM, or"
+        ExamError, match=r"solutions/S9.pdf: cannot be read .* kinegrade solutions EXAM, or"
     ):
-        opened.solution("7")
+        opened.solution("S9")
 
 
 def test_all_faults_of_a_head_are_reported_at_once(tmp_path: Path) -> None:

@@ -90,6 +90,7 @@ HEAD = ExamHead(
     earlier={"slider-crank": ({"r": "0.35"},)},
     corrections=1,
     forgotten=True,
+    unprinted=True,
     editable={"bank.toml": "0f"},
 )
 ANSWER = StatedAnswer(
