@@ -15,7 +15,8 @@ import kinegrade
 Given: TypeAlias = Mapping[str, mpf]
 Answers: TypeAlias = dict[str, mpf]
 Case: TypeAlias = tuple[str, Callable[[Given], Answers], dict[str, int]]
-MINUTE = mpf(60)
+MINUTE = mpf(60)  # in seconds
+METRE = mpf(1000)  # in millimetres
 
 
 def hold(name: str, work_out: Callable[[Given], Answers], given: dict[str, int]) -> None:

@@ -4,12 +4,9 @@ from the loop of the mechanism, differentiated.
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
-import pytest
 from mpmath import acos, arg, cos, diff, exp, mpc, mpf, pi, radians, sqrt
 
-from tests.problem.textbook import MINUTE, Answers, Case, Given, hold
+from tests.problem.textbook import MINUTE, Answers, Case, Given
 
 
 def turn_epicyclic_train(given: Given) -> Answers:
@@ -113,10 +110,3 @@ CASES: tuple[Case, ...] = (
     ("scotch-yoke-driven-by-guide", push_yoke, {"r": 180, "phi": 150, "v": 100, "a": -300}),
     ("scotch-yoke-driven-by-guide", push_yoke, {"r": 120, "phi": 35, "v": -400, "a": -900}),
 )
-
-
-@pytest.mark.parametrize(("name", "work_out", "given"), CASES)
-def test_answers_are_those_of_positions(
-    name: str, work_out: Callable[[Given], Answers], given: dict[str, int]
-) -> None:
-    hold(name, work_out, given)

@@ -6,12 +6,9 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-import pytest
 from mpmath import diff, exp, mpf, pi
 
-from tests.problem.textbook import MINUTE, Answers, Case, Given, hold
-
-METRE = mpf(1000)  # in millimetres
+from tests.problem.textbook import METRE, MINUTE, Answers, Case, Given
 
 
 def count_turns(angle: Callable[[mpf], mpf]) -> mpf:
@@ -113,10 +110,3 @@ CASES: tuple[Case, ...] = (
     ("pinion-between-two-racks", push_racks, {"r": 70, "u": 250, "v": -100, "a": 400}),
     ("pinion-between-two-racks", push_racks, {"r": 40, "u": -50, "v": -350, "a": -600}),
 )
-
-
-@pytest.mark.parametrize(("name", "work_out", "given"), CASES)
-def test_answers_are_those_of_positions(
-    name: str, work_out: Callable[[Given], Answers], given: dict[str, int]
-) -> None:
-    hold(name, work_out, given)

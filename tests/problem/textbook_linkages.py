@@ -6,12 +6,9 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-import pytest
 from mpmath import acos, arg, asin, cos, diff, exp, mpc, mpf, pi, radians, sin, sqrt
 
-from tests.problem.textbook import MINUTE, Answers, Case, Given, hold
-
-METRE = mpf(1000)  # in millimetres
+from tests.problem.textbook import METRE, MINUTE, Answers, Case, Given
 
 
 def turn_at(given: Given, speed: mpf) -> Callable[[mpf], mpf]:
@@ -136,10 +133,3 @@ CASES: tuple[Case, ...] = (
         {"R": 50, "e": 30, "s": 90, "psi": 25, "phi": 135, "n": 270},
     ),
 )
-
-
-@pytest.mark.parametrize(("name", "work_out", "given"), CASES)
-def test_answers_are_those_of_positions(
-    name: str, work_out: Callable[[Given], Answers], given: dict[str, int]
-) -> None:
-    hold(name, work_out, given)
