@@ -47,11 +47,11 @@ EXCEPTIONS = {
     "tree": "a character that was typed before a bracket: a minus, a plus, or none",
     "worked/answers/poses.py: if first.relation == "
     "'='": "a value in another unit that is not exact stands after the exact ones",
-    "worked/steps/poles.py: match read_symbol(symbol).row: "
+    "problem/pole_names.py: match read_math(ask.symbol, ask.name): "
     "_": "what is not the coordinate of a point names no point",
-    "worked/steps/poles.py: match ask.quantity: _": "whatever else an ask asks for is no distance",
-    "worked/steps/poles.py: match row: _": "letters side by side; what is no letter is none below",
-    "worked/steps/poles.py: match node: _": "whatever else stands in a symbol names no point",
+    "problem/pole_names.py: match ask.quantity: _": "whatever else an ask asks for is no distance",
+    "problem/pole_names.py: match row: _": "letters side by side; what is no letter is none below",
+    "problem/pole_names.py: match node: _": "whatever else stands in a symbol names no point",
     "worked/vectors/arms.py: match call: _": "whatever else constructs a point gives no distance",
     "worked/vectors/relatives.py: match read_symbol(symbol).row: "
     "_": "whatever else an ask is called leaves v_r to others",

@@ -4,13 +4,14 @@ ones as dashed curves that roll on them, and the poles, where both touch.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from kinegrade.cycles.centrodes import Centrodes, trace_centrodes
-from kinegrade.figure.scene import Box, Disc, Outline, Pen, Primitive
+from kinegrade.cycles.frame import is_inside
+from kinegrade.figure.scene import Box, Disc, Outline, Pen, Primitive, move
 from kinegrade.mechanics.vector import Vector
 from kinegrade.motion.path import Array, MotionPath
 from kinegrade.motion.placing import Placing
@@ -28,20 +29,63 @@ class CentrodeDrawing:
     moving: tuple[tuple[Primitive, ...], ...]
 
 
-def draw_centrodes(path: MotionPath, moved: Array, scale: float, frame: Box) -> CentrodeDrawing:
-    """The centrodes at displacements of the input, in mm, as far as they lie in a frame."""
+@dataclass(frozen=True, eq=False)
+class TracedCentrodes:
+    """In m: the `fixed` centrodes, and at each displacement drawn the moving ones (`carried`: x and
+    y, places, drawings) and the `poles` (x and y, drawings) of the same `bodies`; of `count`
+    drawings.
+    """
+
+    bodies: tuple[str, ...]
+    fixed: tuple[Array, ...]
+    carried: tuple[Array, ...]
+    poles: tuple[Array, ...]
+    count: int
+
+    @property
+    def curves(self) -> tuple[Array, ...]:
+        """All of the curves."""
+        return (*self.fixed, *self.carried)
+
+    def find_poles(self, number: int, scale: float, frame: Box) -> Mapping[str, Vector]:
+        """The poles of one drawing in mm, by body, as far as they lie in a frame in mm."""
+        places = {
+            body: poles[:, number] * scale
+            for body, poles in zip(self.bodies, self.poles, strict=True)
+        }
+        return {
+            body: Vector(*place.tolist())
+            for body, place in places.items()
+            if is_inside(place, frame)
+        }
+
+
+def trace_drawn_centrodes(path: MotionPath, moved: Array, bodies: Sequence[str]) -> TracedCentrodes:
+    """The centrodes of these bodies at displacements of the input."""
     fine = path.spread(_FINE)
     whole = trace_centrodes(
-        path.place(fine[(fine >= moved[0]) & (fine <= _find_last(path, moved))])
+        path.place(fine[(fine >= moved[0]) & (fine <= _find_last(path, moved))]), bodies
     )
     placement = path.place(moved)
-    now = trace_centrodes(placement)
     placing = Placing(path.motion.frames, placement.at)
-    still = [part for each in whole for part in _draw_curve(each.fixed * scale, frame, _FIXED)]
-    carried = [_carry(placing, each, len(moved)) * scale for each in whole]
+    return TracedCentrodes(
+        tuple(each.body for each in whole),
+        tuple(each.fixed for each in whole),
+        tuple(_carry(placing, each, len(moved)) for each in whole),
+        tuple(each.fixed for each in trace_centrodes(placement, bodies)),
+        len(moved),
+    )
+
+
+def draw_centrodes(
+    traced: TracedCentrodes, scale: float, frame: Box, letters: Mapping[str, Primitive]
+) -> CentrodeDrawing:
+    """The centrodes and poles in mm, as far as they lie in a frame; the letter of each body's pole
+    is one about the origin.
+    """
+    still = [part for each in traced.fixed for part in _draw_curve(each * scale, frame, _FIXED)]
     moving = (
-        tuple(_draw_moving([each[:, :, number] for each in carried], now, number, scale, frame))
-        for number in range(len(moved))
+        tuple(_draw_moving(traced, number, scale, frame, letters)) for number in range(traced.count)
     )
     return CentrodeDrawing(tuple(still), tuple(moving))
 
@@ -58,28 +102,26 @@ def _carry(placing: Placing, centrodes: Centrodes, count: int) -> Array:
 
 
 def _draw_moving(
-    carried: list[Array], now: tuple[Centrodes, ...], number: int, scale: float, frame: Box
+    traced: TracedCentrodes,
+    number: int,
+    scale: float,
+    frame: Box,
+    letters: Mapping[str, Primitive],
 ) -> Iterator[Primitive]:
     """The moving centrodes and the poles of one drawing."""
-    for curve in carried:
-        yield from _draw_curve(curve, frame, _MOVING)
-    for each in now:
-        pole = Vector(*(each.fixed[:, number] * scale).tolist())
-        if _is_inside(np.array([[pole.x], [pole.y]]), frame)[0]:
-            yield Disc(pole, _POLE, None, "black")
+    for curve in traced.carried:
+        yield from _draw_curve(curve[:, :, number] * scale, frame, _MOVING)
+    for body, pole in traced.find_poles(number, scale, frame).items():
+        yield Disc(pole, _POLE, None, "black")
+        if body in letters:
+            yield move(letters[body], pole)
 
 
 def _draw_curve(places: Array, frame: Box, pen: Pen) -> Iterator[Primitive]:
     """The parts of a curve that lie in the frame."""
-    inside = _is_inside(places, frame)
+    inside = is_inside(places, frame)
     ends = np.flatnonzero(np.diff(np.concatenate([[False], inside, [False]])))
     for start, end in ends.reshape(-1, 2).tolist():
         if end - start > 1:
             corners = places[:, start:end].T.round(3).tolist()
             yield Outline(tuple(Vector(x, y) for x, y in corners), pen, closed=False)
-
-
-def _is_inside(places: Array, frame: Box) -> Array:
-    x, y = places
-    across = (frame.left <= x) & (x <= frame.right)
-    return np.asarray(across & (frame.bottom <= y) & (y <= frame.top))

@@ -4,7 +4,7 @@ in the plane, the moving one in the body.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -16,7 +16,6 @@ from kinegrade.motion.path import Array, MotionPath, Placement
 
 _TRIED = 49  # positions that show whether a body has a pole that moves
 _STILL = 1e-6  # of the mechanism's size, or of what its points do
-_LETTERS = ("P", "I", "Q")
 
 
 @dataclass(frozen=True, eq=False)
@@ -27,7 +26,6 @@ class Centrodes:
     """
 
     body: str
-    symbol: str
     fixed: Array
     moving: Array
 
@@ -53,23 +51,13 @@ def find_poled_bodies(path: MotionPath) -> tuple[str, ...]:
     )
 
 
-def trace_centrodes(placement: Placement) -> tuple[Centrodes, ...]:
-    """The centrodes of all bodies that have any, by the engine's velocities."""
-    bodies = find_poled_bodies(placement.path)
-    symbols = name_poles(placement.path, len(bodies))
+def trace_centrodes(placement: Placement, bodies: Sequence[str]) -> tuple[Centrodes, ...]:
+    """The centrodes of these bodies, by the engine's velocities."""
     return tuple(
-        Centrodes(body, symbol, fixed, _carry_back(placement, body, fixed))
-        for body, symbol in zip(bodies, symbols, strict=True)
+        Centrodes(body, fixed, _carry_back(placement, body, fixed))
+        for body in bodies
         for fixed in (_trace_fixed(placement, body),)
     )
-
-
-def name_poles(path: MotionPath, count: int) -> Iterator[str]:
-    """Symbols for so many poles: a letter that no point has, with numbers where there are more."""
-    taken = path.motion.frames.mechanism.points
-    letter = next((each for each in _LETTERS if each not in taken), _LETTERS[0])
-    for number in range(1, count + 1):
-        yield letter if count == 1 else f"{letter}_{number}"
 
 
 def _moves(poles: Array, size: float) -> bool:

@@ -3,32 +3,41 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from decimal import Decimal
 from typing import assert_never
 
 from kinegrade.cycles.curves import Curve
 from kinegrade.cycles.cycle import Cycle
 from kinegrade.cycles.swings import Swing
+from kinegrade.cycles.wording import name_point
+from kinegrade.language import Language
 from kinegrade.language.math.units import write_unit
-from kinegrade.language.message import Message
+from kinegrade.language.message import Message, Text
 from kinegrade.mechanics.geometry import round_short
 from kinegrade.motion.ends import Blocked, ChangePoint, Closed, End, Limit, Open, Receding
+from kinegrade.problem.template.template import Ask
+from kinegrade.worked.words.naming import Naming
 
 
-def list_facts(cycle: Cycle) -> Iterator[Message]:
-    """A sentence for each thing worth saying of a cycle, in plain text."""
+def list_facts(
+    cycle: Cycle, language: Language, name_ask: Callable[[Ask], str]
+) -> Iterator[Message]:
+    """A sentence for each thing worth saying of a cycle, in prose, with asks named as the
+    reader knows them."""
     path, is_angle = cycle.path, cycle.path.input.is_angle
     for end in (path.start, path.end):
         if end is not None:
             yield _describe_end(end, is_angle)
     for change in path.changes:
         yield _describe_change(change, is_angle)
+    naming = Naming(cycle.solution.template, language)
     for swing in cycle.swings:
-        yield _describe_swing(swing, is_angle)
+        name = naming.body(swing.name) if swing.is_angle else name_point(swing.name)
+        yield _describe_swing(swing, name, is_angle)
     for curve in cycle.curves:
         if not curve.is_steep:
-            yield _describe_extremes(curve, is_angle)
+            yield _describe_extremes(curve, name_ask(curve.ask), is_angle)
 
 
 def _describe_end(end: End, is_angle: bool) -> Message:
@@ -58,12 +67,12 @@ def _describe_change(change: ChangePoint, is_angle: bool) -> Message:
     return Message("motion.change-point-in-line", place=place, line=change.line)
 
 
-def _describe_swing(swing: Swing, is_angle: bool) -> Message:
+def _describe_swing(swing: Swing, name: Text, is_angle: bool) -> Message:
     """A stroke in m, or a swing in degrees, with its ends and its time ratio."""
     kind = "swing" if swing.is_angle else "stroke"
     stated = Message(
         f"motion.way-{kind}",
-        name=swing.name,
+        name=name,
         extent=_write_place(swing.extent, swing.is_angle),
         start=_write_place(swing.at_least, is_angle),
         end=_write_place(swing.at_greatest, is_angle),
@@ -74,7 +83,7 @@ def _describe_swing(swing: Swing, is_angle: bool) -> Message:
     return Message("motion.with-ratio", swing=stated, ratio=ratio)
 
 
-def _describe_extremes(curve: Curve, is_angle: bool) -> Message:
+def _describe_extremes(curve: Curve, name: str, is_angle: bool) -> Message:
     """The least and the greatest value of a curve, and where they are."""
     unit = "" if curve.ask.unit.text == "1" else write_unit(curve.ask.unit.text)
     least, greatest = (
@@ -86,7 +95,7 @@ def _describe_extremes(curve: Curve, is_angle: bool) -> Message:
         )
         for number in (curve.least, curve.greatest)
     )
-    return Message("motion.extremes", ask=curve.ask.name, least=least, greatest=greatest)
+    return Message("motion.extremes", ask=name, least=least, greatest=greatest)
 
 
 def _write_place(displacement: float, is_angle: bool) -> Message:

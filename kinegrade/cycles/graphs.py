@@ -14,14 +14,12 @@ from kinegrade.cycles.curves import Curve
 from kinegrade.cycles.cycle import Cycle
 from kinegrade.cycles.moving_figure import MovingFigure, draw_cycle
 from kinegrade.cycles.ticks import Axis, make_axis, make_turn_axis
+from kinegrade.cycles.wording import say_input
 from kinegrade.figure.back_ends.svg import FONTS, write_parts, write_symbol_spans
 from kinegrade.figure.placing.extent import EM
 from kinegrade.language import Language
-from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.decimal_mark import write_decimal_text
 from kinegrade.language.math.units import write_unit
-from kinegrade.language.message import Message
-from kinegrade.mechanics.ground import GROUND
 from kinegrade.motion.path import Array, MotionPath
 
 _WIDTH, _HEIGHT = 160.0, 36.0  # millimetres, of one graph with its ticks
@@ -70,7 +68,7 @@ def draw_graphs(cycle: Cycle, language: Language, *, with_figure: bool = False) 
         panel = _Panel(across, _choose_range(curve), above + number * _HEIGHT)
         parts += _draw_panel(panel, cycle, number, language)
     height = above + _HEIGHT * len(cycle.curves) + _FOOT
-    title = escape(open_catalogue(language).write(name_input(cycle.path)))
+    title = escape(say_input(cycle.path, cycle.solution.template, language))
     parts.append(_write_text(_WIDTH - _RIGHT, height - 1.2, title, "end"))
     return "\n".join(
         (
@@ -95,17 +93,6 @@ def _write_figure(figure: MovingFigure) -> str:
 def convert_displacements(path: MotionPath, moved: Array) -> Array:
     """Displacements of the input as they are shown: angles in degrees, ways in m."""
     return np.asarray(np.degrees(moved)) if path.input.is_angle else moved
-
-
-def name_input(path: MotionPath) -> Message:
-    """What is drawn to the right, with its unit."""
-    leading = path.input.leading
-    if not path.input.is_angle:
-        return Message("motion.axis-way", point=leading.list_points()[0])
-    body, of = leading.list_bodies()[:2]
-    if of == GROUND:
-        return Message("motion.axis-angle", body=body)
-    return Message("motion.axis-relative", body=body, of=of)
 
 
 def _choose_range(curve: Curve) -> Axis:

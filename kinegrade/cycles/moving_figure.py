@@ -4,14 +4,28 @@ to one scale.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from itertools import starmap
+from types import MappingProxyType
 
 import numpy as np
 
-from kinegrade.cycles.centrode_drawing import draw_centrodes
+from kinegrade.cycles.centrode_drawing import TracedCentrodes, draw_centrodes, trace_drawn_centrodes
+from kinegrade.cycles.centrodes import find_poled_bodies
 from kinegrade.cycles.cycle import Cycle
-from kinegrade.figure.marks.names import label_points, write_point_symbol
+from kinegrade.cycles.frame import (
+    HEIGHT,
+    HIGHEST,
+    WIDEST,
+    WIDTH,
+    choose_scale,
+    enclose,
+    find_extent,
+    scale_box,
+    widen,
+)
+from kinegrade.figure.marks.names import label_point, label_points, write_point_symbol
 from kinegrade.figure.mechanism.layers import draw
 from kinegrade.figure.mechanism.paper import scale_to_paper
 from kinegrade.figure.placing.layout import Layout
@@ -28,12 +42,9 @@ from kinegrade.mechanics.vector import Vector
 from kinegrade.motion.path import Array, MotionPath
 from kinegrade.motion.placing import find_carriers
 from kinegrade.numbers.number import Number
+from kinegrade.problem.pole_names import name_poles
 from kinegrade.problem.template.hints import FigureHints
 
-WIDTH, HEIGHT = 120.0, 90.0  # millimetres
-WIDEST, HIGHEST = 158.0, 138.0  # millimetres, with centrodes
-_ROOM = 30.0  # millimetres for these on each side
-_SURROUND = 16.0  # millimetres that symbols take beside the mechanism
 _A_TURN = 72  # positions
 _FEW = 36  # positions of each turn where there are several
 _MOST = 216
@@ -41,6 +52,7 @@ _FAR = 1.6  # sizes of the mechanism that a part may go before the drawing is cu
 _FINE = 601  # positions of the points' ways
 _SEEN = 0.5  # millimetres: a way that is shorter is not drawn
 _TRACE = Pen(0.18, "dashed")
+NO_POLES: Mapping[str, str] = MappingProxyType({})
 
 
 @dataclass(frozen=True)
@@ -68,30 +80,53 @@ class MovingFigure:
 
 def draw_cycle(cycle: Cycle) -> MovingFigure:
     """The figure of a cycle."""
-    hints = cycle.solution.template.figure
-    return draw_moving_figure(cycle.path, hints, centrodes=cycle.centrodes)
+    template = cycle.solution.template
+    poled = find_poled_bodies(cycle.path) if cycle.centrodes else ()
+    return draw_moving_figure(cycle.path, template.figure, name_poles(poled, template))
 
 
 def draw_moving_figure(
-    path: MotionPath, hints: FigureHints, *, centrodes: bool = False
+    path: MotionPath, hints: FigureHints, poles: Mapping[str, str] = NO_POLES
 ) -> MovingFigure:
-    """The figure at positions along the path, with centrodes or without; where a part goes far
-    away, of those nearby.
+    """The figure at positions along the path; where a part goes far away, of those nearby. With
+    names for poles, by body, it shows these and the centrodes.
     """
     moved = _choose_displacements(path)
     places = path.place(moved).frames.mechanism
     mechanisms = [_take(places, number, moved.shape) for number in range(len(moved))]
-    scale = _choose_scale(mechanisms)
     first = int(np.argmin(np.abs(moved)))
-    letters = _place_letters(scale_to_paper(mechanisms[first], scale), hints)
-    drawn = [_draw(scale_to_paper(each, scale), hints, letters) for each in mechanisms]
-    traces = _trace_points(path, moved, scale)
+    traced = trace_drawn_centrodes(path, moved, tuple(poles))
+    scale, frame = _choose_frame(find_extent(mechanisms), traced)
+    seen = traced.find_poles(first, scale, frame)
+    now = scale_to_paper(mechanisms[first], scale)
+    letters = _place_letters(now, hints, {poles[body]: place for body, place in seen.items()})
+    marks = {body: letters[name] for body, name in poles.items() if name in letters}
+    centrodes = draw_centrodes(traced, scale, frame, marks)
+    drawn = [
+        (*_draw(scale_to_paper(each, scale), hints, letters), *beside)
+        for each, beside in zip(mechanisms, centrodes.moving, strict=True)
+    ]
+    traces = (*_trace_points(path, moved, scale), *centrodes.still)
+    return _frame(traces, drawn, moved, first, path.is_closed)
+
+
+def _choose_frame(extent: Box, traced: TracedCentrodes) -> tuple[float, Box]:
+    """Millimetres per metre, and within which millimetres centrodes are shown."""
+    near = widen(extent)
+    limits = (WIDEST, HIGHEST) if traced.bodies else (WIDTH, HEIGHT)
+    scale = choose_scale(enclose(extent, near, traced.curves), *limits)
+    return scale, scale_box(near, scale)
+
+
+def _frame(
+    traces: tuple[Primitive, ...],
+    drawn: list[tuple[Primitive, ...]],
+    moved: Array,
+    first: int,
+    closed: bool,
+) -> MovingFigure:
+    """The figure from what stays and what each position has, moved into a frame around all."""
     box = find_common_box([*traces, *(part for parts in drawn for part in parts)])
-    if centrodes:
-        box = _widen(box)
-        added = draw_centrodes(path, moved, scale, box)
-        traces += added.still
-        drawn = [(*parts, *each) for parts, each in zip(drawn, added.moving, strict=True)]
     still, drawings = _separate(drawn)
     corner = Vector(1.0 - box.left, 1.0 - box.bottom)
     return MovingFigure(
@@ -101,7 +136,7 @@ def draw_moving_figure(
         tuple(tuple(move(part, corner) for part in parts) for parts in drawings),
         tuple(moved.tolist()),
         first,
-        path.is_closed,
+        closed,
     )
 
 
@@ -136,36 +171,40 @@ def _take(mechanism: Mechanism, number: int, shape: tuple[int, ...]) -> Mechanis
     return mechanism.map(take)
 
 
-def _choose_scale(mechanisms: list[Mechanism]) -> float:
-    """Millimetres on paper per metre."""
-    places = [place for each in mechanisms for place in each.points.values()]
-    radii = [circle.radius for joint in mechanisms[0].joints for circle in joint.list_circles()]
-    reach = 2 * max(radii, default=0.0)
-    wide = max(place.x for place in places) - min(place.x for place in places) + reach
-    high = max(place.y for place in places) - min(place.y for place in places) + reach
-    across, upward = (WIDTH - _SURROUND) / max(wide, 1e-9), (HEIGHT - _SURROUND) / max(high, 1e-9)
-    return float(min(across, upward))
-
-
-def _place_letters(paper: Mechanism, hints: FigureHints) -> dict[str, Primitive]:
-    """The labels of points, placed as in a figure, each about its point as the origin."""
+def _place_letters(
+    paper: Mechanism, hints: FigureHints, poles: Mapping[str, Vector]
+) -> dict[str, Primitive]:
+    """The letters of points that move and of poles, by name, placed as in a figure, each about its
+    point as the origin.
+    """
     drawing = draw(paper, hints)
-    layout = Layout.of(drawing.primitives).written(label_points(paper, hints, drawing))
-    symbols = {
-        hints.labels.get(name, write_point_symbol(name)): name for name in find_carriers(paper)
+    named = {name: paper.points[name] for name in find_carriers(paper)}
+    others = {name: place for name, place in poles.items() if name not in paper.points}
+    around = (*paper.points.values(), *others.values())
+    wishes = (
+        label_point(write_point_symbol(name), place, drawing, around)
+        for name, place in others.items()
+    )
+    layout = Layout.of(drawing.primitives)
+    layout = layout.written((*label_points(paper, hints, drawing), *wishes))
+    places = {
+        hints.labels.get(name, write_point_symbol(name)): (name, place)
+        for name, place in (named | others).items()
     }
     return {
-        name: move(label, -paper.points[name])
+        places[label.symbol][0]: move(label, -places[label.symbol][1])
         for label in layout.labels
-        if (name := symbols.get(label.symbol)) is not None
+        if label.symbol in places
     }
 
 
 def _draw(
-    paper: Mechanism, hints: FigureHints, letters: dict[str, Primitive]
+    paper: Mechanism, hints: FigureHints, letters: Mapping[str, Primitive]
 ) -> tuple[Primitive, ...]:
     """The mechanism and the letters of its points."""
-    labels = [move(label, paper.points[name]) for name, label in letters.items()]
+    labels = (
+        move(label, paper.points[name]) for name, label in letters.items() if name in paper.points
+    )
     return (*draw(paper, hints).primitives, *labels)
 
 
@@ -180,12 +219,6 @@ def _trace_points(path: MotionPath, moved: Array, scale: float) -> list[Primitiv
             corners = zip((across * scale).tolist(), (upward * scale).tolist(), strict=True)
             traces.append(Outline(tuple(starmap(Vector, corners)), _TRACE, closed=False))
     return traces
-
-
-def _widen(box: Box) -> Box:
-    """A frame with room for centrodes beside the mechanism."""
-    across, upward = min(_ROOM, (WIDEST - box.width) / 2), min(_ROOM, (HIGHEST - box.height) / 2)
-    return Box(box.left - across, box.bottom - upward, box.right + across, box.top + upward)
 
 
 def _separate(

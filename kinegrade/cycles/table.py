@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 
-from kinegrade.cycles.centrodes import trace_centrodes
+from kinegrade.cycles.centrodes import find_poled_bodies, trace_centrodes
 from kinegrade.cycles.cycle import Cycle
 from kinegrade.cycles.graphs import convert_displacements
 from kinegrade.files.csv_writing import write_csv_text
 from kinegrade.mechanics.ground import GROUND
 from kinegrade.motion.placing import find_carriers
+from kinegrade.problem.pole_names import name_poles
 
 _DIGITS = 12
 
@@ -28,11 +29,10 @@ def write_table(cycle: Cycle) -> str:
     for name in moving:
         columns.append((f"x_{name} (m)", np.asarray(mechanism.points[name].x)))
         columns.append((f"y_{name} (m)", np.asarray(mechanism.points[name].y)))
-    for each in trace_centrodes(placement):
-        for place, rows in (
-            (each.symbol, each.fixed),
-            (f"{each.symbol}_{each.body}", each.moving),
-        ):
+    poles = name_poles(find_poled_bodies(path), cycle.solution.template)
+    for each in trace_centrodes(placement, tuple(poles)):
+        pole = poles[each.body]
+        for place, rows in ((pole, each.fixed), (f"{pole}_{each.body}", each.moving)):
             columns += [(f"x_{place} (m)", rows[0]), (f"y_{place} (m)", rows[1])]
     columns += [(f"{each.ask.name} ({each.ask.unit.text})", each.values) for each in cycle.curves]
     shape = placement.moved.shape

@@ -7,12 +7,11 @@ from fractions import Fraction
 from typing import assert_never
 
 from kinegrade.cycles.curves import find_followed
-from kinegrade.cycles.graphs import name_input
+from kinegrade.cycles.wording import say_input
 from kinegrade.description.description import describe
 from kinegrade.exam.setting.setting import SetQuestion
 from kinegrade.figure.back_ends.svg import to_svg
 from kinegrade.language import Language
-from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.decimal_mark import write_decimals_of_prose
 from kinegrade.language.prose.html import write_page_line, write_page_prose
 from kinegrade.motion.path import MotionPath, Still, find_path
@@ -82,9 +81,9 @@ def _find_skeleton(
     path = next((each for each in paths if isinstance(each, MotionPath)), None)
     if path is None:
         return None
-    moves = open_catalogue(language).write(name_input(path))
+    moves = say_input(path, template, language)
     unit = "°" if path.input.is_angle else "m"
-    return make_skeleton(path, template.figure, moves, unit)
+    return make_skeleton(path, template, moves, unit)
 
 
 def _list_texts(drawn: DrawnQuestion, language: Language) -> Iterator[str]:

@@ -8,7 +8,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from typing import assert_never
 
-from kinegrade.cycles.centrodes import find_poled_bodies, list_unpinned_bodies, name_poles
+from kinegrade.cycles.centrodes import find_poled_bodies, list_unpinned_bodies
 from kinegrade.figure.back_ends.svg import write_symbol_spans
 from kinegrade.figure.marks.names import write_point_symbol
 from kinegrade.mechanics.ground import GROUND
@@ -16,7 +16,9 @@ from kinegrade.mechanics.laws import EqualRotation, GuidedBody, GuidedPoint, Sha
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.shapes import Circle, Line
 from kinegrade.motion.path import MotionPath
+from kinegrade.problem.pole_names import name_poles
 from kinegrade.problem.template.hints import FigureHints
+from kinegrade.problem.template.template import Template
 
 
 @dataclass(frozen=True)
@@ -88,9 +90,9 @@ def list_circles(mechanism: Mechanism) -> tuple[Circle, ...]:
     )
 
 
-def make_skeleton(path: MotionPath, hints: FigureHints, moves: str, unit: str) -> PracticeSkeleton:
+def make_skeleton(path: MotionPath, template: Template, moves: str, unit: str) -> PracticeSkeleton:
     """The skeleton of a mechanism that moves. Raises TypesetError for a symbol that is none."""
-    mechanism = path.motion.frames.mechanism
+    mechanism, hints = path.motion.frames.mechanism, template.figure
     order = {name: place for place, name in enumerate(mechanism.points)}
     carried = {name for body in mechanism.bodies for name in body.points}
     guides = list_guides(mechanism)
@@ -106,21 +108,23 @@ def make_skeleton(path: MotionPath, hints: FigureHints, moves: str, unit: str) -
         pivots=tuple(pivots),
         riders=tuple(order[guide.rider] for guide in guides),
         blocks=tuple(guide.is_block for guide in guides),
-        poles=tuple(_list_poles(path, order)),
+        poles=tuple(_list_poles(path, order, template)),
         input=moves,
         unit=unit,
     )
 
 
-def _list_poles(path: MotionPath, order: Mapping[str, int]) -> Iterator[PracticePole]:
+def _list_poles(
+    path: MotionPath, order: Mapping[str, int], template: Template
+) -> Iterator[PracticePole]:
     """The poles, each with a point of its body and the mark."""
-    mechanism, poled = path.motion.frames.mechanism, find_poled_bodies(path)
+    mechanism = path.motion.frames.mechanism
     first = len(order) + 2 * len(list_guides(mechanism))
     marks = {body.name: first + place for place, body in enumerate(list_unpinned_bodies(path))}
-    symbols = name_poles(path, len(poled))
-    for name, symbol in zip(poled, symbols, strict=True):
-        points = tuple(order[point] for point in mechanism.body(name).points)
-        yield PracticePole(write_symbol_spans(symbol), (points[0], marks[name]), points)
+    for body, name in name_poles(find_poled_bodies(path), template).items():
+        points = tuple(order[point] for point in mechanism.body(body).points)
+        symbol = write_symbol_spans(write_point_symbol(name))
+        yield PracticePole(symbol, (points[0], marks[body]), points)
 
 
 def _write_label(name: str, carried: set[str], hints: FigureHints) -> str:

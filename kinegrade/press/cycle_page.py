@@ -9,8 +9,8 @@ from kinegrade.language import Language
 
 @dataclass(frozen=True)
 class CyclePage:
-    """What is shown of a cycle: `figure` and each of the `graphs` an SVG document, the rest plain
-    text.
+    """What is shown of a cycle: `figure` and each of the `graphs` an SVG document, each of the
+    `facts` a line of prose.
     """
 
     language: Language

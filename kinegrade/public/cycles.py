@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
+from operator import attrgetter
 from typing import Literal, assert_never
 
 from kinegrade.cycles.cycle import Cycle, make_cycle
@@ -10,6 +11,7 @@ from kinegrade.cycles.facts import list_facts
 from kinegrade.cycles.graphs import draw_graphs
 from kinegrade.cycles.moving_figure import draw_cycle
 from kinegrade.cycles.table import write_table
+from kinegrade.cycles.wording import say_plainly
 from kinegrade.figure.back_ends.svg import to_svg
 from kinegrade.figure.scene import Scene
 from kinegrade.files.csv_writing import encode_for_people
@@ -21,6 +23,7 @@ from kinegrade.press.html.cycle_page import write_cycle_page
 from kinegrade.press.html.moving_figure import write_moving_figure
 from kinegrade.press.typst.press import TypstPress
 from kinegrade.problem.solution import Solution
+from kinegrade.problem.template.template import Ask
 from kinegrade.problem.template.texts import require_language
 
 CycleFormat = Literal["pdf", "svg", "csv", "html"]
@@ -43,9 +46,11 @@ def animate(solution: Solution, language: Language) -> Animation:
 
 
 def describe_cycle(cycle: Cycle, language: Language) -> list[str]:
-    """What is said of a cycle, a line each."""
-    words = open_catalogue(language)
-    return [words.write(fact) for fact in list_facts(cycle)]
+    """What is said of a cycle at a terminal, a line each. Raises TypesetError for a symbol
+    that is none.
+    """
+    facts = list_facts(cycle, language, attrgetter("name"))
+    return [say_plainly(fact, language) for fact in facts]
 
 
 def write_cycle(cycle: Cycle, language: Language, kind: CycleFormat) -> bytes:
@@ -58,12 +63,22 @@ def write_cycle(cycle: Cycle, language: Language, kind: CycleFormat) -> bytes:
         case "svg":
             return draw_graphs(cycle, language, with_figure=cycle.centrodes).encode()
         case "html":
-            title, facts = _write_title(cycle, language), describe_cycle(cycle, language)
+            title, facts = _write_title(cycle, language), _print_facts(cycle, language)
             return write_cycle_page(cycle, title, facts, language).encode()
         case "pdf":
             return TypstPress().cycle(_lay_out_page(cycle, language))
         case _:
             assert_never(kind)
+
+
+def _print_facts(cycle: Cycle, language: Language) -> tuple[str, ...]:
+    """What a page says of a cycle, a line of prose each."""
+    words = open_catalogue(language)
+    return tuple(words.write(fact) for fact in list_facts(cycle, language, _print_symbol))
+
+
+def _print_symbol(ask: Ask) -> str:
+    return f"${ask.symbol}$"
 
 
 def _write_title(cycle: Cycle, language: Language) -> str:
@@ -84,6 +99,6 @@ def _lay_out_page(cycle: Cycle, language: Language) -> CyclePage:
         language,
         _write_title(cycle, language),
         to_svg(Scene(figure.width, figure.height, 1.0, figure.at_instant)),
-        tuple(describe_cycle(cycle, language)),
+        _print_facts(cycle, language),
         tuple(draw_graphs(one, language) for one in each),
     )

@@ -16,6 +16,7 @@ from kinegrade.mechanics.plan import Step
 from kinegrade.mechanics.rates import Rate
 from kinegrade.mechanics.vector_equation import Level
 from kinegrade.problem.as_stated import restate
+from kinegrade.problem.pole_names import find_poles
 from kinegrade.problem.solution import Solution
 from kinegrade.problem.template.template import Ask, Method
 from kinegrade.worked.answers.answers import explain_answer
@@ -33,7 +34,6 @@ from kinegrade.worked.steps.given_steps import holds_still, is_given
 from kinegrade.worked.steps.ideas import explain_idea
 from kinegrade.worked.steps.methods import explain_by_method
 from kinegrade.worked.steps.pictures import draw_stage
-from kinegrade.worked.steps.poles import find_poles
 from kinegrade.worked.steps.polygons import find_common_scale
 from kinegrade.worked.steps.steps import explain_step, find_stage
 from kinegrade.worked.steps.titles import name_step

@@ -9,12 +9,11 @@ import pytest
 
 from kinegrade.cycles.curves import find_followed
 from kinegrade.cycles.cycle import make_cycle
-from kinegrade.cycles.facts import list_facts
 from kinegrade.errors import TemplateError
 from kinegrade.language import ENGLISH
-from kinegrade.language.catalogue import open_catalogue
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.library.library import find_template_names, load_template
+from kinegrade.public.cycles import describe_cycle
 
 TEMPLATES = [name for name in find_template_names() if load_template(name).scheme.drivers]
 
@@ -40,8 +39,7 @@ def test_what_names_an_angle_of_the_instant_has_no_curve() -> None:
 
 def test_what_is_said_of_a_cycle() -> None:
     solution = solve_template(load_template("slider-crank"), {"r": "1/5", "k": "3"})
-    words = open_catalogue(ENGLISH)
-    assert [words.write(fact) for fact in list_facts(make_cycle(solution, ("v_B",)))] == [
+    assert describe_cycle(make_cycle(solution, ("v_B",)), ENGLISH) == [
         "full turns of the input until the mechanism is as at the instant: 1",
         "stroke of B: 0.4 m, its ends at 120° and 300°; time ratio 1",
         "v_B: least 0 m/s at 120°, greatest 0.2109 m/s at 13°",
@@ -50,8 +48,7 @@ def test_what_is_said_of_a_cycle() -> None:
 
 def test_dead_points_are_said_and_extremes_there_are_not() -> None:
     solution = solve_template(load_template("four-bar-parallel-coupler"), {})
-    words = open_catalogue(ENGLISH)
-    assert [words.write(fact) for fact in list_facts(make_cycle(solution))] == [
+    assert describe_cycle(make_cycle(solution), ENGLISH) == [
         "dead point of the input at -135.5°: B, D and E are in line",
         "dead point of the input at 15.52°: B, D and E are in line",
         "angle of swing of DE: 104.5°, its ends at -31.04° and -135.5°",

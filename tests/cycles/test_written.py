@@ -14,10 +14,11 @@ import pytest
 from pypdf import PdfReader
 
 import kinegrade
-from kinegrade.cycles.centrodes import trace_centrodes
+from kinegrade.cycles.centrodes import find_poled_bodies, trace_centrodes
 from kinegrade.cycles.cycle import make_cycle
-from kinegrade.cycles.moving_figure import draw_moving_figure
+from kinegrade.cycles.moving_figure import draw_cycle, draw_moving_figure
 from kinegrade.errors import MechanismError
+from kinegrade.figure.scene import Label, Outline, Pen, find_common_box
 from kinegrade.language import ENGLISH, Language
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.library.library import find_template_names, load_template
@@ -123,7 +124,7 @@ def test_a_trammels_centrodes_are_cardans_circles() -> None:
     """One of the bar's length about the corner, and one of half of that, on the bar."""
     solution = solve_template(load_template("elliptic-trammel-end-driven"), {})
     path = follow(solution.motion)
-    (centrodes,) = trace_centrodes(path.place(path.spread(41)[1:-1]))
+    (centrodes,) = trace_centrodes(path.place(path.spread(41)[1:-1]), find_poled_bodies(path))
     corner, bar = path.motion.points["A"], path.motion.points["B"]
     length = float(np.hypot(corner.x - bar.x, corner.y - bar.y))
     assert np.hypot(*centrodes.fixed) == pytest.approx(length, rel=1e-9)
@@ -134,13 +135,26 @@ def test_a_trammels_centrodes_are_cardans_circles() -> None:
 
 @pytest.mark.parametrize("name", MANY)
 def test_figures_with_centrodes_keep_to_their_frame(name: str) -> None:
-    template = load_template(name)
-    path = follow(solve_template(template, {}).motion)
-    plain = draw_moving_figure(path, template.figure)
-    figure = draw_moving_figure(path, template.figure, centrodes=True)
-    assert plain.width <= figure.width <= 170
-    assert plain.height <= figure.height <= 140
+    solution = solve_template(load_template(name), {})
+    plain, figure = (draw_cycle(make_cycle(solution, (), centrodes=each)) for each in (False, True))
+    assert figure.width <= 170
+    assert figure.height <= 140
     assert len(figure.drawings) == len(plain.drawings)
+    drawn = find_common_box(part for each in figure.drawings for part in (*figure.still, *each))
+    assert 0 <= drawn.left <= drawn.right <= figure.width
+    assert 0 <= drawn.bottom <= drawn.top <= figure.height
+
+
+def test_a_closed_centrode_is_shown_whole_and_its_pole_named() -> None:
+    """Cardan's circles: the fixed one about the corner, of the bar's length."""
+    solution = solve_template(load_template("elliptic-trammel-crank-driven"), {})
+    cycle = make_cycle(solution, (), centrodes=True)
+    figure = draw_cycle(cycle)
+    [fixed] = [part for part in figure.still if isinstance(part, Outline) and part.pen == Pen(0.25)]
+    across, upward = np.array([tuple(corner) for corner in fixed.corners]).T
+    assert np.ptp(across) == pytest.approx(np.ptp(upward), rel=1e-3)
+    letters = [part.symbol for part in figure.at_instant if isinstance(part, Label)]
+    assert letters.count("P") == 1
 
 
 def test_centrodes_are_in_every_picture_where_they_are_wanted() -> None:

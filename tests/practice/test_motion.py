@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from kinegrade.cycles.centrodes import trace_centrodes
+from kinegrade.cycles.centrodes import find_poled_bodies, trace_centrodes
 from kinegrade.cycles.curves import find_followed
 from kinegrade.cycles.cycle import make_cycle
 from kinegrade.motion.path import MotionPath, find_path
@@ -55,13 +55,13 @@ def test_poles_are_where_the_engines_velocities_say(name: str) -> None:
     template = load_template(name)
     path, solution = find_motion(name), solve_template(template, {})
     motion = write_motion(path, solution, ())
-    poles = make_skeleton(path, template.figure, "", "°").poles
+    poles = make_skeleton(path, template, "", "°").poles
     _, window = frame_poses(path)
     shares = np.linspace(0.01, 0.99, 40).tolist()
     (shown,) = move_in_node([motion], shares, [pole.points for pole in poles])["shown"]
     inputs = np.array([each["input"] for each in shown])
     placement = path.place(np.radians(inputs) if path.input.is_angle else inputs)
-    centrodes = trace_centrodes(placement)
+    centrodes = trace_centrodes(placement, find_poled_bodies(path))
     assert len(centrodes) == len(poles)
     for number, each in enumerate(centrodes):
         expected = window.project(each.fixed)
@@ -128,7 +128,7 @@ def test_a_skeleton_has_what_moves() -> None:
     template = load_template("slider-crank")
     path = find_motion("slider-crank")
     mechanism = path.motion.frames.mechanism
-    skeleton = make_skeleton(path, template.figure, "angle", "°")
+    skeleton = make_skeleton(path, template, "angle", "°")
     order = list(mechanism.points)
     assert {tuple(order[corner] for corner in bar) for bar in skeleton.bars} == {
         ("O", "A"),

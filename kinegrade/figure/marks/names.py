@@ -56,13 +56,13 @@ def label_points(mechanism: Mechanism, hints: FigureHints, drawing: Drawing) -> 
         if symbol:
             angles = [angle for angle in hints.angles if angle.at == name]
             wedges = [_find_wedge(mechanism.points, angle) for angle in angles]
-            wish = _label_point(symbol, mechanism.points[name], drawing, places, wedges)
+            wish = label_point(symbol, mechanism.points[name], drawing, places, wedges)
             yield _keep_out_of_angles(wish, mechanism.points[name], wedges) if wedges else wish
     for name, end in ends:
-        yield _label_point(write_point_symbol(name), end, drawing, places)
+        yield label_point(write_point_symbol(name), end, drawing, places)
 
 
-def _label_point(
+def label_point(
     symbol: str,
     at: Vector,
     drawing: Drawing,

@@ -12,6 +12,7 @@ from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.press.html.filled_page import load_layout
 from kinegrade.press.html.moving_figure import write_moving_figure
+from kinegrade.press.html.short_texts import write_prose_html
 
 
 def write_cycle_page(cycle: Cycle, title: str, facts: Sequence[str], language: Language) -> str:
@@ -22,6 +23,6 @@ def write_cycle_page(cycle: Cycle, title: str, facts: Sequence[str], language: L
         tag=open_catalogue(language).text("language.tag"),
         title=title,
         moving=Markup(write_moving_figure(cycle, language)),
-        facts=facts,
+        facts=[write_prose_html(fact) for fact in facts],
         graphs=Markup(draw_graphs(cycle, language)),
     )

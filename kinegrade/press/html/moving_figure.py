@@ -11,8 +11,9 @@ import numpy as np
 from markupsafe import Markup
 
 from kinegrade.cycles.cycle import Cycle
-from kinegrade.cycles.graphs import convert_displacements, name_input, write_signed
+from kinegrade.cycles.graphs import convert_displacements, write_signed
 from kinegrade.cycles.moving_figure import MovingFigure, draw_cycle
+from kinegrade.cycles.wording import say_input
 from kinegrade.figure.back_ends.svg import CLOSE, open_document, write_parts
 from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
@@ -43,7 +44,7 @@ def write_moving_figure(cycle: Cycle, language: Language) -> str:
         name=name,
         picture=_write_picture(figure, drawings),
         play=words.text("motion.play"),
-        label=words.write(name_input(path)),
+        label=say_input(path, cycle.solution.template, language),
         last=len(drawings) - 1,
         first=figure.first,
         baked=Markup(written),

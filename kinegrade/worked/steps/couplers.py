@@ -11,6 +11,7 @@ from typing import assert_never
 from kinegrade.language.math.tree import Row
 from kinegrade.language.message import Message
 from kinegrade.mechanics.vector_equation import Part, VectorEquation, is_whole
+from kinegrade.problem.pole_names import find_poles
 from kinegrade.problem.template.template import Method
 from kinegrade.worked.case import Case
 from kinegrade.worked.document import Block
@@ -18,7 +19,6 @@ from kinegrade.worked.formulas.equation import Equation, equate
 from kinegrade.worked.formulas.measures import length
 from kinegrade.worked.formulas.numbers import state_number
 from kinegrade.worked.senses import state_way, state_way_about
-from kinegrade.worked.steps.poles import find_poles
 from kinegrade.worked.steps.rigid import find_rigid_triangle, name_triangle
 from kinegrade.worked.vectors.facts import has_been_told
 from kinegrade.worked.vectors.known_vectors import is_stated_negative

@@ -2,21 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator
 
-from kinegrade.expressions.tree import Call, Name
-from kinegrade.language.math.tree import Letter, Node, Number, Row, Scripts
 from kinegrade.language.message import Message
 from kinegrade.mechanics.vector import Vector
-from kinegrade.problem.quantities.functions import find_motion_calls
-from kinegrade.problem.template.template import Ask
+from kinegrade.problem.pole_names import choose_pole_letter, find_poles, name_asked_pole
 from kinegrade.worked.case import Case
 from kinegrade.worked.document import Block
 from kinegrade.worked.formulas.atoms import AXES, OTHER, AxisName, add_terms
 from kinegrade.worked.formulas.equation import Equation, drop_repetition, equate
 from kinegrade.worked.formulas.measures import double
 from kinegrade.worked.formulas.numbers import measure, state_number
-from kinegrade.worked.formulas.symbols import name_coordinate, read_symbol
+from kinegrade.worked.formulas.symbols import name_coordinate
 from kinegrade.worked.positions.algebra import ZERO as NOTHING
 from kinegrade.worked.positions.axes import choose_axes
 from kinegrade.worked.positions.construction_steps import list_steps
@@ -27,69 +24,15 @@ from kinegrade.worked.vectors.vectors import name_point_vector
 
 
 def name_pole(body: str, case: Case) -> str:
-    """The name of a body's pole: the letter by which an ask names it, else P, or a letter that no
-    point has.
+    """The name of a body's pole: the letter by which an ask names it, else one that no point has,
+    numbered where answers are about several poles.
     """
-    pole = Call("pole", (Name(body),))
-    for ask in case.template.asks.values():
-        if pole in find_motion_calls(ask.quantity):
-            named = _find_letter(ask.symbol) or _find_end(ask, pole)
-            if named:
-                return named
-    letter = next((name for name in "PSQZ" if name not in case.motion.points), "P")
+    asked = name_asked_pole(body, case.template)
+    if asked:
+        return asked
+    letter = choose_pole_letter(case.template)
     bodies = sorted(find_poles(case.template.asks.values()))
     return f"{letter}{bodies.index(body) + 1}" if len(bodies) > 1 and body in bodies else letter
-
-
-def find_poles(asked: Iterable[Ask]) -> frozenset[str]:
-    """The bodies about whose poles answers are."""
-    calls = (call for ask in asked for call in find_motion_calls(ask.quantity))
-    return frozenset(
-        call.arguments[0].name
-        for call in calls
-        if call.function == "pole" and isinstance(call.arguments[0], Name)
-    )
-
-
-def _find_letter(symbol: str) -> str:
-    """The point whose coordinate an ask's symbol names, "" for any other symbol."""
-    match read_symbol(symbol).row:
-        case (Scripts(Letter("x" | "y"), (Letter(point),), 0, None),) if point.isupper():
-            return point
-        case _:
-            return ""
-
-
-def _find_end(ask: Ask, pole: Call) -> str:
-    """The pole in the symbol of its distance from a point, as C1 in EC_1; "" for any other."""
-    match ask.quantity:
-        case Call("distance", (Name(point), other)) | Call("distance", (other, Name(point))):
-            ends = _list_letters(read_symbol(ask.symbol).row) if other == pole else ()
-            others = [end for end in ends if end != point]
-            return others[0] if len(ends) == 2 and len(others) == 1 else ""
-        case _:
-            return ""
-
-
-def _list_letters(row: Row) -> Sequence[str]:
-    """The points that a symbol such as AC_1 or l_{AP} consists of; none for any other."""
-    match row:
-        case (Scripts(Letter(), lower, 0, None),) if lower is not None:
-            return _list_letters(lower)
-        case _:
-            names = [_read_point(node) for node in row]
-            return names if all(names) else ()
-
-
-def _read_point(node: Node) -> str:
-    """The name of a point as it is written: C1 for C_1; "" for what is none."""
-    match node:
-        case Letter(letter) if letter.isupper():
-            return letter
-        case Scripts(Letter(letter), (Number(digits),), 0, None) if letter.isupper():
-            return letter + digits
-        case _:
-            return ""
 
 
 def explain_pole(body: str, case: Case) -> Iterator[Block]:
