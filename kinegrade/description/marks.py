@@ -6,6 +6,8 @@ from collections.abc import Mapping
 from typing import Literal, assert_never
 
 from kinegrade.description.subject import Subject
+from kinegrade.language.math.reading import read_math
+from kinegrade.language.math.tree import Letter
 from kinegrade.language.message import Message
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import SIDES, BodyFrame, Length, Side
@@ -33,16 +35,26 @@ TOWARDS: dict[Side, Vector] = {
     "down": Vector(0.0, -1.0),
 }
 _SAME = 1e-9  # m
+_WHERE = Message("typesetting.place-worked-solution")
 
 
 def list_marks(subject: Subject) -> tuple[Mark, ...]:
-    """The measures that the figure marks between points that are described."""
-    marks: tuple[Mark, ...] = (
-        *subject.marks.right_angles,
-        *subject.marks.angles,
-        *subject.marks.lengths,
-    )
+    """The measures that the figure marks between points that are described; those by a length that
+    only its ends name, such as k AB, come last.
+    """
+    lengths = sorted(subject.marks.lengths, key=lambda length: _names_points(length, subject))
+    marks: tuple[Mark, ...] = (*subject.marks.right_angles, *subject.marks.angles, *lengths)
     return tuple(mark for mark in marks if set(list_ends(mark)) <= subject.points)
+
+
+def _names_points(length: Length, subject: Subject) -> bool:
+    """Whether a length is given by the distance of points that is no given itself."""
+    symbol = read_math(length.symbol, _WHERE)
+    if any(
+        symbol == read_math(one.symbol, name) for name, one in subject.template.parameters.items()
+    ):
+        return False
+    return any(isinstance(node, Letter) and node.name in subject.points for node in symbol)
 
 
 def list_ends(mark: Mark) -> tuple[str, ...]:

@@ -53,32 +53,38 @@ class Told:
 
 def choose_told(subject: Subject) -> Told:
     """Simple constructions and joints are said anyway; of the others those without which marks
-    leave a position open, then the marks that are still needed.
+    leave a position open, then the marks that say more than constructions: what joints say on top
+    may leave two positions where a mark leaves one.
     """
     simple = [step for step in subject.steps if not works_out(step.tree, subject)]
     others = [step for step in subject.steps if step not in simple]
     if not others:
         return Told(_drop_idle(simple, (), subject), (), ())
-    rank = _start_rank(simple, subject)
+    rank = _rank_steps(simple, subject)
+    _add_joints(rank, subject)
     for mark in list_marks(subject):
         rank.add(mark_condition(mark, subject))
     needed = [step for step in others if rank.add(place_condition(step, subject))]
-    rank = _start_rank([*simple, *needed], subject)
+    rank = _rank_steps([*simple, *needed], subject)
     marks = tuple(mark for mark in list_marks(subject) if rank.add(mark_condition(mark, subject)))
     placed = tuple(step.point for step in others if step not in needed)
     return Told(_drop_idle([*simple, *needed], marks, subject), marks, placed)
 
 
-def _start_rank(steps: Iterable[Step], subject: Subject) -> Rank:
-    """What constructions and the joints say."""
+def _rank_steps(steps: Iterable[Step], subject: Subject) -> Rank:
+    """What constructions say."""
     rank = Rank(subject)
     for step in steps:
         rank.add(place_condition(step, subject))
+    return rank
+
+
+def _add_joints(rank: Rank, subject: Subject) -> None:
+    """What the joints say on top."""
     for joint, sentence in subject.joints:
         condition = joint_condition(joint, sentence, subject)
         if condition is not None:
             rank.add(condition)
-    return rank
 
 
 def _drop_idle(steps: Iterable[Step], marks: Iterable[Mark], subject: Subject) -> tuple[Step, ...]:

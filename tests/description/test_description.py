@@ -140,3 +140,16 @@ def write_described(name: str) -> str:
     found = described(name)
     lines = (f"{name}: {found.short}", *(paragraph.text for paragraph in found.long))
     return "".join(f"{line}\n" for line in lines) + "\n"
+
+
+def test_a_contact_that_leaves_two_positions_does_not_replace_a_length() -> None:
+    """A disc of radius R touches the face from below, and might from above."""
+    found = described("flat-faced-follower-eccentric-circle", theta_1="30").long[3].text
+    assert "The distance from $O$ to $C$ is $e$." in found
+
+
+def test_a_length_that_only_its_ends_name_is_no_measure() -> None:
+    """Nothing says how long BC is; that C is higher than B by 2b does."""
+    found = described("crank-slider-in-floating-link").long[3].text
+    assert "The vertical distance from $B$ to $C$ is $2b$." in found
+    assert "\\lambda BC" not in found

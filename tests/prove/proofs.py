@@ -24,6 +24,7 @@ from tests.prove import (
     round_trips,
     solution_pages,
     sound_templates,
+    sufficient_descriptions,
     whole_papers,
 )
 from tests.prove.proof import Proof
@@ -35,6 +36,13 @@ PROOFS = (
     Proof("sound templates", sound_templates.hold, cases=200, batch=10, sample=1),
     Proof("clear figures", clear_figures.hold, cases=2_000, batch=100, sample=13),
     Proof("described figures", described_figures.hold, cases=1_020, batch=51, sample=17),
+    Proof(
+        "sufficient descriptions",
+        sufficient_descriptions.hold,
+        cases=1_020,
+        batch=51,
+        sample=17,
+    ),
     Proof("printed figures", printed_figures.hold, cases=1_020, batch=51, sample=17),
     Proof("printed mathematics", printed_mathematics.hold, cases=1_020, batch=51, sample=9),
     Proof("solution pages", solution_pages.hold, cases=510, batch=51, sample=0),
