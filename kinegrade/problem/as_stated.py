@@ -4,9 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Set
 from dataclasses import replace
+from typing import Any
 
 from kinegrade.expressions.negating import negate_arguments, negate_names
 from kinegrade.expressions.tree import Call, Expression
+from kinegrade.numbers.angle import Angle
+from kinegrade.problem.quantity import Quantity
 from kinegrade.problem.solution import Solution
 from kinegrade.problem.statement import find_unsigned_givens
 from kinegrade.problem.template.sentences import DriverSentence, JointSentence
@@ -22,13 +25,22 @@ def restate(solution: Solution) -> Solution:
     if not turned:
         return solution
     sizes = {name: solution.parameters[name].size for name in turned}
-    values = {name: -solution.assembly.values[name] for name in turned}
+    values = {
+        name: _turn_value(solution.assembly.values[name], size) for name, size in sizes.items()
+    }
     return replace(
         solution,
         template=_turn_template(solution.template, turned),
         parameters={**solution.parameters, **sizes},
         assembly=replace(solution.assembly, values={**solution.assembly.values, **values}),
     )
+
+
+def _turn_value(value: Any, size: Quantity) -> Any:
+    """The value of a given by its printed size; that of an angle beyond half a turn, 195 degrees,
+    is 165 degrees the other way round.
+    """
+    return size.number if isinstance(value, Angle) else -value
 
 
 def _turn_template(template: Template, names: Set[str]) -> Template:

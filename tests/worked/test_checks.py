@@ -8,10 +8,12 @@ from dataclasses import dataclass, replace
 
 import pytest
 
+from kinegrade.language import ENGLISH
 from kinegrade.language.math.reading import read_math
 from kinegrade.mechanics.rates import Rate, make_turning
 from kinegrade.problem.solution import Solution
-from kinegrade.problem.template.library.library import find_template_names
+from kinegrade.problem.solving import solve_template
+from kinegrade.problem.template.library.library import find_template_names, load_template
 from kinegrade.worked.document import Block, Prose
 from kinegrade.worked.solution import write_worked_solution
 from tests.worked.draws import drawn, kept
@@ -80,6 +82,18 @@ def test_where_both_axes_are_used_the_direction_of_a_vector_is_left() -> None:
         r"0.1414\,\unit{m/s} \cdot \cos 45^\circ + 0.1414\,\unit{m/s} \cdot \sin 45^\circ"
         r" \approx 0.2\,\unit{m/s}",
     )
+
+
+def test_an_angle_that_is_a_sum_nobody_has_worked_out_is_in_no_check() -> None:
+    """The jaw lies at delta + beta + gamma; no line before has the 135 degrees."""
+    lengths = {"OE": "9/50", "BG": "11/20", "AB": "1/2", "d": "9/10"}
+    given = {**lengths, "delta": "30", "beta": "30", "gamma": "75", "psi": "-75"}
+    template = load_template("stone-crusher")
+    asked = template.asked()
+    solution = solve_template(template, given, asked)
+    checks = find_checks(write_worked_solution(solution, asked, ENGLISH).blocks)
+    assert checks
+    assert not any("135" in check.left + check.right for check in checks)
 
 
 def test_a_pole_is_checked_by_the_projection_theorem() -> None:

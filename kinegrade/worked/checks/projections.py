@@ -84,14 +84,16 @@ def _list_angles(projections: Iterable[Projection], stage: Stage) -> frozenset[f
 
 
 def _list_sums(projection: Projection, stage: Stage) -> frozenset[float]:
-    """The angles in the cosines of a projection on an oblique axis: the difference of two angles
-    has been worked out only where a projection has used it.
+    """The angles in the cosines of a projection that are sums of others: these have been worked
+    out only where a projection has used them.
     """
-    if projection.axis in _AXES:
-        return frozenset()
-    angles = (find_inclination(share.part, stage.case) for share in projection.shares)
-    known = {one.value for one in angles if one is not None}
-    return _list_angles((projection,), stage) - known
+    headings = (find_inclination(share.part, stage.case) for share in projection.shares)
+    named = {one.value for one in headings if one is not None and not _is_sum(one.angle)}
+    return _list_angles((projection,), stage) - named
+
+
+def _is_sum(angle: Formula | None) -> bool:
+    return angle is not None and angle.kind == "sum"
 
 
 def _is_among(axis: float, used: Sequence[float]) -> bool:
