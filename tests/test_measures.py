@@ -54,8 +54,8 @@ def test_lines_of_code_are_lines_without_docstrings_comments_and_blanks(tmp_path
 # did when fairness came to be bounded (mistakes, follow-through, papers alike hard) and when
 # mechanisms came to move (cycles)
 FAR = {
-    "syntax nodes": 651_305,
-    "lines of code": 68_772,
+    "syntax nodes": 651_570,
+    "lines of code": 68_792,
     "syntax nodes a line": 9.48,
     "modules of more than 250 lines": 16,
 }

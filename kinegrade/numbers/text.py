@@ -39,6 +39,8 @@ class Form:
         return self.fraction.format(above, product if single else self.bracket.format(product))
 
 
+_FURTHER = 12  # digits by which a ball is narrower than the decimals between which it lies
+
 _PLAIN = Form("sqrt({})", "*", "{}/{}", "pi", "{}**{}", "atan({})", "({})")
 LATEX = Form(
     r"\sqrt{{{}}}",
@@ -199,7 +201,8 @@ def write_decimal(number: Any, digits: int, degrees: bool = False) -> str:
     within 1e-7..1e21.
 
     Takes rationals, doubles, surds, balls and Angles (in radians, or in degrees). A ball too wide
-    for the digits asked is given to as many as it holds. A ball about zero gives "0".
+    for the digits asked is given to as many as it holds; a narrow one about the middle between two
+    of these decimals counts as that middle. A ball about zero gives "0".
 
     >>> write_decimal(fmpq(2, 3), 5)
     '0.66667'
@@ -212,6 +215,8 @@ def write_decimal(number: Any, digits: int, degrees: bool = False) -> str:
         return _write_rounded(number, digits)
     for precision in (64 + 4 * digits, 256 + 8 * digits, 4096):
         low, high = find_bounds(number, precision, degrees)
+        if isinstance(number, arb) and (middle := _find_middle(low, high, digits)) is not None:
+            return _write_rounded(middle, digits)
         for count in range(digits, 0, -1):
             text = _write_rounded(low, count)
             if text == _write_rounded(high, count):
@@ -221,6 +226,17 @@ def write_decimal(number: Any, digits: int, degrees: bool = False) -> str:
         if low <= 0 <= high and (isinstance(number, arb) or precision == 4096):
             return "0"
     return _write_rounded((low + high) / 2, 1)
+
+
+def _find_middle(low: Any, high: Any, digits: int) -> Any | None:
+    """The number half way between two decimals of so many digits that lies between bounds which
+    agree in many more digits; None where the bounds are rounded alike, or are too far apart.
+    """
+    if _round(low, digits) == _round(high, digits):
+        return None
+    whole, exponent = _round(low, digits + _FURTHER)
+    agree = (whole, exponent) == _round(high, digits + _FURTHER)
+    return whole * fmpq(10) ** exponent if agree else None
 
 
 def find_bounds(number: Any, precision: int, degrees: bool = False) -> tuple[Any, Any]:
@@ -243,14 +259,23 @@ def _write_rounded(value: Any, digits: int) -> str:
     """A rational number with `digits` significant digits, half to even; trailing zeros are
     dropped.
     """
+    whole, exponent = _round(value, digits)
+    size = _write_plainly(str(abs(whole)), exponent) if whole else "0"
+    return ("-" if whole < 0 else "") + size
+
+
+def _round(value: Any, digits: int) -> tuple[int, int]:
+    """A rational number to `digits` significant digits, half to even, as a whole number times a
+    power of ten.
+    """
     if value == 0:
-        return "0"
+        return 0, 0
     exponent = _find_magnitude(abs(value)) - digits + 1
     scaled_value = abs(value) * fmpq(10) ** -exponent
     whole = int((scaled_value + fmpq(1, 2)).floor())
     if scaled_value + fmpq(1, 2) == whole and whole % 2:
         whole -= 1
-    return ("-" if value < 0 else "") + _write_plainly(str(whole), exponent)
+    return (-whole if value < 0 else whole), exponent
 
 
 def _find_magnitude(value: Any) -> int:

@@ -113,6 +113,8 @@ def test_a_ball_is_given_to_the_digits_that_it_holds_and_no_more(
     held = [
         n for n in range(1, count + 1) if write_decimal(ends[0], n) == write_decimal(ends[1], n)
     ]
+    finely = [write_decimal(end, count + 12) for end in ends]
+    assume(count in held or finely[0] != finely[1])  # about a middle: below
     assert write_decimal(ball, count) == write_decimal(number, held[-1] if held else 1)
 
 
@@ -161,3 +163,17 @@ def test_nearly_a_tie_is_rounded_by_the_digits_that_follow() -> None:
 
 def test_a_ball_about_zero_prints_as_zero() -> None:
     assert write_decimal(arb(0, arb("1e-50")), 10) == "0"
+
+
+@pytest.mark.parametrize(
+    ("number", "count", "printed"),
+    [("-0.021375", 4, "-0.02138"), ("-0.051965", 4, "-0.05196"), ("0.25", 1, "0.2")],
+)
+def test_a_narrow_ball_about_a_middle_is_rounded_as_the_middle_is(
+    number: str, count: int, printed: str
+) -> None:
+    """To even, as every number; three digits, which are all that its ends share, would be padded
+    to -0.02140.
+    """
+    with ctx.workprec(200):
+        assert write_decimal(arb(number, "1e-40"), count) == printed
