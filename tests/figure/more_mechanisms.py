@@ -292,6 +292,21 @@ def rack_and_gear() -> Case:
     return hinted(mechanism, shapes={"gear": "gear"}, arrows=[{"symbol": "v_A", "moves": "A"}])
 
 
+def rack_in_a_guide() -> Case:
+    r = 0.2
+    points = {"C": ORIGIN, "A": Vector(-2 * r, -r)}
+    along = Line(points["A"], RIGHT)
+    joints = (
+        Parallel("rack", GROUND),
+        Slide("A", "rack", along, GROUND),
+        Pin("C", ("gear", GROUND)),
+        Roll("gear", Circle("C", r), "rack", along),
+    )
+    bodies = (Body("rack", ("A",)), Body("gear", ("C",)))
+    mechanism = Mechanism(points, bodies, joints, (Component("A", "rack", RIGHT, -1.0, 0.0),))
+    return hinted(mechanism, shapes={"gear": "gear"}, arrows=[{"symbol": "u", "moves": "A"}])
+
+
 def pointed_follower() -> Case:
     e, r, h = 0.12, 0.3, 0.1
     c = polar(e, 50)

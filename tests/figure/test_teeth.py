@@ -10,14 +10,16 @@ from kinegrade.figure.joints.symbol import Rim, Symbol
 from kinegrade.figure.mechanism.layers import draw
 from kinegrade.figure.mechanism.paper import scale_to_paper
 from kinegrade.figure.mechanism.rims import find_rims
+from kinegrade.figure.mechanism.straight_parts import Bar
 from kinegrade.figure.placing.obstacles import Obstacles
 from kinegrade.figure.plane import length, polar
-from kinegrade.figure.scene import PITCH, TOOTHED, Disc, Outline, Strokes
+from kinegrade.figure.scene import FIRM, PITCH, TOOTHED, Disc, Outline, Strokes
+from kinegrade.figure.symbols import PIN, RACK_DEPTH
 from kinegrade.figure.teeth import TOOTH_ROOT, TOOTH_TIP, find_teeth_of_rack, trace_gear, trace_rack
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
 from tests.figure.mechanisms import Case
-from tests.figure.more_mechanisms import planet_in_ring, rack_and_gear
+from tests.figure.more_mechanisms import planet_in_ring, rack_and_gear, rack_in_a_guide
 
 ORIGIN = Vector(0.0, 0.0)
 
@@ -108,6 +110,18 @@ def test_a_rack_narrows_towards_the_eye_about_its_pin_and_has_no_tooth_there() -
     assert len(tips) < len([corner for corner in plain if corner.y == TOOTH_TIP])
     assert min(corner.x for corner in contour if corner.y == -2.0) > 4.0
     assert min(corner.x for corner in plain if corner.y == -2.0) == 0.0
+
+
+def test_a_rack_that_slides_in_a_guide_has_the_ground_along_its_back_and_no_pin() -> None:
+    mechanism, hints = rack_in_a_guide()
+    drawing = draw(scale_to_paper(mechanism, 100.0), hints)
+    [rack] = [part for part in drawing.parts if isinstance(part, Bar)]
+    [rail] = drawing.rails
+    assert rack.free == (rack.start, rack.end)
+    assert rail.surface.point.y == pytest.approx(rack.start.y - RACK_DEPTH - FIRM.width / 2)
+    assert rail.start.x < rack.start.x
+    assert rail.end.x > rack.end.x
+    assert not [part for part in drawing.primitives if part == Disc(rack.start, PIN, FIRM, "white")]
 
 
 def test_gears_and_racks_of_a_mechanism_are_drawn_with_teeth_and_pitch_lines() -> None:

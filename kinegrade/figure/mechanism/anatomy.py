@@ -11,7 +11,7 @@ from kinegrade.figure.mechanism.bars import find_straight_parts
 from kinegrade.figure.mechanism.plates import Plate, find_outward_direction
 from kinegrade.figure.mechanism.rims import find_rims, order_rims
 from kinegrade.figure.mechanism.straight.gussets import Corner, find_corners
-from kinegrade.figure.mechanism.straight_parts import Part, Rod
+from kinegrade.figure.mechanism.straight_parts import Bar, Part, Rod, find_guided_rack
 from kinegrade.figure.plane import unit
 from kinegrade.mechanics.joints import Line
 from kinegrade.mechanics.mechanism import Mechanism
@@ -68,6 +68,10 @@ class Anatomy:
         """Whether a joint is the guide of a rod."""
         rods = {part.body for part in self.parts if isinstance(part, Rod)}
         return symbol.guide is not None and symbol.guide.body in rods
+
+    def find_rack(self, symbol: Symbol) -> Bar | None:
+        """The rack whose guide a joint is; None where the guide is that of another part."""
+        return find_guided_rack(symbol.guide, self.parts) if symbol.guide else None
 
 
 def _find_knife_edges(symbols: tuple[Symbol, ...], parts: tuple[Part, ...]) -> dict[str, Vector]:

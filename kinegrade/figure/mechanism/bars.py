@@ -16,7 +16,12 @@ from kinegrade.figure.mechanism.plates import Plate, find_outward_direction, fin
 from kinegrade.figure.mechanism.slotted_discs import find_slotted_disc
 from kinegrade.figure.mechanism.straight.rods import find_rods
 from kinegrade.figure.mechanism.straight.welded_rods import weld_rods
-from kinegrade.figure.mechanism.straight_parts import Bar, Part, SlottedDisc
+from kinegrade.figure.mechanism.straight_parts import (
+    Bar,
+    Part,
+    SlottedDisc,
+    find_guided_rack,
+)
 from kinegrade.figure.plane import NEAR, collinear, length, mean, on_line, same_line, unit
 from kinegrade.mechanics.mechanism import Body, Mechanism
 from kinegrade.mechanics.vector import Vector
@@ -48,6 +53,11 @@ def find_straight_parts(
         else part
         for part in parts
     ]
+    guides = [symbol.guide for symbol in symbols if symbol.guide]
+    sliding = [find_guided_rack(guide, parts) for guide in guides]
+    parts = [
+        _cut_off(part) if isinstance(part, Bar) and part in sliding else part for part in parts
+    ]
     bars = [part for part in parts if isinstance(part, Bar)]
     return weld_rods(parts, tuple(find_rods(mechanism, shapes, symbols, found, bars)))
 
@@ -75,6 +85,11 @@ def _round_off(part: Part, pins: Set[Vector], features: Sequence[Feature]) -> Pa
         acted = any(edge.body == part.body and _is_edge(edge, part) for edge in features)
         return replace(part, rounded=not acted)
     return part
+
+
+def _cut_off(rack: Bar) -> Bar:
+    """A rack without eyes: nothing is pinned to one that slides in a guide."""
+    return replace(rack, free=(rack.start, rack.end))
 
 
 def _is_edge(feature: Feature, plate: Plate | None) -> bool:

@@ -81,11 +81,14 @@ def _weld_housing(anatomy: Anatomy, at: Vector, carrier: str) -> Iterator[Primit
 
 
 def _find_pins(anatomy: Anatomy) -> set[str]:
-    """The points of pins, but for those that only guide a rod."""
+    """The points of pins, but for those that only guide a rod or a rack."""
     return {
         symbol.point
         for symbol in anatomy.symbols
-        if symbol.point and symbol.pinned and not anatomy.is_rod(symbol)
+        if symbol.point
+        and symbol.pinned
+        and not anatomy.is_rod(symbol)
+        and not anatomy.find_rack(symbol)
     }
 
 

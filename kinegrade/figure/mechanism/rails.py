@@ -7,19 +7,20 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from kinegrade.figure.joints.symbol import Symbol, find_fixed_pins
+from kinegrade.figure.joints.symbol import Guide, Symbol, find_fixed_pins
 from kinegrade.figure.mechanism.anatomy import Anatomy
 from kinegrade.figure.mechanism.block_sizes import BlockSize, choose_block_size
 from kinegrade.figure.mechanism.straight_parts import Bar, Rod, find_half_width, list_ways
 from kinegrade.figure.plane import NEAR, length, mean, meet, unit
 from kinegrade.figure.scene import BOLD, FIRM
-from kinegrade.figure.symbols import BLOCK_LENGTH
+from kinegrade.figure.symbols import BLOCK_LENGTH, RACK_DEPTH
 from kinegrade.mechanics.joints import Line
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
 
 _REACH = 7.5  # millimetres of a rail on either side of its block
 _SEEN = 2.0  # at least beyond a block: it is seen to run on, even behind a bar
+_BEYOND_RACK = 5.0  # millimetres of a guide on either side of the rack in it
 _BARE = 0.0  # from the axis of a guide where a bare end slides: the ground is the guide
 _CLEAR = 0.3  # millimetres between a rail and a bar
 _HALF_STAND = 4.2  # millimetres along a rail between a pin and the end of the rail
@@ -61,19 +62,31 @@ class Rail:
 
 
 def find_rails(anatomy: Anatomy) -> tuple[Rail, ...]:
-    """The rail of each block or bare end on a ground guide; two on outer sides meet where their
-    guides do.
+    """The rail of each block, bare end or rack on a ground guide; two on outer sides meet where
+    their guides do.
     """
-    rails = [
-        _lay_rail(anatomy, symbol.point, symbol.guide.along, symbol.pinned)
-        for symbol in anatomy.symbols
-        if symbol.guide and symbol.point and not anatomy.is_rod(symbol)
-    ]
+    rails = []
+    for symbol in anatomy.symbols:
+        if symbol.guide and symbol.point and not anatomy.is_rod(symbol):
+            rack = anatomy.find_rack(symbol)
+            rails.append(
+                _lay_under_rack(symbol.guide, rack)
+                if rack
+                else _lay_rail(anatomy, symbol.point, symbol.guide.along, symbol.pinned)
+            )
     marked = _find_free_points(anatomy.mechanism.points, anatomy.symbols)
     return tuple(
         _extend(rail, [*rails[:number], *rails[number + 1 :]], marked)
         for number, rail in enumerate(rails)
     )
+
+
+def _lay_under_rack(guide: Guide, rack: Bar) -> Rail:
+    """The ground along the back of a rack and beyond its ends."""
+    beyond = unit(rack.end - rack.start) * _BEYOND_RACK
+    back = rack.back * (RACK_DEPTH + FIRM.width / 2)
+    start, end = rack.start - beyond + back, rack.end + beyond + back
+    return Rail(guide.at, guide.along, rack.back, start, end, length(back), None)
 
 
 def _lay_rail(anatomy: Anatomy, name: str, along: Vector, pinned: bool) -> Rail:

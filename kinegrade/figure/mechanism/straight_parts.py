@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import TypeGuard
 
-from kinegrade.figure.joints.symbol import NO_BACK, Use
+from kinegrade.figure.joints.symbol import NO_BACK, Guide, Use
 from kinegrade.figure.mechanism.plates import Plate
 from kinegrade.figure.plane import NEAR, length, nearest_of
 from kinegrade.figure.scene import BOLD
@@ -89,6 +90,20 @@ Part = Bar | Plate | SlottedDisc | GenevaWheel | Rod
 def is_slender(part: Part) -> TypeGuard[Bar | Rod]:
     """Whether a part is drawn as one bold line."""
     return isinstance(part, Rod) or (isinstance(part, Bar) and part.use in _SLENDER)
+
+
+def find_guided_rack(guide: Guide, parts: Iterable[Part]) -> Bar | None:
+    """The rack that slides along itself in a ground guide; None where another part does."""
+    racks = (
+        part
+        for part in parts
+        if isinstance(part, Bar) and part.use == "rack" and part.body == guide.body
+    )
+    return next((rack for rack in racks if _lies_along(rack, guide.along)), None)
+
+
+def _lies_along(bar: Bar, along: Vector) -> bool:
+    return bool(abs((bar.end - bar.start).cross(along)) < NEAR * length(bar.end - bar.start))
 
 
 def find_half_width(part: Bar | Rod) -> float:

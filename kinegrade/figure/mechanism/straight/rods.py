@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 
 from kinegrade.figure.joints.symbol import Guide, Rim, Symbol
-from kinegrade.figure.mechanism.straight_parts import Bar, Rod, find_half_width
+from kinegrade.figure.mechanism.straight_parts import Bar, Rod, find_guided_rack, find_half_width
 from kinegrade.figure.plane import length, mean, nearest_of
 from kinegrade.mechanics.joints import GROUND
 from kinegrade.mechanics.mechanism import Mechanism
@@ -24,11 +24,13 @@ def find_rods(
     found: Sequence[Rim],
     bars: Sequence[Bar],
 ) -> Iterator[Rod]:
-    """The translating rods, each pointing away from the other bodies and long enough to keep its
-    guide clear of the bars and wheels.
+    """The translating rods, none for a rack, each pointing away from the other bodies and long
+    enough to keep its guide clear of the bars and wheels.
     """
     circles = [rim.at for rim in found]
     for guide in _find_guides_of_rods(symbols):
+        if find_guided_rack(guide, bars):
+            continue
         names = mechanism.body(guide.body).points
         others = [at for name, at in mechanism.points.items() if name not in names]
         side = guide.along.dot(mean(others + circles) - guide.at)
