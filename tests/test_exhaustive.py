@@ -55,8 +55,8 @@ EXCEPTIONS = {
     "worked/vectors/arms.py: match call: _": "whatever else constructs a point gives no distance",
     "worked/vectors/relatives.py: match read_symbol(symbol).row: "
     "_": "whatever else an ask is called leaves v_r to others",
-    "worked/formulas/formula.py: enclose(self.print(mark)) if self.kind == 'sum' else "
-    "self.print_after_sign(mark)": "only a sum needs brackets after a minus sign",
+    "worked/formulas/formula.py: enclose(self.print(notation)) if self.kind == 'sum' else "
+    "self.print_after_sign(notation)": "only a sum needs brackets after a minus sign",
     "worked/formulas/formula.py: if self.argument.kind in ('function', 'closed', "
     "'sum')": "the others may be plain, which the next line decides",
     "worked/formulas/atoms.py: enclose(row) if self.number.kind == 'sum' else "

@@ -91,6 +91,23 @@ class Unit:
         return self.length == 1 and self.time == 0
 
     @property
+    def lengths(self) -> frozenset[str]:
+        """The units of length in its text: mm in mm/s^2."""
+        names = (part["name"] for part in _PART.finditer(self.text))
+        known = (name for name in names if name in SCALES)  # rpm is none of them
+        return frozenset(name for name in known if SCALES[name][1] == "length")
+
+    def count_lengths(self, old: str, new: str) -> Unit:
+        """The same with one unit of length in place of another.
+
+        >>> read_unit("mm/s^2").count_lengths("mm", "in").text
+        'in/s^2'
+        """
+        if old == new or old not in self.lengths:
+            return self
+        return read_unit(re.sub(rf"\b{old}\b", new, self.text))
+
+    @property
     def latex(self) -> str:
         """The unit in upright LaTeX math, with `^\\circ` for degrees and nothing for pure
         numbers.

@@ -23,12 +23,14 @@ from kinegrade.worked.document import Display, Prose, say, write_sentence
 from kinegrade.worked.findings import Findings
 from kinegrade.worked.formulas.equation import Equation
 from kinegrade.worked.formulas.formula import Formula
+from kinegrade.worked.formulas.notation import Notation
 from kinegrade.worked.words.naming import Naming
 
 
 @dataclass(frozen=True)
 class Case:
-    """A solved instance, the language and method of its solution, and what that has found so far.
+    """A solved instance, the language and method of its solution, the unit in which it counts
+    lengths, and what it has found so far.
 
     Chapters are written in order; `findings` is their notebook.
     """
@@ -36,6 +38,7 @@ class Case:
     solution: Solution
     language: Language
     method: Method | None = None
+    length: str = "m"
     findings: Findings = field(default_factory=Findings)
 
     @property
@@ -74,9 +77,9 @@ class Case:
         return MotionReader(self.motion, self.arithmetic)
 
     @cached_property
-    def mark(self) -> str:
-        """The decimal mark of the language."""
-        return open_catalogue(self.language).decimal_mark
+    def notation(self) -> Notation:
+        """How the formulas of the solution print."""
+        return Notation(open_catalogue(self.language).decimal_mark, self.length)
 
     def write(self, message: Message) -> str:
         """What a message says in the language of the solution."""
@@ -88,15 +91,15 @@ class Case:
 
     def show(self, *equations: Equation) -> Display:
         """Equations one below the other."""
-        return Display(tuple(equation.print_line(self.mark) for equation in equations))
+        return Display(tuple(equation.print_line(self.notation) for equation in equations))
 
     def text(self, formula: Formula) -> str:
         """A formula as a part of a sentence, in LaTeX math without dollar signs."""
-        return write_row(formula.print(self.mark))
+        return write_row(formula.print(self.notation))
 
     def tell(self, equation: Equation) -> str:
         """An equation within a sentence, with its dollar signs."""
-        return f"${write_row(equation.print_inline(self.mark))}$"
+        return f"${write_row(equation.print_inline(self.notation))}$"
 
     def joint(self, term: Term) -> JointSentence | None:
         """The sentence of the joint that guides a sliding or circling point, None for a free

@@ -38,6 +38,7 @@ from kinegrade.worked.steps.polygons import find_common_scale
 from kinegrade.worked.steps.steps import explain_step, find_stage
 from kinegrade.worked.steps.titles import name_step
 from kinegrade.worked.steps.used_points import find_placed_points, find_used_points
+from kinegrade.worked.unit_of_length import count_lengths_as_given
 from kinegrade.worked.vectors.facts import note_equation
 from kinegrade.worked.vectors.needed_rates import (
     NOTHING,
@@ -56,9 +57,11 @@ def write_worked_solution(
     """The worked solution for the asks named, in the letters of the statement, by the given method
     where several apply (by default the template's, else the base point).
     """
-    stated = restate(solution)
-    case = Case(stated, language, method or stated.template.about.method)
-    asked = tuple(stated.template.asks[name] for name in asks)
+    names = tuple(asks)
+    counted, length = count_lengths_as_given(solution, names)
+    stated = restate(counted)
+    case = Case(stated, language, method or stated.template.about.method, length)
+    asked = tuple(stated.template.asks[name] for name in names)
     claim_plain_symbols(asked, case)
     choose_coriolis_letters(asked, case)
     boxes = AnswerBoxes.around(asked, case)

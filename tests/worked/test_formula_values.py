@@ -28,6 +28,7 @@ from kinegrade.worked.formulas.formula import (
     Root,
     Sum,
 )
+from kinegrade.worked.formulas.notation import PLAIN, Notation
 from kinegrade.worked.formulas.numbers import round_number
 from kinegrade.worked.formulas.symbols import read_symbol
 from kinegrade.worked.solution import write_worked_solution
@@ -40,7 +41,7 @@ TWO, MINUS_TWO = Number("2"), Number("-2")
 
 
 def shown(formula: Formula, mark: str = ".") -> str:
-    return write_row(formula.print(mark))
+    return write_row(formula.print(Notation(mark)))
 
 
 def value(formula: Formula) -> float:
@@ -166,7 +167,7 @@ def test_decimals_have_the_mark_of_their_language() -> None:
 def test_an_exact_value_and_its_decimal_stay_on_one_line() -> None:
     long = reduce(lambda total, term: total + term, [A] * 30)
     value = (*equate(Root(TWO) / TWO), *approximate(Number("0.7071")))
-    lines = Equation(A, (*equate(long), *value)).break_lines(".")
+    lines = Equation(A, (*equate(long), *value)).break_lines(PLAIN)
     assert [write_row(line) for line in lines][1:] == [
         tidy(r"&= \frac{\sqrt{2}}{2} \approx 0.7071")
     ]

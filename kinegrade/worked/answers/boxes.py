@@ -79,14 +79,14 @@ class AnswerBoxes:
 
 def _make_sought(ask: Ask, case: Case) -> _Sought:
     symbol, answer = read_symbol(ask.symbol), case.solution.answers[ask.name]
-    letters = frozenset((symbol.print(case.mark), abs(symbol).print(case.mark)))
+    letters = frozenset((symbol.print(case.notation), abs(symbol).print(case.notation)))
     if answer.at_infinity:
         return _Sought(letters, {INFINITY.print(): (Accent("boxed", INFINITY.print()),)})
     value, in_metres = state_quantity(answer), state_value(ask, case)
-    row = value[-1].right.print(case.mark)
+    row = value[-1].right.print(case.notation)
     boxes: dict[Row, Row] = {row: (Accent("boxed", row),)}
     if in_metres != value:
-        plain = in_metres[-2].right.print(case.mark)
+        plain = in_metres[-2].right.print(case.notation)
         boxes.setdefault(plain, (*plain, Sign(value[-1].relation), *boxes[row]))
     return _Sought(letters, boxes)
 

@@ -90,7 +90,7 @@ def _find_radians(angle: Expression, instance: Instance) -> float:
 
 def _print_symbol(vector: Expression, working: Working) -> Symbol:
     """The vector between two points as one symbol."""
-    return Symbol(working.instance.formula(vector).print(working.instance.case.mark))
+    return Symbol(working.instance.formula(vector).print(working.instance.case.notation))
 
 
 def _settle(

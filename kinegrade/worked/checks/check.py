@@ -15,6 +15,7 @@ from kinegrade.worked.formulas.equation import WIDEST, Equation, approximate
 from kinegrade.worked.formulas.exactness import is_rounded
 from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.measures import double
+from kinegrade.worked.formulas.notation import PLAIN
 from kinegrade.worked.formulas.numbers import state_number
 
 _LONGEST = 2 * WIDEST  # letters of both sides: what is read at a glance
@@ -32,7 +33,7 @@ class Check:
     @property
     def is_telling(self) -> bool:
         """Whether the sides are read at a glance, and are not the same from the start."""
-        letters = sum(measure_row(side.print_inline(".")) for side in (self.left, self.right))
+        letters = sum(measure_row(side.print_inline(PLAIN)) for side in (self.left, self.right))
         return letters <= _LONGEST and self.left.left != self.right.left
 
     def say(self, case: Case) -> Prose:

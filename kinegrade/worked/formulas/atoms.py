@@ -10,6 +10,7 @@ from typing import ClassVar, Literal, TypeAlias
 
 from kinegrade.language.math.tree import DEGREE, Letter, Lettering, Row, Scripts, Sign, Space, Unit
 from kinegrade.worked.formulas.formula import Formula, Kind, Product, Root, Sum
+from kinegrade.worked.formulas.notation import PLAIN, Notation
 from kinegrade.worked.formulas.rows import enclose, print_decimal, raise_last
 
 AxisName: TypeAlias = Literal["x", "y"]
@@ -31,9 +32,9 @@ class Number(Formula):
     kind: ClassVar[Kind] = "number"
     is_decimal: ClassVar[bool] = True
 
-    def print(self, mark: str = ".") -> Row:
+    def print(self, notation: Notation = PLAIN) -> Row:
         """The math tree."""
-        return print_decimal(self.digits, mark)
+        return print_decimal(self.digits, notation.decimal_mark)
 
     @property
     def begins_with_minus(self) -> bool:
@@ -60,9 +61,9 @@ class Exact(Formula):
 
     form: Formula
 
-    def print(self, mark: str = ".") -> Row:
+    def print(self, notation: Notation = PLAIN) -> Row:
         """The math tree."""
-        return self.form.print(mark)
+        return self.form.print(notation)
 
     @property
     def kind(self) -> Kind:
@@ -98,7 +99,7 @@ class Symbol(Formula):
     row: Row
     closed: bool = False
 
-    def print(self, mark: str = ".") -> Row:
+    def print(self, notation: Notation = PLAIN) -> Row:
         """The math tree."""
         return self.row
 
@@ -126,7 +127,7 @@ class VectorSymbol(Formula):
         """The unit of its magnitude."""
         return {"v": "m/s", "a": "m/s^2"}[self.letter]
 
-    def print(self, mark: str = ".") -> Row:
+    def print(self, notation: Notation = PLAIN) -> Row:
         """The math tree."""
         letter = Letter(self.letter)
         axis = (Sign(","), Letter(self.axis)) if self.axis else ()
@@ -142,9 +143,9 @@ class Tuple(Formula):
     parts: tuple[Formula, ...]
     name: str = ""
 
-    def print(self, mark: str = ".") -> Row:
+    def print(self, notation: Notation = PLAIN) -> Row:
         """The math tree."""
-        first, *others = (part.print(mark) for part in self.parts)
+        first, *others = (part.print(notation) for part in self.parts)
         inner = reduce(add, ((Sign(","), Space(" "), *row) for row in others), first)
         words = [Lettering("mathrm", tuple(map(Letter, word))) for word in self.name.split("_")]
         head = words[0], *(node for word in words[1:] for node in (Space(" "), word))
@@ -158,14 +159,16 @@ class Measured(Formula):
     number: Formula
     unit: str
 
-    def print(self, mark: str = ".") -> Row:
+    def print(self, notation: Notation = PLAIN) -> Row:
         """The math tree."""
-        row = self.number.print(mark)
+        row = self.number.print(notation)
         if self.unit == "1":
             return row
         row = enclose(row) if self.number.kind == "sum" else row
         return (
-            raise_last(row, DEGREE) if self.unit == "deg" else (*row, Space(","), Unit(self.unit))
+            raise_last(row, DEGREE)
+            if self.unit == "deg"
+            else (*row, Space(","), Unit(notation.name(self.unit)))
         )
 
     @property

@@ -12,6 +12,7 @@ from kinegrade.language.math.tree import Mark, Row, Sign
 from kinegrade.language.math.width import measure_row
 from kinegrade.worked.formulas.exactness import is_exact, is_rounded
 from kinegrade.worked.formulas.formula import Formula
+from kinegrade.worked.formulas.notation import Notation
 
 Relation: TypeAlias = Literal["=", r"\approx", ":"]
 WIDEST = 68  # letters that fit on a line of a display
@@ -46,23 +47,23 @@ class Equation:
             if place <= first or not is_exact(link.right)
         )
 
-    def print_inline(self, mark: str) -> Row:
+    def print_inline(self, notation: Notation) -> Row:
         """The equation within a sentence."""
-        return (*self.left.print(mark), *print_links(self._printed, mark), *self.aside)
+        return (*self.left.print(notation), *print_links(self._printed, notation), *self.aside)
 
-    def print_line(self, mark: str) -> Row:
+    def print_line(self, notation: Notation) -> Row:
         """The equation on one line, which the press breaks where it must."""
-        left = self.left.print(mark)
-        return (*left, Mark(), *print_links(self._printed, mark), *self.aside)
+        left = self.left.print(notation)
+        return (*left, Mark(), *print_links(self._printed, notation), *self.aside)
 
-    def break_lines(self, mark: str) -> tuple[Row, ...]:
+    def break_lines(self, notation: Notation) -> tuple[Row, ...]:
         """The equation on as many lines as it needs, continued below its first relation sign."""
-        left = self.left.print(mark)
+        left = self.left.print(notation)
         lines: list[Row] = [(*left, Mark())]
         room, used = WIDEST - measure_row(left), 0.0
         for group in _list_groups(self._printed):
             aside = self.aside if group[-1] is self.links[-1] else ()
-            row = (*print_links(group, mark), *aside)
+            row = (*print_links(group, notation), *aside)
             width = measure_row(row)
             if used and used + width > room:
                 lines.append((Mark(),))
@@ -79,9 +80,11 @@ def _list_groups(links: tuple[Link, ...]) -> Iterator[tuple[Link, ...]]:
         yield links[start:end]
 
 
-def print_links(links: tuple[Link, ...], mark: str) -> Row:
+def print_links(links: tuple[Link, ...], notation: Notation) -> Row:
     """The right sides of an equation, each after its relation sign."""
-    return tuple(node for link in links for node in (Sign(link.relation), *link.right.print(mark)))
+    return tuple(
+        node for link in links for node in (Sign(link.relation), *link.right.print(notation))
+    )
 
 
 def equate(*formulas: Formula) -> tuple[Link, ...]:

@@ -26,6 +26,7 @@ from kinegrade.language.math.tree import Function as FunctionMark
 from kinegrade.language.math.tree import Number as Digits
 from kinegrade.language.math.tree import Quotient as Fraction
 from kinegrade.language.math.tree import Root as Radical
+from kinegrade.worked.formulas.notation import PLAIN, Notation
 from kinegrade.worked.formulas.rows import DOT, MINUS, OPEN, PLUS, enclose, ends_raised, raise_last
 
 Kind: TypeAlias = Literal[
@@ -39,8 +40,8 @@ class Formula(ABC):
     """A formula; where a sign, a bracket or a dot stands is decided when it is printed."""
 
     @abstractmethod
-    def print(self, mark: str = ".") -> Row:
-        """The math tree, its decimals with this mark."""
+    def print(self, notation: Notation = PLAIN) -> Row:
+        """The math tree, in this notation."""
 
     @property
     def kind(self) -> Kind:
@@ -100,21 +101,23 @@ class Formula(ABC):
     def __pow__(self, exponent: Formula) -> Power:
         return Power(self, exponent)
 
-    def print_after_sign(self, mark: str) -> Row:
+    def print_after_sign(self, notation: Notation) -> Row:
         """How it is printed after another term: in brackets where it begins with a minus sign."""
-        row = self.print(mark)
+        row = self.print(notation)
         return enclose(row) if self.begins_with_minus else row
 
-    def print_subtracted(self, mark: str) -> Row:
+    def print_subtracted(self, notation: Notation) -> Row:
         """How it is printed after a minus sign."""
-        return enclose(self.print(mark)) if self.kind == "sum" else self.print_after_sign(mark)
+        return (
+            enclose(self.print(notation)) if self.kind == "sum" else self.print_after_sign(notation)
+        )
 
-    def print_factor(self, mark: str, leads: bool) -> Row:
+    def print_factor(self, notation: Notation, leads: bool) -> Row:
         """How it is printed in a product: a sum in brackets, and a negative factor that does not
         lead.
         """
         bracketed = self.kind == "sum" or (self.begins_with_minus and not leads)
-        return enclose(self.print(mark)) if bracketed else self.print(mark)
+        return enclose(self.print(notation)) if bracketed else self.print(notation)
 
 
 @dataclass(frozen=True)
@@ -124,9 +127,9 @@ class Negative(Formula):
     inner: Formula
     begins_with_minus: ClassVar[bool] = True
 
-    def print(self, mark: str = ".") -> Row:
+    def print(self, notation: Notation = PLAIN) -> Row:
         """The math tree."""
-        return (MINUS, *self.inner.print_subtracted(mark))
+        return (MINUS, *self.inner.print_subtracted(notation))
 
     @property
     def kind(self) -> Kind:
@@ -159,15 +162,15 @@ class Sum(Formula):
     terms: tuple[Formula, ...]
     kind: ClassVar[Kind] = "sum"
 
-    def print(self, mark: str = ".") -> Row:
+    def print(self, notation: Notation = PLAIN) -> Row:
         """The math tree."""
         first, *others = self.terms
-        row = first.print(mark)
+        row = first.print(notation)
         for term in others:
             if isinstance(term, Negative):
-                row += term.print(mark)
+                row += term.print(notation)
             else:
-                row += (PLUS, *term.print_after_sign(mark))
+                row += (PLUS, *term.print_after_sign(notation))
         return row
 
     @property
@@ -184,20 +187,20 @@ class Product(Formula):
     dotted: bool = False
     kind: ClassVar[Kind] = "product"
 
-    def print(self, mark: str = ".") -> Row:
+    def print(self, notation: Notation = PLAIN) -> Row:
         """The math tree."""
-        return self._print(mark, leads=True)
+        return self._print(notation, leads=True)
 
-    def _print(self, mark: str, leads: bool) -> Row:
-        row = self.factors[0].print_factor(mark, leads)
+    def _print(self, notation: Notation, leads: bool) -> Row:
+        row = self.factors[0].print_factor(notation, leads)
         for before, factor in pairwise(self.factors):
             separator = (DOT,) if self.dotted else _choose_separator(before, factor)
-            row += (*separator, *factor.print_factor(mark, leads=False))
+            row += (*separator, *factor.print_factor(notation, leads=False))
         return row
 
-    def print_after_sign(self, mark: str) -> Row:
+    def print_after_sign(self, notation: Notation) -> Row:
         """How it is printed after another term."""
-        return self._print(mark, leads=False)
+        return self._print(notation, leads=False)
 
     @property
     def begins_with_minus(self) -> bool:
@@ -233,7 +236,7 @@ def _end(factor: Formula) -> Formula:
 
 def _is_enclosed(factor: Formula) -> bool:
     """Whether a factor that does not lead is printed between brackets or bars."""
-    row = factor.print_factor(".", leads=False)
+    row = factor.print_factor(PLAIN, leads=False)
     return isinstance(row[0], Fenced) or row[0] == OPEN
 
 
@@ -245,9 +248,9 @@ class Quotient(Formula):
     below: Formula
     kind: ClassVar[Kind] = "fraction"
 
-    def print(self, mark: str = ".") -> Row:
+    def print(self, notation: Notation = PLAIN) -> Row:
         """The math tree."""
-        return (Fraction("frac", self.above.print(mark), self.below.print(mark)),)
+        return (Fraction("frac", self.above.print(notation), self.below.print(notation)),)
 
 
 @dataclass(frozen=True)
@@ -262,9 +265,9 @@ class Power(Formula):
         """How it behaves next to others."""
         return self.base.kind if self._is_plain or isinstance(self.base, Function) else "closed"
 
-    def print(self, mark: str = ".") -> Row:
+    def print(self, notation: Notation = PLAIN) -> Row:
         """The math tree."""
-        exponent, row = self.exponent.print(mark), self.base.print(mark)
+        exponent, row = self.exponent.print(notation), self.base.print(notation)
         if isinstance(self.base, Function) and not self.exponent.begins_with_minus:
             return (Scripts(row[0], None, 0, exponent), *row[1:])
         return raise_last(row if self._is_plain else enclose(row), exponent)
@@ -283,9 +286,9 @@ class Root(Formula):
 
     radicand: Formula
 
-    def print(self, mark: str = ".") -> Row:
+    def print(self, notation: Notation = PLAIN) -> Row:
         """The math tree."""
-        return (Radical(self.radicand.print(mark), None),)
+        return (Radical(self.radicand.print(notation), None),)
 
 
 @dataclass(frozen=True)
@@ -294,9 +297,9 @@ class Absolute(Formula):
 
     inner: Formula
 
-    def print(self, mark: str = ".") -> Row:
+    def print(self, notation: Notation = PLAIN) -> Row:
         """The math tree."""
-        return (Fenced("|", self.inner.print(mark), "|"),)
+        return (Fenced("|", self.inner.print(notation), "|"),)
 
 
 @dataclass(frozen=True)
@@ -311,9 +314,9 @@ class Function(Formula):
         """How it behaves next to others."""
         return "function" if self._is_plain else "closed"
 
-    def print(self, mark: str = ".") -> Row:
+    def print(self, notation: Notation = PLAIN) -> Row:
         """The math tree."""
-        argument = self.argument.print(mark)
+        argument = self.argument.print(notation)
         return (FunctionMark(self.name), *(argument if self._is_plain else enclose(argument)))
 
     @property

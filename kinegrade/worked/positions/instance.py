@@ -161,7 +161,7 @@ class Instance:
 
     def lines(self, left: Formula, links: tuple[Link, ...]) -> tuple[Row, ...]:
         """An equation on as many lines as it needs."""
-        return Equation(left, links).break_lines(self.case.mark)
+        return Equation(left, links).break_lines(self.case.notation)
 
     def coordinates(self, point: str, pair: Pair) -> tuple[Row, ...]:
         """x = ..., y = ... of a named point worked out."""

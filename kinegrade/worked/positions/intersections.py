@@ -206,7 +206,7 @@ def _write_quadratic(halved: Symbol, constant: Symbol, instance: Instance) -> Ro
     """s^2 + 2ps + q = 0."""
     letter = _choose_letter("s", instance)
     left = letter**NUMBER_TWO + NUMBER_TWO * halved * letter + constant
-    return Equation(left, equate(NUMBER_ZERO)).print_line(instance.case.mark)
+    return Equation(left, equate(NUMBER_ZERO)).print_line(instance.case.notation)
 
 
 def _make_unit_line(line: _Line, instance: Instance) -> _Line:
@@ -235,7 +235,7 @@ def _write_circle_equation(point: str, circle: Call, instance: Instance) -> Row:
         square(minus(_write_coordinate_formula(instance, "y", point), centre[1])),
     )
     right = instance.formula(square(circle.arguments[1]))
-    return Equation(instance.formula(left), equate(right)).print_line(instance.case.mark)
+    return Equation(instance.formula(left), equate(right)).print_line(instance.case.notation)
 
 
 def explain_foot(step: Step, instance: Instance) -> tuple[Block, ...]:

@@ -9,13 +9,14 @@ from kinegrade.figure.vectors.polygon import Arrow, draw_polygon, find_scale
 from kinegrade.language.message import Message
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Part, VectorEquation
+from kinegrade.numbers.units import read_unit
 from kinegrade.worked.case import Case
 from kinegrade.worked.document import Picture
 from kinegrade.worked.formulas.atoms import Symbol
 from kinegrade.worked.formulas.measures import NEGLIGIBLE
 from kinegrade.worked.formulas.symbols import prime
 from kinegrade.worked.vectors.stage import Stage
-from kinegrade.worked.vectors.vectors import name_part
+from kinegrade.worked.vectors.vectors import UNITS, name_part
 
 
 def find_common_scale(stages: Iterable[Stage]) -> float | None:
@@ -38,8 +39,12 @@ def draw_equation(equation: VectorEquation, stage: Stage, scale: float | None) -
     """The polygon of a vector equation, to a scale that its caption states."""
     case = stage.case
     scene = draw_polygon(*_list_sides(equation, case), _name_vertices(equation, case), scale)
-    unit = Decimal(f"{1 / scene.scale:.3g}")
-    return Picture(scene, case.write(Message(f"solution.polygon-{stage.level}", scale=unit)))
+    scale_words = Message(
+        f"solution.polygon-{stage.level}",
+        scale=Decimal(f"{1 / scene.scale:.3g}"),
+        unit=read_unit(case.notation.name(UNITS[stage.level, False])).printed,
+    )
+    return Picture(scene, case.write(scale_words))
 
 
 def _list_sides(equation: VectorEquation, case: Case) -> tuple[list[Arrow], list[Arrow]]:

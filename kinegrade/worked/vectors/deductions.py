@@ -88,13 +88,13 @@ def show_solution(
     if symbols is None or numbers is None:
         return stage.case.show(*_state_projection(stage, projection, solved), first, *others)
     links = lead_to(first.left, (symbols, numbers), first.links)
-    mark, stated = stage.case.mark, stage.project(projection, None)
+    notation, stated = stage.case.notation, stage.project(projection, None)
     alone = first.left in (stated.left, stated.links[0].right)
     return Display(
         (
-            *(() if alone else (stated.print_line(mark),)),
-            *Equation(first.left, links, first.aside).break_lines(mark),
-            *(other.print_line(mark) for other in others),
+            *(() if alone else (stated.print_line(notation),)),
+            *Equation(first.left, links, first.aside).break_lines(notation),
+            *(other.print_line(notation) for other in others),
         )
     )
 

@@ -1,0 +1,92 @@
+"""The unit in which a worked solution counts lengths: that of its question.
+
+What is given and asked in centimetres stays in centimetres from the first line to the last. Where
+a question mixes units of length, or counts time in hours, its solution is in SI, as books do it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import replace
+from math import isclose
+from typing import Literal
+
+from kinegrade.mechanics.vector import Vector
+from kinegrade.numbers.units import SCALES, Unit
+from kinegrade.problem.quantity import Quantity
+from kinegrade.problem.solution import Solution
+from kinegrade.problem.solving import solve_template
+from kinegrade.problem.template.template import Template
+
+METRE: Literal["m"] = "m"
+_EQUAL = 1e-9  # two ways of working a place out agree to this share of the largest length
+
+
+def count_lengths_as_given(solution: Solution, asked: Iterable[str]) -> tuple[Solution, str]:
+    """The instance with its unit of length taken for the metre, and the name of that unit.
+
+    A mechanism of 20 cm moves as one of 20 m does, so the instance is solved once more as if its
+    numbers were metres. One whose template writes lengths as numbers, in SI, stays as it is.
+    """
+    template = solution.template
+    unit = _find_unit(template, asked)
+    texts = {name: quantity.exact for name, quantity in solution.parameters.items()}
+    given = {name: text for name, text in texts.items() if text is not None}
+    if unit == METRE or len(given) < len(texts):
+        return solution, METRE
+    counted = solve_template(_count_in_metres(template, unit), given, solution.answers)
+    agreeing = _is_scaled(solution, counted, float(SCALES[unit][0].rational))
+    return (counted, unit) if agreeing else (solution, METRE)
+
+
+def _find_unit(template: Template, asked: Iterable[str]) -> str:
+    """The one unit of length of what is given and asked, m where there are several or none."""
+    units = [parameter.unit for parameter in template.parameters.values()]
+    units += [template.asks[name].unit for name in asked]
+    names = frozenset[str]().union(*(unit.lengths for unit in units))
+    if len(names) != 1:
+        return METRE
+    (name,) = names
+    coherent = all(unit.count_lengths(name, METRE).is_si for unit in units if unit.lengths)
+    return name if coherent else METRE
+
+
+def _count_in_metres(template: Template, unit: str) -> Template:
+    """The template with metres in place of a unit of length."""
+
+    def exchange(before: Unit) -> Unit:
+        return before.count_lengths(unit, METRE)
+
+    parameters = {
+        name: replace(parameter, unit=exchange(parameter.unit))
+        for name, parameter in template.parameters.items()
+    }
+    asks = {name: replace(ask, unit=exchange(ask.unit)) for name, ask in template.asks.items()}
+    return replace(template, scheme=replace(template.scheme, parameters=parameters), asks=asks)
+
+
+def _is_scaled(solution: Solution, counted: Solution, scale: float) -> bool:
+    """Whether the second instance is the first, its lengths counted in units of that many
+    metres.
+    """
+    places, others = (_list_places(each) for each in (solution, counted))
+    most = max((abs(place) for place in places), default=0.0)
+    near = (
+        isclose(place, other * scale, rel_tol=0, abs_tol=most * _EQUAL)
+        for place, other in zip(places, others, strict=True)
+    )
+    answers = (_agree(answer, counted[name]) for name, answer in solution.items())
+    return all(near) and all(answers)
+
+
+def _list_places(solution: Solution) -> list[float]:
+    """The coordinates of the points of an instance."""
+    points = (each for each in solution.assembly.values.values() if isinstance(each, Vector))
+    return [float(number) for point in points for number in (point.x, point.y)]
+
+
+def _agree(one: Quantity, other: Quantity) -> bool:
+    """Whether two answers are the same number of the same unit of length."""
+    return one.at_infinity == other.at_infinity and (
+        one.at_infinity or isclose(one.value, other.value, rel_tol=_EQUAL, abs_tol=_EQUAL)
+    )
