@@ -24,6 +24,7 @@ from kinegrade.proof.answerable import find_answerable, write_values
 from kinegrade.proof.assemblies import close_otherwise, find_other_assemblies
 from kinegrade.proof.causes import find_causes, write_causes
 from kinegrade.proof.demanding import describe_demands
+from kinegrade.proof.ends import note_points_beyond_ends
 from kinegrade.proof.published import prove_published
 from kinegrade.proof.report import SECRET, Report
 from kinegrade.proof.searching import find_breaking_values
@@ -68,6 +69,7 @@ def check(template: Template, sample: int = 200, secret: str = SECRET) -> Report
         return report
     _weigh(report)
     _note_assemblies(report)
+    report.remarks += note_points_beyond_ends(template, report.examples)
     _search(report, min(sample, _SEARCHED))
     describe_demands(report)
     report.following = find_connections(template, _select_asked(report))

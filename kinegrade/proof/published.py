@@ -114,8 +114,16 @@ def _find_differences(
             yield name, Fault(name, Message("template.stated-in-no-field"))
         else:
             if not met:
-                given = answer.exact or answer.decimal(_SHOWN)
+                given = _write_answer(answer)
                 yield name, Message("template.engine-gives", ask=name, stated=stated, given=given)
+
+
+def _write_answer(answer: Quantity) -> str:
+    """An answer as it is compared with a printed one: a root with its decimal behind."""
+    decimal = answer.decimal(_SHOWN)
+    if answer.exact is None or answer.is_plain or answer.at_infinity:
+        return answer.exact or decimal
+    return f"{answer.exact} ({decimal})"
 
 
 def _is_met(ask: Ask, published: Published, solution: Solution) -> bool:

@@ -117,6 +117,12 @@ def at_37_degrees(*changes: tuple[str, str]) -> Report:
     return check(read_template("slider-crank", text), sample=2)
 
 
+def test_a_root_that_a_printed_result_misses_has_its_decimal_behind_it() -> None:
+    report = checked('v_B = "2*sqrt(3)/3*omega*r"', 'v_B = "2.32"')
+    (fault,) = all_said(report.faults)
+    assert re.search(r"v_B = 2\.32, but the engine gives \S*sqrt\(3\)\S* \(\d+\.\d+\)$", fault)
+
+
 def test_a_formula_at_values_that_no_field_holds_is_compared_by_enclosure() -> None:
     speed = "omega*r*sin(phi)*(1 + cos(phi)/sqrt(k**2 - sin(phi)**2))"
     assert all_said(at_37_degrees(("GIVEN", speed)).faults) == []

@@ -1,0 +1,54 @@
+"""`check` says where a point lies beyond the ends of the bar on whose line it slides."""
+
+from __future__ import annotations
+
+import pytest
+
+from kinegrade.language import ENGLISH
+from kinegrade.language.catalogue import open_catalogue
+from kinegrade.problem.solving import solve_template
+from kinegrade.problem.template.library.library import find_template_names, load_template
+from kinegrade.problem.template.library.reading import read_template
+from kinegrade.problem.template.library.starter import write_starter_text
+from kinegrade.problem.template.template import Template
+from kinegrade.proof.checking import check
+from kinegrade.proof.ends import note_points_beyond_ends
+from tests.said import all_said
+
+
+def rocker(length: str) -> Template:
+    """The starter, a crank whose block slides in the slot CB, with another length CB."""
+    text = write_starter_text()
+    assert 'l = "3/2*(b + r)"' in text
+    return read_template("rocker", text.replace('l = "3/2*(b + r)"', f'l = "{length}"'))
+
+
+def note(template: Template, *angles: str) -> list[str]:
+    solutions = [solve_template(template, {"phi": angle}, ()) for angle in angles]
+    words = open_catalogue(ENGLISH)
+    return [words.write(each) for each in note_points_beyond_ends(template, solutions)]
+
+
+def test_a_block_beyond_the_end_of_its_slot_is_noted_with_what_keeps_it_inside() -> None:
+    (remark,) = note(rocker("b"), "-30", "30", "60")
+    assert remark == (
+        "A lies beyond the ends of CB, the line of the body CB, in 2 of 3 instances: a condition "
+        "such as distance(C, A) < distance(C, B) keeps it between them"
+    )
+
+
+@pytest.mark.parametrize("length", ["3/2*(b + r)", "b + r"])
+def test_a_block_that_stays_inside_or_reaches_the_end_is_not_noted(length: str) -> None:
+    assert note(rocker(length), "-30", "30", "60", "210") == []
+
+
+def test_check_remarks_it() -> None:
+    remarks = all_said(check(rocker("b"), sample=12).remarks)
+    assert any("A lies beyond the ends of CB" in remark for remark in remarks)
+
+
+@pytest.mark.parametrize("name", find_template_names())
+def test_no_template_that_is_shipped_has_such_a_point_at_its_own_values(name: str) -> None:
+    template = load_template(name)
+    solution = solve_template(template, {}, ())
+    assert list(note_points_beyond_ends(template, [solution])) == []
