@@ -8,6 +8,7 @@ from pathlib import Path
 from docs.generator.banks import write_bank_page, write_plan_page, write_policy_page
 from docs.generator.commands import write_commands
 from docs.generator.folders import write_folder_page
+from docs.generator.gallery import write_gallery_page
 from docs.generator.lists import (
     write_format_page,
     write_language_page,
@@ -30,6 +31,7 @@ PAGES: Mapping[str, Callable[[], str]] = {
     "templates": write_template_page,
     "expressions": write_expression_page,
     "shipped-templates": write_shipped_page,
+    "gallery": write_gallery_page,
     "folders": write_folder_page,
     "mistakes": write_mistake_page,
     "refused-draws": write_refusal_page,

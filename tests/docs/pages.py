@@ -2,6 +2,7 @@
 
     ```{code-block} csv            a file, of the name that its caption gives
     :caption: roster.csv
+    ```diff                        a change of the file last written: "-" lines become the "+" lines
     ```sh                          commands that end with status 0
     ```python                      a part of the page's program
     ```console                     commands after "$ ", and below each the whole of what it shows;
@@ -45,6 +46,15 @@ class File:
 
 
 @dataclass(frozen=True)
+class Change:
+    """Lines that the reader replaces in a file."""
+
+    name: str
+    old: str
+    new: str
+
+
+@dataclass(frozen=True)
 class Command:
     """A command that the reader runs, and the lines that it is said to show; None where the page
     does not say.
@@ -61,7 +71,7 @@ class Program:
     text: str
 
 
-Step = File | Command | Program
+Step = File | Change | Command | Program
 Runner = Callable[[str, Path], tuple[int, list[str]]]
 
 
@@ -78,12 +88,16 @@ def read_steps(page: Path) -> list[Step]:
 
 def parse_steps(text: str) -> Iterator[Step]:
     """What the reader of a text does, in order."""
+    name = ""
     for block in _BLOCK.finditer(text):
         match block["kind"]:
             case "{code-block}":
                 caption = _CAPTION.match(block["text"])
                 if caption:
-                    yield File(caption["name"], block["text"][caption.end() :])
+                    name = caption["name"]
+                    yield File(name, block["text"][caption.end() :])
+            case "diff":
+                yield _parse_change(name, block["text"])
             case "sh":
                 for line in block["text"].replace("\\\n", " ").splitlines():
                     if line.strip() and not line.startswith("#"):
@@ -92,6 +106,15 @@ def parse_steps(text: str) -> Iterator[Step]:
                 yield Program(block["text"])
             case "console":
                 yield from _parse_session(block["text"])
+
+
+def _parse_change(name: str, text: str) -> Change:
+    """The lines of a file before a change and after it, each with the mark of one side, or a
+    blank.
+    """
+    lines = text.splitlines(keepends=True)
+    old, new = ("".join(line[1:] for line in lines if line[0] in side) for side in (" -", " +"))
+    return Change(name, old, new)
 
 
 def _parse_session(text: str) -> Iterator[Command]:
@@ -130,7 +153,7 @@ def run(line: str, folder: Path) -> tuple[int, list[str]]:
     return ran.returncode, ran.stdout.splitlines()
 
 
-def take(step: File | Command, folder: Path, runner: Runner = run_here) -> str:
+def take(step: File | Change | Command, folder: Path, runner: Runner = run_here) -> str:
     """Do what a step says in a folder; what is wrong, or nothing. For `run_here` it has to be the
     current one.
     """
@@ -138,6 +161,8 @@ def take(step: File | Command, folder: Path, runner: Runner = run_here) -> str:
         case File(name, text):
             (folder / name).write_text(text, encoding="utf-8")
             return ""
+        case Change():
+            return _change(step, folder / step.name)
         case Command(line) if line.startswith(INSTALLING):
             return ""
         case Command(line) if line.startswith(STAYING):
@@ -145,6 +170,15 @@ def take(step: File | Command, folder: Path, runner: Runner = run_here) -> str:
         case Command(line, shown):
             status, output = runner(line, folder)
             return _find_fault(line, shown, status, output)
+
+
+def _change(change: Change, file: Path) -> str:
+    """Change a file; what is wrong, or nothing."""
+    text = file.read_text(encoding="utf-8")
+    if text.count(change.old) != 1:
+        return f"{change.name}: not there, or more than once: {change.old}"
+    file.write_text(text.replace(change.old, change.new), encoding="utf-8")
+    return ""
 
 
 def _find_misuse(line: str) -> str:
@@ -158,13 +192,21 @@ def _find_misuse(line: str) -> str:
 
 
 def _find_fault(line: str, shown: tuple[str, ...] | None, status: int, output: list[str]) -> str:
-    """What differs from what the page says. A command may end with complaints if they are shown."""
-    complained = any("complaint: " in each for each in shown or ())
-    if status != int(complained):
+    """What differs from what the page says. A command may end otherwise than well if the page shows
+    it.
+    """
+    if status != _find_status("\n".join(shown or ())):
         return f"{line}: status {status}: {output}"
     if shown is not None and not fits(list(shown), output):
         return "\n".join((f"{line}: shows", *output))
     return ""
+
+
+def _find_status(shown: str) -> int:
+    """The status with which a command ends that shows this."""
+    if shown.startswith("error: "):
+        return 2
+    return int("complaint: " in shown or ": FAULTY" in shown)
 
 
 def fits(shown: list[str], output: list[str]) -> bool:

@@ -11,6 +11,7 @@ from kinegrade.cli import main
 from tests.docs.pages import (
     DOCS,
     ROOT,
+    Change,
     Command,
     File,
     Program,
@@ -96,6 +97,10 @@ def test_a_page_is_read_as_people_read_it() -> None:
 student,name
 ```
 and run
+```diff
+ student,name
++1,A
+```
 ```sh
 kinegrade generate a b \\
   -o EXAM  # an exam
@@ -116,6 +121,7 @@ import kinegrade
 """
     assert list(parse_steps(text)) == [
         File("roster.csv", "student,name\n"),
+        Change("roster.csv", "student,name\n", "student,name\n1,A\n"),
         Command("kinegrade generate a b    -o EXAM  # an exam"),
         Command("kinegrade list", ("one", "...")),
         Command("kinegrade show one", ()),
@@ -149,6 +155,15 @@ def test_shown_lines_are_compared(shown: list[str], output: list[str], same: boo
 )
 def test_a_page_that_says_something_else_is_noticed(step: Command, tmp_path: Path) -> None:
     assert take(step, tmp_path) != ""
+
+
+@pytest.mark.parametrize(("before", "fault"), [("a\n", ""), ("b\n", "x: "), ("a\na\n", "x: ")])
+def test_a_change_of_lines_that_are_not_there_is_noticed(
+    before: str, fault: str, tmp_path: Path
+) -> None:
+    (tmp_path / "x").write_text(before, encoding="utf-8")
+    assert take(Change("x", "a\n", "c\n"), tmp_path).startswith(fault)
+    assert (tmp_path / "x").read_text("utf-8") == (before if fault else "c\n")
 
 
 def test_pages_are_found() -> None:
