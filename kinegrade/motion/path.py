@@ -96,6 +96,17 @@ class MotionPath:
             return np.asarray(low + (high - low) * swing)
         return np.linspace(low, high, count)
 
+    def spread_by_length(self, count: int) -> Array:
+        """`count` displacements at equal distances along the path, on which all coordinates count:
+        closer where others change fast.
+        """
+        ends = np.concatenate([[0.0], np.cumsum(self._lengths)])
+        gone = np.linspace(0.0, ends[-1], count)
+        number = np.clip(np.searchsorted(ends, gone, side="right") - 1, 0, len(self._lengths) - 1)
+        share = (gone - ends[number]) / self._lengths[number]
+        a, b, c, d = (part[number, -1] for part in self._cubics)
+        return np.asarray(np.clip(((d * share + c) * share + b) * share + a, *self.bounds))
+
     @cached_property
     def _knots(self) -> Array:
         return np.asarray([knot.unknowns * self.system.units for knot in self.traced.knots])
@@ -122,11 +133,15 @@ class MotionPath:
         return np.asarray(((d * share + c) * share + b) * share + a)
 
     @cached_property
+    def _lengths(self) -> Array:
+        """How long each stretch between knots is, in units of the coordinates."""
+        return np.asarray(np.linalg.norm(np.diff(self._knots, axis=0) / self.system.units, axis=1))
+
+    @cached_property
     def _cubics(self) -> tuple[Array, Array, Array, Array]:
         """The coefficients of each stretch's cubics in the part of it that is gone."""
-        lengths = np.linalg.norm(np.diff(self._knots, axis=0) / self.system.units, axis=1)
         first, rise = self._knots[:-1], np.diff(self._knots, axis=0)
-        leaving, arriving = (self._tangents[each] * lengths[:, None] for each in _ENDS)
+        leaving, arriving = (self._tangents[each] * self._lengths[:, None] for each in _ENDS)
         return first, leaving, 3 * rise - 2 * leaving - arriving, leaving + arriving - 2 * rise
 
     def place(self, moved: Array) -> Placement:

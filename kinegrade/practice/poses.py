@@ -82,7 +82,8 @@ class _Window:
 def write_motion(path: MotionPath, solution: Solution, asks: tuple[str, ...]) -> PracticeMotion:
     """The motion of a draw, with the curves of these asks."""
     table, window = frame_poses(path)
-    low, high = float(table.moved.min()), float(table.moved.max())
+    # All of a turn, though its last position is the first again: the script goes on from there
+    low, high = path.bounds if path.is_closed else (table.moved.min(), table.moved.max())
     shown = convert_displacements(path, np.array([low, high, *_find_given_rates(path)]))
     width, height = window.size
     rows = np.concatenate([table.places, table.marks])

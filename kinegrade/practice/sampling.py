@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -51,14 +51,26 @@ def choose_poses(path: MotionPath) -> PoseTable:
     """Positions of the path, as many as it takes for those between to be true; of one on which
     points go far away, those nearby.
     """
+    best, least = None, np.inf
+    for moved in _list_choices(path):
+        table = _tabulate(path, moved)
+        error = _find_error(path, table) / table.extent
+        if best is None or error < least:
+            best, least = table, error
+        if error <= _TRUE:
+            break
+    assert best is not None
+    return replace(best, tells_poles=least <= _SURE)
+
+
+def _list_choices(path: MotionPath) -> Iterator[Array]:
+    """Displacements, the fewest first: evenly spread, or closer where parts almost jump."""
     low, high = _find_way(path)
     turns = max(1, round((high - low) / path.input.period)) if path.input.period else 1
-    for count in _COUNTS:
-        table = _tabulate(path, _spread(path, min(_MOST, count * turns)))
-        error = _find_error(path, table) / table.extent
-        if error <= _TRUE or count * turns >= _MOST:
-            break
-    return replace(table, tells_poles=error <= _SURE)
+    for count in dict.fromkeys(min(_MOST, each * turns) for each in _COUNTS):
+        yield _spread(path, count, path.spread)
+        if not isinstance(path.end, Open):
+            yield _spread(path, count, path.spread_by_length)
 
 
 def _find_way(path: MotionPath) -> tuple[float, float]:
@@ -69,12 +81,12 @@ def _find_way(path: MotionPath) -> tuple[float, float]:
     return low, min(high, low + _TURNS * path.input.period)
 
 
-def _spread(path: MotionPath, count: int) -> Array:
+def _spread(path: MotionPath, count: int, spread: Callable[[int], Array]) -> Array:
     """About so many displacements, those of positions that are near."""
     if path.is_closed:
-        return path.spread(count + 1)[:-1]
+        return spread(count + 1)[:-1]
     endless = isinstance(path.end, Open)
-    moved = np.linspace(*_find_way(path), count) if endless else path.spread(count)
+    moved = np.linspace(*_find_way(path), count) if endless else spread(count)
     points = path.place(moved).frames.mechanism.points.values()
     start = path.motion.points.values()
     ways = [
@@ -132,7 +144,7 @@ def _find_error(path: MotionPath, table: PoseTable) -> float:
     """How far positions halfway between are off when interpolated as the script does, m."""
     low, high = path.bounds
     gain = high - low if path.is_closed else None
-    between = _interpolate(table.moved[None, :], gain)[0]
+    between = np.clip(_interpolate(table.moved[None, :], gain)[0], low, high)
     count, loop = 2 * len(path.motion.points), 0.0 if path.is_closed else None
     rows = np.concatenate([table.places[:count], table.marks])
     found = _tabulate(path, between)

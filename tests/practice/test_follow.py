@@ -58,6 +58,18 @@ def test_an_answer_does_not_follow_from_one_that_may_follow_from_it() -> None:
     assert a.is_cut_off
 
 
+def test_what_no_way_tells_from_leaving_terms_out_does_not_follow() -> None:
+    """By the second way 5.06 follows from a tenth of the right omega, but the first leads to 5.03
+    without any.
+    """
+    draw = replace(DRAW, follows=("0 1 5 0 -3", "0 1 6 -10 6"))
+    sheet = replace(SHEET, questions=(replace(SHEET.questions[0], draws=(draw,)),))
+    (judged,) = judge_in_node(sheet, [[("0.1", "5.03", "6")]])[0]
+    assert judged[1].kind == "wrong"
+    (judged,) = judge_in_node(sheet, [[("0.1", "5.09", "6")]])[0]
+    assert judged[1].kind == "follow-through"
+
+
 def test_where_only_values_of_the_right_sign_are_known_the_page_says_so() -> None:
     draw = replace(DRAW, follows=("0 1 0 2 0 +",))
     sheet = replace(SHEET, questions=(replace(SHEET.questions[0], draws=(draw,)),))

@@ -33,20 +33,30 @@ def find_motion(name: str) -> MotionPath:
     return path
 
 
-@pytest.mark.parametrize("name", DRIVEN[::4])
+# Its link almost jumps once in a cycle
+@pytest.mark.parametrize("name", [*DRIVEN[::4], "crank-slider-in-floating-link"])
 def test_positions_between_those_that_are_baked_are_the_engines(name: str) -> None:
+    assert measure_error(name, SHARES) <= PIXEL
+
+
+def test_the_last_position_leads_to_the_first_over_several_turns() -> None:
+    assert measure_error("planetary-gear-external-rim-velocities", [0.995, 0.999]) <= PIXEL
+
+
+def measure_error(name: str, shares: list[float]) -> float:
+    """Millimetres by which points are off at shares of the cycle."""
     solution = solve_template(load_template(name), {})
     path = find_motion(name)
     motion = write_motion(path, solution, ())
     _, window = frame_poses(path)
-    (shown,) = move_in_node([motion], SHARES)["shown"]
+    (shown,) = move_in_node([motion], shares)["shown"]
     inputs = np.array([each["input"] for each in shown])
     places = path.place(np.radians(inputs) if path.input.is_angle else inputs)
     points = places.frames.mechanism.points.values()
     rows = np.array([np.broadcast_to(part, inputs.shape) for point in points for part in point])
     expected = window.project(rows)
     found = np.array([np.ravel(each["points"])[: len(expected)] for each in shown]).T
-    assert np.abs(found - expected).max() <= PIXEL
+    return float(np.abs(found - expected).max())
 
 
 @pytest.mark.parametrize("name", DRIVEN)
@@ -113,7 +123,7 @@ def test_graphs_have_the_extremes_of_the_whole_cycle_not_of_the_positions_baked(
         assert greatest == pytest.approx(float(curve.values.max()), abs=room), curve.ask.name
 
 
-@pytest.mark.parametrize("name", FEW)
+@pytest.mark.parametrize("name", [*FEW, "elliptic-trammel-end-driven"])
 def test_the_cycle_begins_at_the_instant(name: str) -> None:
     solution = solve_template(load_template(name), {})
     path = find_motion(name)
@@ -121,7 +131,7 @@ def test_the_cycle_begins_at_the_instant(name: str) -> None:
     (place,) = move_in_node([motion], [0.0])["instants"]
     last = motion.moved.count(" ")
     (shown,) = move_in_node([motion], [place / (last + 1 if motion.closed else last)])["shown"]
-    assert shown[0]["input"] == pytest.approx(0.0, abs=0.1)
+    assert shown[0]["input"] == pytest.approx(0.0, abs=1e-5 if motion.high < 10 else 2e-3)
 
 
 def test_a_skeleton_has_what_moves() -> None:

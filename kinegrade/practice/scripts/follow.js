@@ -52,9 +52,11 @@ function followThrough(question, draw, keys, verdicts) {
       (each) => each.to === to && isOpen(verdicts[each.from]) && !rests(each.from, to, basis),
     );
     const isUnsigned = UNSIGNED.includes(question.asks[to].convention ?? "");
-    if (!usable.some((each) => doesFollow(each, keys, verdicts, isUnsigned))) continue;
+    const starts = [...new Set(usable.map((each) => each.from))];
+    const listWays = (/** @type {number} */ from) => usable.filter((each) => each.from === from);
+    if (!starts.some((from) => doesFollow(listWays(from), keys, verdicts, isUnsigned))) continue;
     // It may follow from all of them together, which is not baked
-    basis.set(to, usable.map((each) => each.from));
+    basis.set(to, starts);
     improved[to] = { ...verdicts[to], kind: "follow-through", mistakes: [] };
   }
   return improved;
@@ -87,20 +89,25 @@ function rests(place, other, basis) {
 }
 
 /**
- * @param {Following} following
+ * @param {Following[]} ways of going on from one answer to another
  * @param {Key[]} keys
  * @param {Verdict[]} verdicts
  * @param {boolean} isUnsigned whether what follows is a magnitude
  */
-function doesFollow({ from, to, coefficients, ofItsSign }, keys, verdicts, isUnsigned) {
+function doesFollow(ways, keys, verdicts, isUnsigned) {
+  const [{ from, to }] = ways;
   const own = verdicts[from].value;
   const later = verdicts[to].value;
   const right = keys[from].value;
-  if (!coefficients || !own || !right || (ofItsSign && own * right < 0)) return false;
-  const fits = (/** @type {number} */ value, factor = 1) => {
-    const found = workOut(coefficients, value);
-    return agrees(later, factor * (isUnsigned ? Math.abs(found) : found), keys[to]);
-  };
+  if (!own || !right) return false;
+  const known = ways.flatMap(({ coefficients, ofItsSign }) =>
+    coefficients && (!ofItsSign || own * right > 0) ? [coefficients] : [],
+  );
+  const fits = (/** @type {number} */ value, factor = 1) =>
+    known.some((coefficients) => {
+      const found = workOut(coefficients, value);
+      return agrees(later, factor * (isUnsigned ? Math.abs(found) : found), keys[to]);
+    });
   return fits(own) && !isCopied(later, own, keys[to], right) && !isTrivial(own, right, fits);
 }
 

@@ -22,6 +22,7 @@ const FINE = 4000; // steps of a millimetre
 const MOVED_STEPS = 200000; // of the whole way of the input
 const CURVE_STEPS = 1000;
 const NEIGHBOURS = 8; // positions of which one between them is made
+const HALVINGS = 30;
 const PLACES = 4; // of a curve for each position
 
 /** @typedef {{first: number, weights: number[][]}} Near positions about a place, and their weights */
@@ -64,8 +65,13 @@ class Poses {
     const share = -low / (high - low);
     const after = this.moved.findIndex((each) => each >= share - 1e-9);
     if (after <= 0) return 0;
-    const [before, next] = [this.moved[after - 1], this.moved[after]];
-    return after - 1 + (share - before) / (next - before);
+    let [below, above] = [after - 1, after];
+    for (let round = 0; round < HALVINGS; round += 1) {
+      const middle = (below + above) / 2;
+      if (this.shareAt(middle) < share) below = middle;
+      else above = middle;
+    }
+    return above;
   }
 
   /** @param {number} place @returns {number} how far the input has moved since the instant */
@@ -114,7 +120,7 @@ class Poses {
    * @param {number[]} row
    * @param {Near} near
    * @param {number} order of the derivative
-   * @param {boolean} [turns] whether it grows from turn to turn
+   * @param {boolean} [turns] whether it grows by 1 from turn to turn
    * @returns {number}
    */
   combine(row, { first, weights }, order, turns = false) {
@@ -129,13 +135,13 @@ class Poses {
    * A row's value at a whole place, in closed cycles also before and after it.
    * @param {number[]} row
    * @param {number} whole
-   * @param {boolean} turns whether it grows from turn to turn
+   * @param {boolean} turns whether it grows by 1 from turn to turn
    * @returns {number}
    */
   entry(row, whole, turns) {
     if (!this.motion.closed) return row[whole];
     const wrapped = modulo(whole, this.count);
-    return row[wrapped] + (turns ? (whole - wrapped) * (row[1] - row[0]) : 0);
+    return row[wrapped] + (turns ? (whole - wrapped) / this.count : 0);
   }
 
   /**
