@@ -227,11 +227,11 @@ def _draw_band(
 
 
 def draw_slotted_bar(
-    start: Vector, end: Vector, slot: tuple[Vector, Vector]
+    start: Vector, end: Vector, slot: tuple[Vector, Vector], fill: Fill
 ) -> tuple[Primitive, ...]:
     """A rounded bar with a straight slot in it, through which is seen what lies behind."""
     edge, hole = trace_round((start, end), BAR_WIDTH / 2), trace_round(slot, SLOT_WIDTH / 2)
-    ground = Outline((*edge, edge[0], hole[0], *reversed(hole)), None, "grey")
+    ground = Outline((*edge, edge[0], hole[0], *reversed(hole)), None, fill)
     return (ground, Outline(edge, FIRM), Outline(hole, THIN))
 
 

@@ -14,6 +14,7 @@ from kinegrade.figure.mechanism.layers import Drawing
 from kinegrade.figure.mechanism.straight_parts import Bar, Part, SlottedDisc
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.scene import FIRM, THIN, Bow, Disc, Label, Strokes
+from kinegrade.figure.symbols import BAR_WIDTH, SLOT_WIDTH
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import Angle, FigureHints
@@ -95,6 +96,17 @@ def test_the_names_of_a_slotted_disc_and_of_a_bar_over_it_stand_in_one_and_beyon
     bar = Bar("AB", CENTRE, Vector(19.0, 5.0), "slot")
     assert hypot(*name("D", (), Layout.of(()), (disc, bar))) < 20.0
     assert hypot(*name("AB", (), Layout.of(()), (disc, bar))) > 20.0
+
+
+def test_the_leader_of_a_slotted_bar_ends_beside_its_slot() -> None:
+    disc = SlottedDisc("D", CENTRE, 20.0, (Vector(8.0, -15.0), Vector(8.0, 15.0)))
+    bar = Bar("AB", CENTRE, Vector(19.0, 0.0), "slot")
+    hints, drawing = FigureHints(labels={"AB": "2"}), Drawing((), (), (), (disc, bar), (), ())
+    full = Layout.of([Disc(CENTRE, radius, FIRM) for radius in (16.0, 20.0, 24.0)])
+    *_, leader = add_body_names(full, NO_MECHANISM, hints, drawing).lines
+    assert isinstance(leader, Strokes)
+    ((start, _),) = leader.lines
+    assert SLOT_WIDTH / 2 < abs(start.y) < BAR_WIDTH / 2
 
 
 def test_the_name_of_a_bar_does_not_stand_in_one_row_with_the_symbol_of_its_length() -> None:

@@ -8,6 +8,7 @@ import pytest
 
 from kinegrade.figure.mechanism.layers import Drawing, draw
 from kinegrade.figure.mechanism.paper import scale_to_paper
+from kinegrade.figure.mechanism.straight_parts import Bar
 from kinegrade.figure.plane import length
 from kinegrade.figure.scene import FIRM, THIN, TOOTHED, Disc, Outline, Primitive, Strokes
 from kinegrade.figure.symbols import BAR_WIDTH
@@ -103,6 +104,14 @@ def test_what_lies_behind_a_slotted_bar_is_seen_through_its_slot() -> None:
     area = abs(sum(start.cross(end) for start, end in steps)) / 2
     size = max(length(corner - ground.corners[0]) for corner in ground.corners)
     assert area < 0.75 * size * BAR_WIDTH
+
+
+def test_a_slotted_bar_in_front_of_a_disc_is_white_and_grey_elsewhere() -> None:
+    def fills(case: Case) -> list[str]:
+        return [part.fill for part in drawing_of(case).parts if isinstance(part, Bar)]
+
+    assert fills(pin_in_two_slots()) == ["white"]
+    assert set(fills(slotted_link())) == {"grey"}
 
 
 def test_a_particle_in_two_slots_is_a_pin_without_blocks() -> None:

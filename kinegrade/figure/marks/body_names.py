@@ -6,7 +6,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from math import pi
+from math import copysign, pi
 
 import numpy as np
 
@@ -26,9 +26,11 @@ from kinegrade.figure.placing.place import (
     place_label,
 )
 from kinegrade.figure.plane import polar, unit
+from kinegrade.figure.symbols import BAR_WIDTH, SLOT_WIDTH
 from kinegrade.figure.teeth import TOOTH_TIP
 from kinegrade.language.message import Fault, Message, Quoted
 from kinegrade.mechanics.mechanism import Mechanism
+from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import FigureHints
 
 _SPACE, _ROW = 2.5, 9.0  # millimetres between words, and from a name to a length in its row
@@ -40,6 +42,7 @@ _INSIDE_RIM = 1.5  # millimetres inside a rim at which a leader to a disc ends
 _NEAR = 48  # spots around the middle of a bar before those along it
 # Millimetres of the leader of a bar's name, and where on the bar it ends
 _REACHES, _PLACES = (6.0, 9.0, 12.0), (0.5, 0.35, 0.65)
+_ALONG = 0.45  # sine between a slotted bar and a leader that would run into its slot
 _TAKEN, _DEAR = 10.0, 40.0  # demerit of a leader to a taken place; cost of one that is of no use
 _AT_TEETH = 0.8  # millimetres between the teeth of a ring and its name
 
@@ -188,13 +191,27 @@ def _list_leaders(body: str, symbol: str, circle: Rim | None, drawing: Drawing) 
     if circle:
         return _list_leaders_to_rim(symbol, circle)
     bars = [part for part in drawing.parts if isinstance(part, Bar | Rod) and part.body == body]
-    starts = [bar.start + (bar.end - bar.start) * share for bar in bars[:1] for share in _PLACES]
-    return [
-        Leader(start, pi / 6 * turn, reach, symbol)
-        for reach in _REACHES
-        for start in starts
-        for turn in range(12)
+    turns = [pi / 6 * turn for turn in range(12)]
+    starts = [
+        (start, turn)
+        for bar in bars[:1]
+        for share in _PLACES
+        for turn in turns
+        for start in _find_solid(bar, bar.start + (bar.end - bar.start) * share, turn)
     ]
+    return [Leader(start, turn, reach, symbol) for reach in _REACHES for start, turn in starts]
+
+
+def _find_solid(bar: Bar | Rod, at: Vector, turn: float) -> list[Vector]:
+    """Where a leader in a direction ends at a place on a bar: of a slotted one beside its slot,
+    and not from along it.
+    """
+    if isinstance(bar, Rod) or bar.use != "slot":
+        return [at]
+    across = unit(bar.end - bar.start).turned()
+    aside = across.dot(polar(turn))
+    beside = (BAR_WIDTH + SLOT_WIDTH) / 4
+    return [at + across * copysign(beside, aside)] if abs(aside) > _ALONG else []
 
 
 def _list_leaders_to_rim(symbol: str, rim: Rim) -> list[Leader]:

@@ -83,7 +83,7 @@ def label_point(
         _TEETH * _meshes(at, drawing),
         partial(_look_closely, symbol, at, others, wedges),
     )
-    walls = tuple(wall for rail in drawing.rails if not rail.bare for wall in rail.walls)
+    walls = tuple((rail.start, rail.end) for rail in drawing.rails if not rail.bare)
     return Wish(symbol, spots, demerits=demerits, names=at, amid=amid, closely=closely, walls=walls)
 
 

@@ -53,11 +53,9 @@ def find_straight_parts(
         else part
         for part in parts
     ]
-    guides = [symbol.guide for symbol in symbols if symbol.guide]
-    sliding = [find_guided_rack(guide, parts) for guide in guides]
-    parts = [
-        _cut_off(part) if isinstance(part, Bar) and part in sliding else part for part in parts
-    ]
+    sliding = [find_guided_rack(symbol.guide, parts) for symbol in symbols if symbol.guide]
+    discs = [part for part in parts if isinstance(part, SlottedDisc)]
+    parts = [_set_off(part, sliding, discs) if isinstance(part, Bar) else part for part in parts]
     bars = [part for part in parts if isinstance(part, Bar)]
     return weld_rods(parts, tuple(find_rods(mechanism, shapes, symbols, found, bars)))
 
@@ -87,9 +85,15 @@ def _round_off(part: Part, pins: Set[Vector], features: Sequence[Feature]) -> Pa
     return part
 
 
-def _cut_off(rack: Bar) -> Bar:
-    """A rack without eyes: nothing is pinned to one that slides in a guide."""
-    return replace(rack, free=(rack.start, rack.end))
+def _set_off(bar: Bar, sliding: Sequence[Bar | None], discs: Sequence[SlottedDisc]) -> Bar:
+    """A bar as it is told from what is beside it: a rack that slides in a guide has no eyes, as
+    nothing is pinned to it, and a slotted bar in front of a disc is white.
+    """
+    if bar in sliding:
+        return replace(bar, free=(bar.start, bar.end))
+    reaches = [(length(bar.start - disc.centre), disc.radius) for disc in discs]
+    in_front = bar.use == "slot" and any(away < radius for away, radius in reaches)
+    return replace(bar, fill="white") if in_front else bar
 
 
 def _is_edge(feature: Feature, plate: Plate | None) -> bool:

@@ -32,8 +32,7 @@ _Leaving = tuple[Vector, float]  # the unit vector of a bar that leaves a point,
 @dataclass(frozen=True)
 class Rail:
     """The ground along a guide: `at` is the block or bare end on it, `start` and `end` its ends,
-    `side` the side of the guide on which it is, and `level` how far from the guide. Where a bar
-    passes through, there is more of it on the other side: `beyond` has the ends of that.
+    `side` the side of the guide on which it is, and `level` how far from the guide.
     """
 
     at: Vector
@@ -43,7 +42,6 @@ class Rail:
     end: Vector
     level: float
     block: BlockSize | None
-    beyond: tuple[Vector, Vector] | None = None
 
     @property
     def bare(self) -> bool:
@@ -54,11 +52,6 @@ class Rail:
     def surface(self) -> Line:
         """The line of the ground."""
         return Line(self.at + self.side * self.level, self.along)
-
-    @property
-    def walls(self) -> tuple[tuple[Vector, Vector], ...]:
-        """What is drawn of the ground, on either side of the guide."""
-        return ((self.start, self.end), *([self.beyond] if self.beyond else []))
 
 
 def find_rails(anatomy: Anatomy) -> tuple[Rail, ...]:
@@ -90,9 +83,9 @@ def _lay_under_rack(guide: Guide, rack: Bar) -> Rail:
 
 
 def _lay_rail(anatomy: Anatomy, name: str, along: Vector, pinned: bool) -> Rail:
-    """Below its block, so that a guide looks alike in all postures; on the other side where a bar
-    leaves downward, and on both, up to the bar, where it passes through. A wall is on the side
-    away from the mechanism.
+    """Below its block, so that a guide looks alike in all postures, and in one piece behind a bar
+    that passes through; on the other side where a bar leaves downward. A wall is on the side away
+    from the mechanism.
     """
     at = anatomy.mechanism.points[name]
     block = choose_block_size(at, anatomy.parts) if pinned else None
@@ -105,16 +98,10 @@ def _lay_rail(anatomy: Anatomy, name: str, along: Vector, pinned: bool) -> Rail:
     narrowest = [min(back, ahead) for back, ahead in reaches]
     usual = 1 if narrowest[1] >= half > narrowest[0] else 0
     passing = all(reach != most for reach in reaches)
-    least = -_REACH if passing else half + _SEEN
-    ends = [
-        (
-            at + side * level - along * max(back, least),
-            at + side * level + along * max(ahead, least),
-        )
-        for side, (back, ahead) in zip(sides, reaches, strict=True)
-    ]
-    beyond = ends[1 - usual] if passing else None
-    return Rail(at, along, sides[usual], *ends[usual], level, block, beyond)
+    back, ahead = (max(each, half + _SEEN) for each in (most if passing else reaches[usual]))
+    ground = at + sides[usual] * level
+    start, end = ground - along * back, ground + along * ahead
+    return Rail(at, along, sides[usual], start, end, level, block)
 
 
 def _order_sides(mechanism: Mechanism, at: Vector, along: Vector) -> tuple[Vector, Vector]:

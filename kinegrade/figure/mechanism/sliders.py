@@ -34,7 +34,5 @@ def draw_ground_sliders(rails: Iterable[Rail]) -> Iterator[Primitive]:
     """The blocks on ground guides; a rod needs none in its guide, nor an end that is bare."""
     for rail in rails:
         yield from draw_ground(rail.start, rail.end, rail.side)
-        if rail.beyond:
-            yield from draw_ground(*rail.beyond, -rail.side)
         if rail.block:
             yield draw_block(rail.at, rail.along, rail.block.length, rail.block.width)

@@ -52,7 +52,7 @@ def _draw_bar(bar: Bar) -> tuple[Primitive, ...]:
             eyes = tuple(at for at in (bar.start, bar.end) if at not in bar.free)
             return symbols.draw_rack(bar.start, bar.end, bar.back, bar.actions[0], eyes)
         case "slot":
-            return symbols.draw_slotted_bar(bar.start, bar.end, _find_slot(bar))
+            return symbols.draw_slotted_bar(bar.start, bar.end, _find_slot(bar), bar.fill)
         case "jaw":
             return symbols.draw_jaw(bar.start, bar.end, bar.back)
         case "link" | "bar" | "face":

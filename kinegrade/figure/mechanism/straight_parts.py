@@ -9,7 +9,7 @@ from typing import TypeGuard
 from kinegrade.figure.joints.symbol import NO_BACK, Guide, Use
 from kinegrade.figure.mechanism.plates import Plate
 from kinegrade.figure.plane import NEAR, length, nearest_of
-from kinegrade.figure.scene import BOLD
+from kinegrade.figure.scene import BOLD, Fill
 from kinegrade.figure.symbols import BAR_WIDTH
 from kinegrade.mechanics.vector import Vector
 
@@ -23,7 +23,7 @@ class Bar:
     other bodies slide or rest on it.
 
     A rack has its pitch line as axis and its material in the direction `back`; a jaw starts at its
-    pivot and has its teeth on the side away from `back`.
+    pivot and has its teeth on the side away from `back`. A slotted bar in front of a disc is white.
     """
 
     body: str
@@ -33,6 +33,7 @@ class Bar:
     free: tuple[Vector, ...] = ()
     actions: tuple[Vector, ...] = ()
     back: Vector = NO_BACK
+    fill: Fill = "grey"
 
 
 @dataclass(frozen=True)
