@@ -55,9 +55,9 @@ def find_straight_parts(
     ]
     sliding = [find_guided_rack(symbol.guide, parts) for symbol in symbols if symbol.guide]
     discs = [part for part in parts if isinstance(part, SlottedDisc)]
-    parts = [_set_off(part, sliding, discs) if isinstance(part, Bar) else part for part in parts]
-    bars = [part for part in parts if isinstance(part, Bar)]
-    return weld_rods(parts, tuple(find_rods(mechanism, shapes, symbols, found, bars)))
+    told = {part: _set_off(part, sliding, discs) for part in parts if isinstance(part, Bar)}
+    parts = [told.get(part, part) for part in parts]
+    return weld_rods(parts, tuple(find_rods(mechanism, shapes, symbols, found, told.values())))
 
 
 def _find_parts(

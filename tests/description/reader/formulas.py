@@ -108,7 +108,7 @@ class FormulaReader:
         if not rest:
             return False
         if rest[0] == "\\":
-            return not rest.startswith((r"\rvert", r"\rVert", r"\right|"))
+            return not rest.startswith((r"\rvert", r"\rVert"))
         return rest[0].isalnum() or rest[0] in "(["
 
     def power(self) -> Formula:
@@ -185,8 +185,6 @@ class FormulaReader:
             return self.distance(*pair_of_points(self.braced()))
         if word in ("lvert", "lVert"):
             return self.absolute("", r"\r" + word[1:])
-        if word == "left":
-            return self.absolute("|", r"\right|")
         if word in ("mathrm", "operatorname"):
             return self.function(self.braced())
         return self.function(word)
