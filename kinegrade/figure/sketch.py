@@ -22,7 +22,7 @@ from kinegrade.figure.marks.dimensions import add_length
 from kinegrade.figure.marks.frames import add_axes_aside, add_frames
 from kinegrade.figure.marks.imposed import drop_still
 from kinegrade.figure.marks.motions import add_motions, draw_likely_motions, list_likely_motions
-from kinegrade.figure.marks.names import label_points
+from kinegrade.figure.marks.names import keep_from_arrows, label_points
 from kinegrade.figure.marks.radii import add_radii
 from kinegrade.figure.marks.right_angles import add_right_angle
 from kinegrade.figure.marks.rotations import add_rotations
@@ -31,6 +31,7 @@ from kinegrade.figure.mechanism.fitting import HEIGHT, WIDTH, fit_scene, measure
 from kinegrade.figure.mechanism.layers import Drawing, draw
 from kinegrade.figure.mechanism.paper import scale_to_paper
 from kinegrade.figure.mechanism.view import crop_to_view
+from kinegrade.figure.placing.aligned import list_thin_lines
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.placing.obstacles import Obstacles
 from kinegrade.figure.scene import THIN, Bow, Scene, find_common_box
@@ -134,7 +135,8 @@ def _compose(
                 grounds = start.obstacles, Obstacles.of(drawing.ground)
                 layout = _place_lengths(layout, paper, hints, *grounds)
             case "letters":
-                layout, unwritten = layout.written(unwritten), ()
+                letters = [keep_from_arrows(wish, layout.marks) for wish in unwritten]
+                layout, unwritten = layout.written(letters), ()
             case _:
                 assert_never(stage)
     layout = add_radii(layout, paper.points, drawing.rims, hints.radii)
@@ -171,7 +173,7 @@ def _place_frames_and_angles(
     for number, angle in enumerate(hints.angles, start=1):
         to_come = [*arrows, *(line for lines in legs[number:] for line in lines)]
         drawn = tuple(part for part in layout.lines if isinstance(part, Bow) and part.pen == THIN)
-        near = replace(around, arcs=drawn)
+        near = replace(around, arcs=drawn, lines=list_thin_lines(layout.lines))
         shown = hide_sides(sides[number - 1], at[angle.at], likely, layout.lines)
         for arcs in mark_angles(at, angle, shown, near):
             layout = layout.marked(arcs, to_come, partial(list_led_arcs, arcs, layout.obstacles))

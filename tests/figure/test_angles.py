@@ -5,20 +5,25 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 from functools import partial
-from math import degrees, hypot, radians, sin
+from math import cos, degrees, hypot, radians, sin
 from operator import attrgetter
 
 import numpy as np
 import pytest
 
 from kinegrade.figure.joints.symbol import Use
-from kinegrade.figure.marks.angle_arc import AngleArc, LedAngleArc, Neighbours
+from kinegrade.figure.marks.angle_arc import AngleArc, LedAngleArc, Neighbours, add_leaders
 from kinegrade.figure.marks.angles import find_neighbours, list_led_arcs, mark_angles
 from kinegrade.figure.marks.sides import Side, find_sides
 from kinegrade.figure.mechanism.layers import Drawing
 from kinegrade.figure.mechanism.straight_parts import Bar, is_slender
 from kinegrade.figure.placing.layout import Layout
-from kinegrade.figure.placing.wedge import rate_parted
+from kinegrade.figure.placing.wedge import (
+    Wedge,
+    list_spots_in_wedge,
+    rate_parted,
+    rate_parted_by_rims,
+)
 from kinegrade.figure.plane import angle_of
 from kinegrade.figure.scene import BOLD, FIRM, THIN, Bow, Disc, Label, Scene, Strokes
 from kinegrade.figure.sketch import sketch
@@ -184,6 +189,14 @@ def test_the_ground_takes_the_place_of_a_side_that_it_would_double() -> None:
     assert foot.y == pytest.approx(-0.6)
 
 
+HINT = Angle("x", "O", "right", "up")
+
+
+def make_sides(*angles: float) -> tuple[Side, ...]:
+    """Sides along which nothing is drawn."""
+    return tuple(Side(angle, 0.0, 0.0, False, 0.0) for angle in angles)
+
+
 def find_arc_of(layout: Layout) -> Bow:
     (arc,) = [part for part in layout.lines if isinstance(part, Bow)]
     return arc
@@ -191,7 +204,7 @@ def find_arc_of(layout: Layout) -> Bow:
 
 def test_a_letter_that_has_no_room_at_its_arc_is_led_to_it() -> None:
     rod = Bar("OR", VERTEX, polar(30.0, 16))
-    far = Bar("BC", Vector(13.0, -15.0), Vector(13.0, 15.0))
+    far = Bar("BC", Vector(11.0, -15.0), Vector(11.0, 15.0))
     layout = draw_at_o("right", "R", bars=[far, rod])
     arc, [letter] = find_arc_of(layout), layout.labels
     ends = [
@@ -267,7 +280,9 @@ def test_a_leader_may_leave_a_narrow_angle_between_its_sides() -> None:
 
 def test_a_leader_does_not_take_its_letter_to_the_arc_of_another_angle() -> None:
     bow, hint = Bow(VERTEX, 12.0, 0.0, 0.3, THIN), Angle("x", "O", "right", "up")
-    led = LedAngleArc(AngleArc(bow, (), hint, 0.0), Vector(11.8, 2.2), 0.2, 4.0, 0.0)
+    led = LedAngleArc(
+        AngleArc(bow, make_sides(0.0, 0.3), hint, 0.0), Vector(11.8, 2.2), 0.2, 4.0, 0.0
+    )
     [(_, end)] = led.path()
     other = Neighbours(arcs=(Bow(end - Vector(4.0, 0.0), 5.0, -1.0, 2.0, THIN),))
     at_other = replace(led, arc=replace(led.arc, neighbours=other))
@@ -293,3 +308,36 @@ def test_a_letter_stands_nearer_to_its_own_arc_than_to_another() -> None:
     outside = alone.wish().spots[0]
     assert hypot(*outside) > bow.radius
     assert beside.demerits[0] > alone.wish().demerits[0]
+
+
+def test_the_letter_of_an_angle_stands_on_the_same_side_of_a_rim_as_its_arc() -> None:
+    bow, rim = Bow(VERTEX, 7.0, 0.0, 1.3, THIN), Disc(polar(22.0, 37), 14.5, FIRM)
+    spots = np.array([polar(9.0, 40), polar(4.5, 40)])
+    assert rate_parted_by_rims(spots, bow, [rim]).tolist() == [1.0, 0.0]
+    beside = AngleArc(bow, make_sides(0.0, 1.3), HINT, 0.0, Neighbours((rim,)))
+    wish = beside.wish()
+    assert wish.demerits is not None
+    assert hypot(*wish.spots[wish.demerits.argmin()]) < bow.radius
+
+
+def test_the_letter_of_a_narrow_angle_stands_beside_the_bar_and_not_on_it() -> None:
+    bow = Bow(VERTEX, 13.0, 0.0, 0.26, THIN)
+    wish = list_spots_in_wedge(r"\gamma", Wedge(bow, (0.09, 0.4)))
+    assert wish.demerits is not None
+    x, y = wish.spots[wish.demerits.argmin()]
+    below, above = y, x * sin(0.26) - y * cos(0.26)
+    assert 0.2 < above - below < 0.7
+
+
+def test_a_leader_to_an_arc_leaves_it_at_a_clear_angle_and_follows_no_line() -> None:
+    arc = AngleArc(Bow(VERTEX, 9.0, 0.0, 0.8, THIN), make_sides(0.0, 0.8), HINT, 0.0)
+    line = (polar(14.0, 23), polar(20.0, 23))
+    beside = replace(arc, neighbours=Neighbours(lines=(line,)))
+    for led in add_leaders(arc, 0.0, 99.0):
+        outward = angle_of(led.start)
+        assert abs(cos(led.turn - outward)) > 0.6
+    straight = [
+        next(led for led in add_leaders(each, 0.0, 99.0) if abs(led.turn - 0.4) < 1e-9)
+        for each in (arc, beside)
+    ]
+    assert straight[1].demerit > straight[0].demerit + 5.0

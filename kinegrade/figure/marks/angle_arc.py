@@ -4,15 +4,22 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from math import pi
+from math import cos, pi
 
 import numpy as np
 
 from kinegrade.figure.marks.sides import LEFT, SHORT, Side
+from kinegrade.figure.placing.aligned import runs_on
 from kinegrade.figure.placing.mark import chords
-from kinegrade.figure.placing.obstacles import COST_LABEL, Obstacles, Segment
+from kinegrade.figure.placing.obstacles import COST_LABEL, Segment
 from kinegrade.figure.placing.place import Wish, list_spots_around, rate_nearness
-from kinegrade.figure.placing.wedge import list_spots_in_wedge, rate_outside, rate_parted
+from kinegrade.figure.placing.wedge import (
+    Wedge,
+    list_spots_in_wedge,
+    rate_outside,
+    rate_parted,
+    rate_parted_by_rims,
+)
 from kinegrade.figure.plane import length, polar
 from kinegrade.figure.scene import THIN, Bow, Disc, Primitive, Strokes
 from kinegrade.figure.symbols import BAR_WIDTH, draw_arc_head
@@ -31,8 +38,10 @@ _LEAVES, _AT_END = 0.6, -0.6  # millimetres of a leader at its arc, and from its
 _PARTED, _MISTAKEN, _STATIONS = 20.0, 6.0, 0.25
 # Demerits of a letter outside the angle at the end of a leader, and of a leader through a side;
 # millimetres from the end of a side to a leader that passes it
-_OUTSIDE, _THROUGH, _PAST_SIDE = 3.0, 20.0, 0.8
+_OUTSIDE, _THROUGH, _PAST_SIDE = 6.0, 20.0, 2.0
 _AT_OTHER = 3.2  # millimetres from the middle of a letter to the arc of an angle that it would name
+_RUNS_ON = 10.0  # demerit of a leader that seems to run on from a side or from another thin line
+_LEAST_LEAVING = cos(pi / 3.5)  # of the angle between a leader and the radius at its start
 _IN_LETTER = 1.5  # millimetres from the end of a leader to the middle of its letter
 _TWELFTHS = tuple(turn * pi / 6 for turn in range(12))
 
@@ -40,12 +49,13 @@ _TWELFTHS = tuple(turn * pi / 6 for turn in range(12))
 @dataclass(frozen=True)
 class Neighbours:
     """What else there is about an angle: circles along which its arc would merge with them, the
-    axes of bars, and the arcs of other angles, which its letter must not seem to name.
+    axes of bars, the arcs of other angles, which its letter must not seem to name, and thin lines.
     """
 
     circles: tuple[Disc | Bow, ...] = ()
     bars: tuple[Segment, ...] = ()
     arcs: tuple[Bow, ...] = ()
+    lines: tuple[Segment, ...] = ()
 
 
 ALONE = Neighbours()
@@ -61,6 +71,11 @@ class AngleArc:
     demerit: float
     neighbours: Neighbours = ALONE
     shared: bool = True
+
+    @property
+    def wedge(self) -> Wedge:
+        """The arc between what is drawn along its sides."""
+        return Wedge(self.bow, (self.legs[0].half, self.legs[1].half))
 
     def path(self) -> tuple[Segment, ...]:
         """The arc between its sides, and the lines along them beyond what leaves the vertex."""
@@ -86,12 +101,13 @@ class AngleArc:
 
     def wish(self) -> Wish:
         """Between the sides, first at this arc and not at another one."""
-        wish, near = list_spots_in_wedge(self.hint.symbol, self.bow), self.neighbours
-        if not near.bars and not near.arcs:
+        wish, near = list_spots_in_wedge(self.hint.symbol, self.wedge), self.neighbours
+        if near == ALONE:
             return wish
         others = [at for arc in near.arcs for at in arc.path(_STATIONS)]
         own = self.bow.path(_STATIONS)
         worse = _PARTED * rate_parted(wish.spots, self.bow, near.bars)
+        worse += _PARTED * rate_parted_by_rims(wish.spots, self.bow, near.circles)
         worse += _MISTAKEN * rate_nearness(wish.symbol, wish.spots, own, others)
         if wish.demerits is not None:
             worse += wish.demerits
@@ -107,25 +123,27 @@ class AngleArc:
         return (*parts, bow)
 
 
-def add_leaders(arc: AngleArc, obstacles: Obstacles, dear: float) -> Iterator[LedAngleArc]:
-    """An arc with leaders to its letter, the shortest first, and demerits below `dear`; none where
-    the arc strikes a label.
+def add_leaders(arc: AngleArc, cost: float, dear: float) -> Iterator[LedAngleArc]:
+    """An arc of some cost with leaders to its letter, the shortest first, and demerits below
+    `dear`; none where the arc strikes a label.
     """
-    covered = obstacles.along(arc.path(), arc.shared)
-    if covered >= COST_LABEL:
+    if cost >= COST_LABEL:
         return
     bow = arc.bow
     arc = replace(arc, legs=tuple(replace(leg, beyond=SHORT) for leg in arc.legs))
     outward = [bow.start + share * bow.sweep for share in _PLACES]
+    lines = (*arc.neighbours.lines, *arc.list_sides())
     leaving = [(way, turn) for way in outward for turn in (way, *_TWELFTHS)]
     for reach in _LEADERS:
-        demerit = arc.demerit + covered + _LED + _LONGER * (reach - _LEADERS[0])
+        demerit = cost + _LED + _LONGER * (reach - _LEADERS[0])
         if demerit >= dear:
             return
         for way, turn in leaving:
-            start = bow.centre + polar(way, bow.radius)
-            led = LedAngleArc(arc, start, turn, reach, demerit)
-            yield replace(led, demerit=demerit + _THROUGH) if led.crosses_side() else led
+            if abs(cos(turn - way)) > _LEAST_LEAVING:
+                start = bow.centre + polar(way, bow.radius)
+                led = LedAngleArc(arc, start, turn, reach, demerit)
+                worse = _THROUGH * led.crosses_side() + _RUNS_ON * runs_on(led.line(), lines)
+                yield replace(led, demerit=demerit + worse) if worse else led
 
 
 @dataclass(frozen=True)
@@ -165,14 +183,18 @@ class LedAngleArc:
         """Around the far end of the leader, rather not at the arc of another angle."""
         symbol, toward = self.arc.hint.symbol, polar(self.turn)
         spots = list_spots_around(symbol, self._end(), _AT_END, toward)[:6]
-        worse = _OUTSIDE * rate_outside(symbol, spots, self.arc.bow)
+        worse = _OUTSIDE * rate_outside(symbol, spots, self.arc.wedge)
         others = [at for arc in self.arc.neighbours.arcs for at in arc.path(_STATIONS)]
         beside = [any(length(Vector(*spot) - at) < _AT_OTHER for at in others) for spot in spots]
         return Wish(symbol, spots, demerits=worse + _MISTAKEN * np.array(beside))
 
     def primitives(self) -> tuple[Primitive, ...]:
         """The arc with the lines of its sides, and the leader."""
-        return (*self.arc.primitives(), Strokes(((self.start, self._end()),), THIN))
+        return (*self.arc.primitives(), Strokes((self.line(),), THIN))
+
+    def line(self) -> Segment:
+        """The leader."""
+        return (self.start, self._end())
 
     def _end(self) -> Vector:
         return self.start + polar(self.turn, self.reach)

@@ -7,7 +7,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from math import asin, inf, pi
-from operator import attrgetter
+from operator import itemgetter
 
 from kinegrade.figure.marks.angle_arc import ALONE, AngleArc, Neighbours, add_leaders
 from kinegrade.figure.marks.sides import Side
@@ -15,10 +15,9 @@ from kinegrade.figure.mechanism.layers import Drawing
 from kinegrade.figure.mechanism.straight_parts import Bar, Rod
 from kinegrade.figure.placing.mark import Mark
 from kinegrade.figure.placing.obstacles import Obstacles
-from kinegrade.figure.placing.wedge import measure_narrow
+from kinegrade.figure.placing.wedge import Wedge, measure_narrow
 from kinegrade.figure.plane import NEAR, length, polar, shorter_way, unit
 from kinegrade.figure.scene import THIN, Bow, Disc, Primitive, Strokes
-from kinegrade.figure.symbols import BAR_WIDTH
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import TURN, Angle
 
@@ -30,7 +29,7 @@ _SHARE = 0.45  # largest radius of an arc over the distance to the next point on
 _LETTER = 1.8  # millimetres from an arc to the middle of its letter
 
 # Demerits of an arc beyond the end of a bar, or of a broad one, which needs a thin line to reach it
-_EXTENDED, _EXTENDED_BROAD = 2.5, 5.0
+_EXTENDED, _EXTENDED_BROAD = 7.0, 7.0
 # Demerit of an arc that ends on an arrow along a side, and millimetres of the side past the arrow
 _HIDDEN, _SEEN = 8.0, 3.5
 # Demerits of an arc that ends within so many millimetres of a point on a side
@@ -40,7 +39,7 @@ _PIN_ROOM, _BLOCK_ROOM = 1.6, 3.2
 # the demerit of that, and the least radius of such a circle
 _MERGES, _PROBES, _MERGED, _LEAST_CIRCLE = 1.0, (0.1, 0.3, 0.5, 0.7, 0.9), 16.0, 3.2
 _LANE = 0.4  # millimetres on either side of a line to come that are kept clear of letters
-_LED = 3  # arcs of the preferred radii that may have a leader
+_LED = 3  # arcs that may have a leader, those first that cover least
 
 
 def mark_angles(
@@ -55,7 +54,7 @@ def mark_angles(
     reaches = _measure_reaches(at[hint.at], legs, at.values())
     nicest = _choose_bow(at, hint, legs)
     if abs(nicest.sweep) > _SMALLEST_ANGLE:
-        bows = [_reach_ground(nicest, radius, legs) for radius in _RADII]
+        bows = [_reach_ground(nicest, radius, legs) for radius in (nicest.radius, *_RADII)]
         yield [
             AngleArc(
                 bow,
@@ -79,9 +78,11 @@ def find_neighbours(drawing: Drawing) -> Neighbours:
 
 
 def list_led_arcs(arcs: Iterable[AngleArc], obstacles: Obstacles, dear: float) -> Iterator[Mark]:
-    """The arcs of the preferred radii, with leaders to their letters and demerits below `dear`."""
-    for arc in sorted(arcs, key=attrgetter("demerit"))[:_LED]:
-        yield from add_leaders(arc, obstacles, dear)
+    """The best arcs themselves, with leaders to their letters and demerits below `dear`."""
+    costs = [(arc.demerit + obstacles.along(arc.path(), arc.shared), arc) for arc in arcs]
+    for cost, arc in sorted(costs, key=itemgetter(0))[:_LED]:
+        if cost < dear:
+            yield from add_leaders(arc, cost, dear)
 
 
 def _reach_ground(bow: Bow, radius: float, legs: Sequence[Side]) -> Bow:
@@ -101,8 +102,7 @@ def _choose_bow(at: Mapping[str, Vector], hint: Angle, legs: tuple[Side, ...]) -
     reaches = _measure_reaches(at[hint.at], legs, at.values())
     nicest = min(_RADII[0], max(_RADII[3], _SHARE * min(reaches, default=inf)))
     bow = Bow(at[hint.at], nicest, start, sweep, THIN)
-    half = BAR_WIDTH / 2 if any(leg.broad for leg in legs) else 0.0
-    narrow = measure_narrow(hint.symbol, bow, half) - _LETTER
+    narrow = measure_narrow(hint.symbol, Wedge(bow, (legs[0].half, legs[1].half))) - _LETTER
     return replace(bow, radius=max(nicest, min(narrow, _WIDEST)))
 
 

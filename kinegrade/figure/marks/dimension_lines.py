@@ -60,6 +60,13 @@ class DimensionLine:
         heads = (draw_arrowhead(self.feet[0], along), draw_arrowhead(self.feet[1], -along))
         return (Strokes((*self._extensions(), self.line()), THIN), *heads)
 
+    def heads(self) -> tuple[Segment, Segment]:
+        """The pieces under its arrowheads."""
+        along = unit(self.feet[1] - self.feet[0]) * (
+            -HEAD_LENGTH if self._outside() else HEAD_LENGTH
+        )
+        return (self.feet[0], self.feet[0] + along), (self.feet[1], self.feet[1] - along)
+
     def _outside(self) -> bool:
         return length(self.feet[1] - self.feet[0]) < 2 * HEAD_LENGTH + 1.5
 
@@ -117,7 +124,7 @@ class Leader:
     reach: float
     symbol: str
     worse: float = 0.0
-    shared: bool = True
+    shared: bool = False
 
     @property
     def demerit(self) -> float:
@@ -135,7 +142,11 @@ class Leader:
 
     def primitives(self) -> tuple[Primitive, ...]:
         """The leader."""
-        return (Strokes(((self.middle, self._end()),), THIN),)
+        return (Strokes((self.line(),), THIN),)
+
+    def line(self) -> Segment:
+        """From the bar to the far end."""
+        return (self.middle, self._end())
 
     def _end(self) -> Vector:
         return self.middle + polar(self.angle, self.reach)

@@ -6,14 +6,15 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
+from functools import partial
 from math import copysign, inf, pi
 from typing import assert_never
 
-from kinegrade.figure.marks.dimension_lines import DimensionLine, Leader, SymbolBeside
-from kinegrade.figure.marks.moving_arrow import MovingArrow
-from kinegrade.figure.marks.turning_arrow import TurningArrow
+from kinegrade.figure.marks.dimension_lines import DimensionLine, SymbolBeside
+from kinegrade.figure.marks.length_leaders import list_leaders
+from kinegrade.figure.marks.motions import list_arrows
 from kinegrade.figure.placing.joining import Join, find_join
-from kinegrade.figure.placing.layout import Layout
+from kinegrade.figure.placing.layout import Layout, no_others
 from kinegrade.figure.placing.mark import Mark
 from kinegrade.figure.placing.obstacles import Obstacles, Segment
 from kinegrade.figure.plane import NEAR, angle_of, length, nearest_of, unit
@@ -34,12 +35,11 @@ _HIDDEN = 1.0  # demerit of a millimetre between a point and its extension line 
 # Millimetres, of a dimension line close to its points, short of what is farther, its demerit
 _CLOSE_BY, _CLOSER = 4.6, 6.0
 _SHORT = 4.0  # millimetres of a gap that still leave room for a line of the least offset
-# Millimetres, of the leader from a symbol to a bar with no room next to it
-_LEADERS = (6.0, 9.0)
-_TURNS = tuple(turn * pi / 6 for turn in range(12))
 # Demerits of a symbol alone beside a part of a bar that runs on, and beside a thin line
 _PART, _LEG = 20.0, 3.0
 _ON_ARROW = 20.0  # demerit of a dimension across the arrow of a motion
+_ON_GROUND = 8.0  # demerit of a dimension across the hatching of the ground
+_HEAD_ON_LINE = 5.0  # demerit of a dimension whose arrowhead lies on something
 _CLOSE = 6.0  # demerit of a dimension line close beside another
 _DRAWN_GAP = 2.5  # millimetres by which a line between two points may miss either of them
 
@@ -64,7 +64,7 @@ def add_length(
     alone where a line is drawn exactly between the two points; `drawn` is the mechanism, and
     `ground` are its supports and guides.
     """
-    company = _Company.of(layout)
+    company = _Company.of(layout, ground)
     dimensions = [company.rate(mark) for mark in _list_dimensions(at, hint, drawn, ground)]
     earlier = [mark for mark in layout.marks if isinstance(mark, DimensionLine)]
     if earlier:
@@ -76,27 +76,35 @@ def add_length(
     demerit = _rate_join(find_join(drawn, start, end, _DRAWN_GAP))
     if find_join(layout.obstacles, start, end, _DRAWN_GAP) == "whole":
         demerit = min(demerit, _LEG)
-    return layout.marked([*dimensions, *_list_letters(at, hint, demerit)])
+    letters = _list_letters(at, hint, demerit)
+    led = demerit < _PART and letters
+    leaders = partial(list_leaders, layout, (start, end), hint.symbol) if led else no_others
+    return layout.marked([*dimensions, *letters], (), leaders)
 
 
 @dataclass(frozen=True)
 class _Company:
     """What a dimension has to keep off as a whole: letters, the arrows of motions, and with its
-    line, other than with its extension lines, all that is firm.
+    line, other than with its extension lines, all that is firm; with its arrowheads all that is
+    drawn; and the ground.
     """
 
     written: Obstacles
     arrows: Obstacles
     firm: Obstacles
+    drawn: Obstacles
+    ground: Obstacles
 
     @staticmethod
-    def of(layout: Layout) -> _Company:
+    def of(layout: Layout, ground: Obstacles) -> _Company:
         """What there is in a layout."""
-        arrows = [mark for mark in layout.marks if isinstance(mark, TurningArrow | MovingArrow)]
+        arrows = list_arrows(layout.marks)
         return _Company(
             Obstacles.of(layout.labels),
             Obstacles.of(part for arrow in arrows for part in arrow.primitives()),
             layout.obstacles.firm(),
+            layout.obstacles,
+            ground,
         )
 
     def rate(self, mark: DimensionLine) -> DimensionLine:
@@ -104,6 +112,8 @@ class _Company:
         worse = self.written.along(mark.beginnings(), mark.shared)
         worse += _ON_ARROW * (self.arrows.along(mark.path(), mark.shared) > 0)
         worse += self.firm.along((mark.line(),), mark.shared)
+        worse += _ON_GROUND * (self.ground.along(mark.path(), mark.shared) > 0)
+        worse += _HEAD_ON_LINE * (self.drawn.along(mark.heads(), shared=False) > 0)
         return replace(mark, demerit=mark.demerit + worse) if worse else mark
 
 
@@ -159,18 +169,14 @@ def _rate_join(join: Join) -> float:
 
 
 def _list_letters(at: Mapping[str, Vector], hint: Length, demerit: float) -> list[Mark]:
-    """The symbol beside the line between the two points, or at a leader to its middle where that
-    is a whole line; nothing where no line joins the points, or a part of it could be meant.
+    """The symbol beside the line between the two points; nothing where no line joins the points,
+    or a part of it could be meant.
     """
     start, end = at[hint.start], at[hint.end]
     others = [point for name, point in at.items() if name not in (hint.start, hint.end)]
     if hint.along is not None or demerit == inf or _between(start, end, others):
         return []
-    middle, beside = (start + end) / 2, SymbolBeside(start, end, hint.symbol, demerit)
-    if demerit >= _PART:
-        return [beside]
-    leaders = [Leader(middle, angle, reach, hint.symbol) for reach in _LEADERS for angle in _TURNS]
-    return [beside, *leaders]
+    return [SymbolBeside(start, end, hint.symbol, demerit)]
 
 
 def find_extension_angles(

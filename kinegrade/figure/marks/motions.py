@@ -7,10 +7,11 @@ from dataclasses import dataclass, replace
 
 from kinegrade.figure.marks.imposed import find_imposed_direction
 from kinegrade.figure.marks.moving_arrow import ARROW, LEAVING, MovingArrow
+from kinegrade.figure.marks.turning_arrow import TurningArrow
 from kinegrade.figure.mechanism.rails import Rail
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.placing.letters import trace_leader
-from kinegrade.figure.placing.mark import direction
+from kinegrade.figure.placing.mark import Mark, direction
 from kinegrade.figure.placing.obstacles import Obstacles, Segment
 from kinegrade.figure.placing.place import Wish
 from kinegrade.figure.plane import NEAR, length, mean, polar, unit
@@ -101,6 +102,11 @@ def _stands_off(letter: Wish, layout: Layout) -> bool:
     """Whether a letter written now would stand off from its point."""
     label = layout.written([letter]).labels[-1]
     return letter.names is not None and trace_leader(label, letter.names) is not None
+
+
+def list_arrows(marks: Iterable[Mark]) -> tuple[TurningArrow | MovingArrow, ...]:
+    """The arrows of straight motions and of rotations among the marks of a figure."""
+    return tuple(mark for mark in marks if isinstance(mark, TurningArrow | MovingArrow))
 
 
 def list_likely_motions(mechanism: Mechanism, hints: Iterable[Moving]) -> list[Segment]:

@@ -136,8 +136,8 @@ class MovingArrow:
         if not others and not rails:
             return self.wish()
         wish = widen(self.wish())
-        near = [at for arrow in others for at in arrow._list_stations()]
-        mistaken = rate_nearness(self.hint.symbol, wish.spots, self._list_stations(), near)
+        near = [at for arrow in others for at in arrow.list_stations()]
+        mistaken = rate_nearness(self.hint.symbol, wish.spots, self.list_stations(), near)
         parted = np.zeros(len(wish.spots))
         for rail in rails:
             levels = (wish.spots - np.array(rail.at)) @ np.array(rail.side)
@@ -145,7 +145,7 @@ class MovingArrow:
             parted = np.maximum(parted, (levels > rail.level) != behind)
         return replace(wish, demerits=_MISTAKEN * mistaken + _PARTED * parted)
 
-    def _list_stations(self) -> list[Vector]:
+    def list_stations(self) -> list[Vector]:
         """Points along the arrow, a millimetre apart, past a short one that lies on it."""
         steps = range(round(self.short), int(self.size) + 1)
         return [self.start + self.toward * step for step in steps]

@@ -6,12 +6,17 @@ import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
+from itertools import pairwise
+from math import pi
 
 import numpy as np
 
+from kinegrade.figure.joints.symbol import Rim
+from kinegrade.figure.marks.moving_arrow import MovingArrow
 from kinegrade.figure.mechanism.layers import Drawing
 from kinegrade.figure.mechanism.straight_parts import Bar, Rod
-from kinegrade.figure.placing.mark import direction
+from kinegrade.figure.placing.mark import Mark, direction
+from kinegrade.figure.placing.obstacles import Segment
 from kinegrade.figure.placing.place import (
     Floats,
     Wish,
@@ -20,6 +25,7 @@ from kinegrade.figure.placing.place import (
     rate_nearness,
 )
 from kinegrade.figure.plane import NEAR, length, on_line, unit
+from kinegrade.figure.scene import THIN, Bow
 from kinegrade.mechanics.joints import Line
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
@@ -30,6 +36,10 @@ _MISTAKEN = 20.0
 _NEAR_SPOTS = 48  # spots for a letter of which those outside an angle at its point come first
 _TEETH = 4.5  # millimetres of the leader to a point among teeth that may cross these
 _INSIDE = 0.95  # share of a radius: nearer to the rim a letter may stand on either side
+_WITHIN = 1.5  # millimetres inside a rim from which on a letter is rather inside it as well
+# Millimetres from a point to where an arrow is past it, and cost of a letter about as near to it:
+# no fault
+_AT_TAIL, _AT_ARROW = 3.0, 0.45
 _Wedge = tuple[Vector, float]  # the bisector of an angle, and the cosine of its half
 _POINT = re.compile(r"([A-Za-z])(\d*)(p*)")
 
@@ -83,8 +93,37 @@ def label_point(
         _TEETH * _meshes(at, drawing),
         partial(_look_closely, symbol, at, others, wedges),
     )
-    walls = tuple((rail.start, rail.end) for rail in drawing.rails if not rail.bare)
+    walls = (
+        *((rail.start, rail.end) for rail in drawing.rails if not rail.bare),
+        *(chord for rim in drawing.rims if _lies_within(at, rim) for chord in _list_chords(rim)),
+    )
     return Wish(symbol, spots, demerits=demerits, names=at, amid=amid, closely=closely, walls=walls)
+
+
+def _lies_within(at: Vector, rim: Rim) -> bool:
+    """Whether a point lies in the disc of a rim, away from its edge."""
+    return not rim.ring and length(at - rim.at) < rim.radius - _WITHIN
+
+
+def _list_chords(rim: Rim) -> tuple[Segment, ...]:
+    return tuple(pairwise(Bow(rim.at, rim.radius, 0.0, 2 * pi, THIN).path()))
+
+
+def keep_from_arrows(wish: Wish, marks: Sequence[Mark]) -> Wish:
+    """The wish of a point's letter, which is rather not about as near to the arrow of a straight
+    motion."""
+    at = wish.names
+    if at is None:
+        return wish
+    stations = [
+        place
+        for arrow in marks
+        if isinstance(arrow, MovingArrow)
+        for place in arrow.list_stations()
+        if length(place - at) > _AT_TAIL
+    ]
+    worse = _AT_ARROW * rate_nearness(wish.symbol, wish.spots, [at], stations)
+    return replace(wish, demerits=worse if wish.demerits is None else wish.demerits + worse)
 
 
 def _look_closely(

@@ -11,8 +11,8 @@ from kinegrade.figure.mechanism.straight_parts import Bar, is_slender
 from kinegrade.figure.placing.mark import direction
 from kinegrade.figure.placing.obstacles import Segment
 from kinegrade.figure.plane import NEAR, angle_of, length, on_line, polar, unit
-from kinegrade.figure.scene import FIRM, THIN, Primitive, Strokes
-from kinegrade.figure.symbols import PIN
+from kinegrade.figure.scene import BOLD, FIRM, THIN, Primitive, Strokes
+from kinegrade.figure.symbols import BAR_WIDTH, PIN
 from kinegrade.mechanics.joints import Line
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import Angle
@@ -38,6 +38,11 @@ class Side:
     lag: float
     beyond: float = _BEYOND
     hidden: float = 0.0
+
+    @property
+    def half(self) -> float:
+        """Half the width in millimetres of what is drawn along it."""
+        return BAR_WIDTH / 2 if self.broad else (BOLD if self.drawn else THIN).width / 2
 
     def line(self, vertex: Vector, radius: float) -> Segment | None:
         """The thin line that an arc of this radius needs; None when the bar is long enough."""

@@ -34,6 +34,11 @@ _LITTLE = 6.0  # cost by which a mark may be worse so that its label has a good 
 _HARD, _HARDER, _LONG = 20.0, 60.0, 3.0
 
 
+def no_others(_: float) -> Iterable[Mark]:
+    """No further alternatives of a mark."""
+    return ()
+
+
 @dataclass(frozen=True)
 class Layout:
     """Lines, labels, and both as obstacles; each step gives a new layout.
@@ -108,7 +113,7 @@ class Layout:
         self,
         alternatives: Sequence[Mark],
         sparing: Sequence[Primitive] = (),
-        find_cheaper: Callable[[float], Iterable[Mark]] = lambda _: (),
+        find_cheaper: Callable[[float], Iterable[Mark]] = no_others,
     ) -> Layout:
         """The layout with the alternative that covers least, and its label; areas reserved for
         later items may be kept clear. Only where the best is not cheap, `find_cheaper` gives
@@ -188,7 +193,9 @@ class Layout:
 
 def _trace_leader(wish: Wish, placed: Placed) -> Segment | None:
     """The leader of a letter that names a point and stands off from it."""
-    return trace_leader(placed.label, wish.names, wish.amid > 0) if wish.names else None
+    if wish.names is None:
+        return None
+    return trace_leader(placed.label, wish.names, wish.walls, amid=wish.amid > 0)
 
 
 def _batch(ranked: Sequence[Mark]) -> Iterator[Sequence[Mark]]:

@@ -17,6 +17,7 @@ from kinegrade.mechanics.vector import Vector
 # Millimetres from which on a letter has a leader, and of paper at its two ends
 _STANDS_OFF, _BEFORE, _SHORT_OF = 3.3, 0.2, 1.3
 _STANDS_OFF_AMID, _AT_DOT = 2.2, 0.8  # the same for a point amid teeth, where it has a dot
+_BEHIND_WALL = 2.6  # the same for a letter behind a wall
 _BEHIND = 20.0  # demerit of a letter behind a wall, as of one that may be read as another's
 _FAR = 2.9  # millimetres from which on a letter is looked a place closer to its point
 
@@ -49,12 +50,18 @@ def _keep_before(walls: Sequence[Segment], close: Wish, point: Vector) -> Wish:
     return replace(close, demerits=behind if close.demerits is None else behind + close.demerits)
 
 
-def trace_leader(label: Label, point: Vector, amid: bool = False) -> tuple[Vector, Vector] | None:
+def trace_leader(
+    label: Label, point: Vector, walls: Sequence[Segment] = (), *, amid: bool = False
+) -> Segment | None:
     """The thin line from a label that stands off to just before its point; None where it is near
-    enough to be read as that point's, which it is less far off `amid` other things.
+    enough to be read as that point's, which it is less far off `amid` other things and behind one
+    of the walls.
     """
-    if _measure_off(label, point) < (_STANDS_OFF_AMID if amid else _STANDS_OFF):
-        return None
+    least = _STANDS_OFF_AMID if amid else _STANDS_OFF
+    if _measure_off(label, point) < least:
+        behind = _measure_off(label, point) >= _BEHIND_WALL and _lies_behind(label, point, walls)
+        if not behind:
+            return None
     across, upward = point - label.centre
     wide, high = label.width / 2, label.height / 2
     share = min(wide / max(abs(across), 1e-9), high / max(abs(upward), 1e-9))

@@ -5,87 +5,135 @@ prolongations, and on the same side as its arc of everything that passes between
 from __future__ import annotations
 
 from collections.abc import Sequence
-from math import pi, sin
+from dataclasses import dataclass
+from math import pi
 
 import numpy as np
 from numpy.typing import NDArray
 
 from kinegrade.figure.placing.extent import measure_symbol
 from kinegrade.figure.placing.obstacles import Segment
-from kinegrade.figure.placing.place import LOST, Floats, Wish, list_spots_along_arc
-from kinegrade.figure.plane import polar
-from kinegrade.figure.scene import Bow
+from kinegrade.figure.placing.place import LOST, Floats, Wish
+from kinegrade.figure.plane import length, polar
+from kinegrade.figure.scene import Bow, Disc
+from kinegrade.mechanics.vector import Vector
 
-_APART = 0.4  # millimetres kept between the letter and a side
+_APART = 0.4  # millimetres kept between the letter and the edge of a side
 _FARTHEST = 27.0  # millimetres from the vertex: beyond, a letter belongs to no angle
 _AWAY = 0.8  # demerit of a millimetre between the arc and a letter that has no room at it
-_SHARES = np.array((0.5, 0.4, 0.6, 0.3, 0.7))  # of the angle
+# Shares of the angle at which a letter may stand along its arc, the middle first
+_SHARES = np.array((0.5, 0.38, 0.62, 0.25, 0.75))
+# Millimetres between the arc and a letter outside it, or inside it (negative)
+_GAPS = np.array((0.4, -0.5, 1.2))
 _ENDS = np.array((0.13, 0.87))  # of the angle, for a letter near an end of a long arc
+_ABOUT = np.array((0.0, 0.25, -0.25))  # of the angle, either side of its middle
+_FLAT = 3.0  # radians from which on an angle is as wide as a half plane
 _LATEST = 3.0  # millimetres from its arc at which a letter is lost
 # Millimetres beyond the narrowest place with room
-_STEPS = np.array((0.0, 1.0, 2.0, 3.5, 5.0, 7.0, 9.0, 11.0))
+_STEPS = np.array((0.02, 0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 5.5, 7.0, 9.0, 11.0))
 
 
-def list_spots_in_wedge(symbol: str, bow: Bow) -> Wish:
-    """Spots for the symbol of an angle: at its arc, where the angle is wide enough for it, and
-    last, where it is lost, outside the angle.
+@dataclass(frozen=True)
+class Wedge:
+    """The arc of an angle, and half the widths of what is drawn along its first and last side, in
+    millimetres.
     """
-    along = list_spots_along_arc(symbol, bow)
-    spots, narrow = along.spots, measure_narrow(symbol, bow)
-    if narrow > bow.radius / 2:
-        spots = np.concatenate((spots, _list_wide_spots(bow, narrow)))
-    spots = np.concatenate((spots, _list_end_spots(symbol, bow)))
+
+    bow: Bow
+    halves: tuple[float, float] = (0.0, 0.0)
+
+
+def list_spots_in_wedge(symbol: str, wedge: Wedge) -> Wish:
+    """Spots for the symbol of an angle: at its arc, outside it or inside, where the angle is wide
+    enough for it, and last, where it is lost, outside the angle.
+    """
+    bow = wedge.bow
+    spots = np.concatenate(
+        [_list_spots_at(symbol, bow, _SHARES, gap) for gap in _GAPS]
+        + [_list_spots_at(symbol, bow, _ENDS, _GAPS[0])]
+    )
+    if measure_narrow(symbol, wedge) > bow.radius / 2:
+        spots = np.concatenate((spots, _list_wide_spots(symbol, wedge)))
     steps = spots - np.array(bow.centre)
     away = np.hypot(steps[:, 0], steps[:, 1]) - bow.radius
     late = np.maximum(np.abs(away) - max(measure_symbol(symbol)), 0.0)
     demerits = _AWAY * late + LOST * (late > _LATEST)
-    demerits = demerits + LOST * rate_outside(symbol, spots, bow)
+    demerits = demerits + LOST * rate_outside(symbol, spots, wedge)
     order = np.argsort(demerits.round(6), kind="stable")
     return Wish(symbol, spots[order], demerits=demerits[order])
 
 
-def measure_narrow(symbol: str, bow: Bow, half: float = 0.0) -> float:
-    """How far from the vertex the middle of a symbol has to stand on the bisector, in millimetres,
-    beside a bar about one side that is `half` as wide.
+def measure_narrow(symbol: str, wedge: Wedge) -> float:
+    """How far from the vertex a symbol has to stand at least to be between the sides, in
+    millimetres.
     """
-    widening = max(sin(min(abs(bow.sweep), pi) / 2), 1e-3)
-    return (max(_measure_reaches(symbol, bow)) + half / 2) / widening
+    return length(_find_apex(symbol, wedge) - wedge.bow.centre)
 
 
-def _list_wide_spots(bow: Bow, narrow: float) -> Floats:
+def _find_apex(symbol: str, wedge: Wedge) -> Vector:
+    """The place for a symbol nearest to the vertex that is clear of both sides."""
+    bow = wedge.bow
+    if abs(bow.sweep) >= _FLAT:
+        return bow.centre + polar(bow.start + bow.sweep / 2, max(_measure_reaches(symbol, wedge)))
+    (one, other), (first, last) = _find_inward(bow), _measure_reaches(symbol, wedge)
+    across = max(abs(one[0] * other[1] - one[1] * other[0]), 1e-3)
+    sense = 1.0 if one[0] * other[1] > one[1] * other[0] else -1.0
+    x, y = first * other[1] - last * one[1], last * one[0] - first * other[0]
+    return bow.centre + Vector(x, y) * (sense / across)
+
+
+def _list_wide_spots(symbol: str, wedge: Wedge) -> Floats:
     """Spots at the bisector and beside it from where the angle is wide enough."""
-    distances = narrow + _STEPS
-    angles = bow.start + bow.sweep * _SHARES
-    toward = np.stack((np.cos(angles), np.sin(angles)), axis=1)
-    steps = distances[distances < _FARTHEST, None, None] * toward
-    return np.asarray(np.array(bow.centre) + steps.reshape(-1, 2))
+    bow, apex = wedge.bow, _find_apex(symbol, wedge)
+    steps = _STEPS[length(apex - bow.centre) + _STEPS < _FARTHEST, None, None]
+    toward = _point_toward(bow.start + bow.sweep * (0.5 + _ABOUT))
+    return np.asarray(np.array(apex) + (steps * toward).reshape(-1, 2))
 
 
-def _list_end_spots(symbol: str, bow: Bow) -> Floats:
-    """Spots outside the arc near its ends, where a bar runs across the middle of the angle."""
-    angles = bow.start + bow.sweep * _ENDS
-    toward = np.stack((np.cos(angles), np.sin(angles)), axis=1)
-    levels = bow.radius + _APART + np.abs(toward) @ np.array(measure_symbol(symbol)) / 2
-    return np.asarray(np.array(bow.centre) + toward * levels[:, None])
+def _list_spots_at(symbol: str, bow: Bow, shares: Floats, gap: float) -> Floats:
+    """Spots at parts of an arc, with a gap in millimetres outside it, or negative inside."""
+    toward = _point_toward(bow.start + bow.sweep * shares)
+    reach = gap + np.copysign(np.abs(toward) @ np.array(measure_symbol(symbol)) / 2, gap)
+    return np.asarray(np.array(bow.centre) + toward * (bow.radius + reach)[:, None])
 
 
-def rate_outside(symbol: str, spots: Floats, bow: Bow) -> Floats:
+def _point_toward(angles: Floats) -> Floats:
+    """The unit vectors at some angles, as rows."""
+    return np.stack((np.cos(angles), np.sin(angles)), axis=1)
+
+
+def rate_outside(symbol: str, spots: Floats, wedge: Wedge) -> Floats:
     """For each spot 0 where a symbol stands wholly between the sides of the angle (beyond half a
     turn: beside one of them), else 1.
     """
+    bow = wedge.bow
     depths = (spots - np.array(bow.centre)) @ np.array(_find_inward(bow)).T
-    beyond = depths - _measure_reaches(symbol, bow) < -1e-6
+    beyond = depths - _measure_reaches(symbol, wedge) < -1e-6
     out = beyond.any(axis=1) if abs(bow.sweep) <= pi else beyond.all(axis=1)
     return np.asarray(out, dtype=float)
 
 
 def rate_parted(spots: Floats, bow: Bow, lines: Sequence[Segment]) -> Floats:
     """For each spot 1 where a line passes between it and the arc, else 0."""
+    return rate_cut_off(spots, _find_feet(spots, bow), lines)
+
+
+def rate_parted_by_rims(spots: Floats, bow: Bow, rims: Sequence[Disc | Bow]) -> Floats:
+    """For each spot 1 where a circle passes between it and the arc, else 0."""
+    feet, parted = _find_feet(spots, bow), np.zeros(len(spots))
+    for rim in rims:
+        within = [
+            np.hypot(*(places - np.array(rim.centre)).T) < rim.radius for places in (spots, feet)
+        ]
+        parted = np.maximum(parted, within[0] != within[1])
+    return parted
+
+
+def _find_feet(spots: Floats, bow: Bow) -> Floats:
+    """For each spot the place on the circle of an arc on the same ray from its centre."""
     steps = spots - np.array(bow.centre)
     distances = np.maximum(np.hypot(steps[:, 0], steps[:, 1]), 1e-9)
-    return rate_cut_off(
-        spots, np.array(bow.centre) + steps * (bow.radius / distances)[:, None], lines
-    )
+    return np.asarray(np.array(bow.centre) + steps * (bow.radius / distances)[:, None])
 
 
 def rate_cut_off(spots: Floats, feet: Floats, lines: Sequence[Segment]) -> Floats:
@@ -104,10 +152,11 @@ def _lie_apart(starts: Floats, ends: Floats, ones: Floats, others: Floats) -> ND
     return np.asarray(levels[0] * levels[1] < 0)
 
 
-def _measure_reaches(symbol: str, bow: Bow) -> tuple[float, float]:
+def _measure_reaches(symbol: str, wedge: Wedge) -> tuple[float, float]:
     """How far the middle of a symbol has to stay from either side, in millimetres."""
     wide, high = measure_symbol(symbol)
-    first, last = [(abs(x) * wide + abs(y) * high) / 2 + _APART for x, y in _find_inward(bow)]
+    inward = [(abs(x) * wide + abs(y) * high) / 2 for x, y in _find_inward(wedge.bow)]
+    first, last = [reach + half + _APART for reach, half in zip(inward, wedge.halves, strict=True)]
     return first, last
 
 
