@@ -11,7 +11,7 @@ import numpy as np
 from kinegrade.figure.marks.sides import LEFT, SHORT, Side
 from kinegrade.figure.placing.aligned import runs_on
 from kinegrade.figure.placing.mark import chords
-from kinegrade.figure.placing.obstacles import COST_LABEL, Segment
+from kinegrade.figure.placing.obstacles import COST_LABEL, Obstacles, Segment
 from kinegrade.figure.placing.place import Wish, list_spots_around, rate_nearness
 from kinegrade.figure.placing.wedge import (
     Wedge,
@@ -40,7 +40,9 @@ _PARTED, _MISTAKEN, _STATIONS = 20.0, 6.0, 0.25
 # millimetres from the end of a side to a leader that passes it
 _OUTSIDE, _THROUGH, _PAST_SIDE = 6.0, 20.0, 2.0
 _AT_OTHER = 3.2  # millimetres from the middle of a letter to the arc of an angle that it would name
-_RUNS_ON = 10.0  # demerit of a leader that seems to run on from a side or from another thin line
+# Demerits of a leader that seems to run on from a side or from another thin line, and of one across
+# a thin line
+_RUNS_ON, _ACROSS = 10.0, 10.0
 _LEAST_LEAVING = cos(pi / 3.5)  # of the angle between a leader and the radius at its start
 _IN_LETTER = 1.5  # millimetres from the end of a leader to the middle of its letter
 _TWELFTHS = tuple(turn * pi / 6 for turn in range(12))
@@ -133,6 +135,7 @@ def add_leaders(arc: AngleArc, cost: float, dear: float) -> Iterator[LedAngleArc
     arc = replace(arc, legs=tuple(replace(leg, beyond=SHORT) for leg in arc.legs))
     outward = [bow.start + share * bow.sweep for share in _PLACES]
     lines = (*arc.neighbours.lines, *arc.list_sides())
+    others = Obstacles.of((Strokes(arc.neighbours.lines, THIN),))
     leaving = [(way, turn) for way in outward for turn in (way, *_TWELFTHS)]
     for reach in _LEADERS:
         demerit = cost + _LED + _LONGER * (reach - _LEADERS[0])
@@ -143,6 +146,7 @@ def add_leaders(arc: AngleArc, cost: float, dear: float) -> Iterator[LedAngleArc
                 start = bow.centre + polar(way, bow.radius)
                 led = LedAngleArc(arc, start, turn, reach, demerit)
                 worse = _THROUGH * led.crosses_side() + _RUNS_ON * runs_on(led.line(), lines)
+                worse += _ACROSS * (others.along(led.path(), shared=False) > 0)
                 yield replace(led, demerit=demerit + worse) if worse else led
 
 

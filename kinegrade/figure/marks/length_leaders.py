@@ -12,7 +12,7 @@ from kinegrade.figure.placing.aligned import list_thin_lines, runs_on
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.placing.obstacles import Obstacles, Segment
 from kinegrade.figure.plane import angle_of, unit
-from kinegrade.figure.scene import THIN, Bow
+from kinegrade.figure.scene import THIN, Bow, Strokes
 
 _REACHES = (4.0, 6.0, 9.0)  # millimetres
 _TURNS = tuple(turn * pi / 6 for turn in range(12))
@@ -20,7 +20,7 @@ _TURNS = tuple(turn * pi / 6 for turn in range(12))
 _STATIONS = {0.5: 0.0, 0.38: 0.5, 0.62: 0.5, 0.28: 1.0, 0.72: 1.0}
 _ALONG = cos(pi / 5)  # of the angle between a leader and its line from which on they are told apart
 _AROUND = 1.3  # millimetres about the end of a leader in which nothing but its own line should be
-# Demerits of a leader across the arrow or the arc of another mark, and of one that runs on from a
+# Demerits of a leader across the arrow, arc or line of another mark, and of one that runs on from a
 # thin line
 _ACROSS, _RUNS_ON = 15.0, 12.0
 _SHORTEST = 3.0  # demerit of a short leader, which is more than that of a symbol beside its line
@@ -36,7 +36,8 @@ def list_leaders(layout: Layout, bar: Segment, symbol: str, dear: float) -> Iter
     places = [start + (end - start) * share for share in _STATIONS]
     around = [layout.obstacles.along(((at - across, at + across),), shared=False) for at in places]
     turns = [turn for turn in _TURNS if abs(cos(turn - angle_of(toward))) < _ALONG]
-    marks, lines = _gather_marks(layout), list_thin_lines(layout.lines)
+    lines = list_thin_lines(layout.lines)
+    marks = _gather_marks(layout, lines)
     for at, there, less in zip(places, around, _STATIONS.values(), strict=True):
         worse = less + there - min(around) + _SHORTEST
         if worse + _REACHES[0] >= dear:
@@ -47,8 +48,10 @@ def list_leaders(layout: Layout, bar: Segment, symbol: str, dear: float) -> Iter
             yield replace(leader, worse=worse + across_marks + run_on)
 
 
-def _gather_marks(layout: Layout) -> Obstacles:
-    """The arrows of motions and the arcs of angles."""
+def _gather_marks(layout: Layout, lines: tuple[Segment, ...]) -> Obstacles:
+    """The arrows of motions, the arcs of angles and thin lines."""
     arrows = list_arrows(layout.marks)
     arcs = [part for part in layout.lines if isinstance(part, Bow) and part.pen == THIN]
-    return Obstacles.of([*arcs, *(part for arrow in arrows for part in arrow.primitives())])
+    return Obstacles.of(
+        [Strokes(lines, THIN), *arcs, *(part for arrow in arrows for part in arrow.primitives())]
+    )

@@ -30,6 +30,7 @@ _OPPOSED, _OVER = 8.0, 100.0
 _APART, _TIGHT = 2.5, 6.0
 _HEADS_APART, _HEADS_MEET = 1.5, 40.0
 _MISTAKEN = 3.0  # demerit of a symbol about as near to another arrow at the same point
+_NEARER = 0.5  # millimetres by which a symbol is nearer to its own arrow than to another one
 _PARTED = 4.0  # demerit of a symbol on the other side of the rail of the arrow's point
 _LEAST_OFFSET = 1.3  # millimetres from which on an arrow stands beside its point
 _ONE_LINE = 1.0  # millimetres within which two arrows lie on one line
@@ -137,7 +138,8 @@ class MovingArrow:
             return self.wish()
         wish = widen(self.wish())
         near = [at for arrow in others for at in arrow.list_stations()]
-        mistaken = rate_nearness(self.hint.symbol, wish.spots, self.list_stations(), near)
+        own = self.list_stations()
+        mistaken = rate_nearness(self.hint.symbol, wish.spots, own, near, _NEARER)
         parted = np.zeros(len(wish.spots))
         for rail in rails:
             levels = (wish.spots - np.array(rail.at)) @ np.array(rail.side)

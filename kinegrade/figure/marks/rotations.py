@@ -11,7 +11,7 @@ from kinegrade.figure.marks.imposed import find_imposed_sense
 from kinegrade.figure.marks.turning_arrow import Company, TurningArrow
 from kinegrade.figure.marks.turning_radii import BEYOND, RADII, ROOMY, order_radii
 from kinegrade.figure.mechanism.layers import Drawing
-from kinegrade.figure.mechanism.straight_parts import Bar
+from kinegrade.figure.mechanism.straight_parts import Bar, Rod
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.placing.place import Wish
 from kinegrade.figure.plane import NEAR, angle_of, length, mean, shorter_way
@@ -61,9 +61,10 @@ def add_rotations(
         arrows += [mark for mark in layout.marks[-1:] if isinstance(mark, TurningArrow)]
     discs = [part for part in drawing.primitives if isinstance(part, Disc)]
     circles = [disc for disc in discs if disc.radius > RADII[0]]
+    bars = [(part.start, part.end) for part in drawing.parts if isinstance(part, Bar | Rod)]
     for arrow, letters in zip(arrows, spared, strict=True):
         others = [other for other in arrows if other != arrow]
-        layout = layout.captioned(arrow.wish_apart(others, circles), letters)
+        layout = layout.captioned(arrow.wish_apart(others, circles, bars), letters)
     return layout
 
 

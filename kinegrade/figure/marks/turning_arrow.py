@@ -12,6 +12,7 @@ from kinegrade.figure.joints.symbol import Rim
 from kinegrade.figure.placing.mark import chords
 from kinegrade.figure.placing.obstacles import Segment
 from kinegrade.figure.placing.place import Wish, list_spots_along_arc, rate_nearness, widen
+from kinegrade.figure.placing.wedge import rate_cut_off
 from kinegrade.figure.plane import length, polar, shorter_way
 from kinegrade.figure.scene import Bow, Disc, Primitive
 from kinegrade.figure.symbols import HEADS, draw_curved_arrow
@@ -36,7 +37,8 @@ _FOREIGN = 4.5  # millimetres between an arrow and the rim of another body, 1 de
 _BESIDE_LINE, _ON_LINE = 1.5, 5.0
 _ASTRAY = 6.0  # demerit of an arrow in the disc of another body
 # Demerits of a symbol about as near to another arrow, or on the other side of a circle
-_MISTAKEN, _CUT_OFF = 6.0, 4.0
+# or a bar
+_MISTAKEN, _CUT_OFF = 6.0, 9.0
 _STATIONS = 0.25  # radians between the points of an arrow to which its symbol should be near
 
 
@@ -90,10 +92,15 @@ class TurningArrow:
         """Along the arc."""
         return list_spots_along_arc(self.hint.symbol, self.bow)
 
-    def wish_apart(self, others: Sequence[TurningArrow], circles: Sequence[Disc]) -> Wish:
-        """The wish, where the symbol is nearest to its own arrow and no circle parts them first."""
-        if not others and not circles:
-            return self.wish()
+    def wish_apart(
+        self,
+        others: Sequence[TurningArrow],
+        circles: Sequence[Disc],
+        bars: Sequence[Segment] = (),
+    ) -> Wish:
+        """The wish, where the symbol is nearest to its own arrow and no circle or bar parts them
+        first.
+        """
         wish, own = widen(self.wish()), self.bow.path(_STATIONS)
         near = [at for other in others for at in other.bow.path(_STATIONS)]
         demerits = _MISTAKEN * rate_nearness(self.hint.symbol, wish.spots, own, near)
@@ -102,6 +109,9 @@ class TurningArrow:
             steps = wish.spots - np.array(circle.centre)
             parted = (np.hypot(*steps.T) < circle.radius) != within
             demerits = demerits + _CUT_OFF * parted
+        steps = wish.spots[:, None] - np.array(own)
+        feet = np.array(own)[np.hypot(steps[..., 0], steps[..., 1]).argmin(axis=1)]
+        demerits = demerits + _CUT_OFF * rate_cut_off(wish.spots, feet, bars)
         return replace(wish, demerits=demerits)
 
     def primitives(self) -> tuple[Primitive, ...]:

@@ -16,7 +16,7 @@ from kinegrade.mechanics.vector import Vector
 _ADJOINS, _ONE_WORD = 1.5, 0.45
 # Millimetres between two labels in one row that do not read as a product, and the share of its
 # height by which one of them may be raised and still stand in the row
-_SPACE, _IN_ROW = 2.5, 0.5
+_SPACE, _IN_ROW = 3.0, 0.5
 
 
 def adjoins(label: Label, others: Iterable[Label]) -> bool:

@@ -76,10 +76,11 @@ class Layout:
         layout = self
         for wish in wishes:
             placed = place_letter(wish, layout.obstacles)
-            leader = _trace_leader(wish, placed)
-            if leader and adjoins(placed.label, layout.labels):
+            if _trace_leader(wish, placed) and adjoins(placed.label, layout.labels):
                 placed = place_label(keep_from_labels(wish, layout.labels), layout.obstacles)
-                leader = _trace_leader(wish, placed)
+            elif makes_word(placed.label, layout.labels):
+                placed = layout._keep_apart(wish, placed, layout.obstacles)
+            leader = _trace_leader(wish, placed)
             useful = leader is not None and layout._is_useful(leader, wish.amid)
             layout = layout._labelled(placed)
             if leader and useful:
@@ -87,10 +88,11 @@ class Layout:
         return layout
 
     def _keep_apart(self, wish: Wish, placed: Placed, crowded: Obstacles) -> Placed:
-        """The label where it was placed, or where it does not stand in one row with another one,
-        if there is such a place without a fault.
+        """The label where it was placed, or where it does not stand in one row with another one
+        or close to it, if there is such a place without a fault.
         """
-        if placed.faulty or not makes_word(placed.label, self.labels):
+        beside = adjoins(placed.label, self.labels) or makes_word(placed.label, self.labels)
+        if placed.faulty or not beside:
             return placed
         apart = place_label(keep_from_labels(wish, self.labels), crowded)
         return placed if apart.faulty else apart

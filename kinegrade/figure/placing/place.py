@@ -169,10 +169,14 @@ def list_close_spots(symbol: str, anchor: Vector, farthest: float) -> Floats:
 
 
 def rate_nearness(
-    symbol: str, spots: Floats, own: Sequence[Vector], others: Sequence[Vector]
+    symbol: str,
+    spots: Floats,
+    own: Sequence[Vector],
+    others: Sequence[Vector],
+    least: float = _AMBIGUOUS,
 ) -> Floats:
     """For each spot 1 where a symbol would stand about as near to another point as to those it
-    belongs to, else 0.
+    belongs to, not nearer by the `least` millimetres, else 0.
     """
     if not others:
         return np.zeros(len(spots))
@@ -180,7 +184,7 @@ def rate_nearness(
     gaps = np.maximum(np.abs(spots[:, None] - np.array([*own, *others])) - half, 0.0)
     distances = np.hypot(gaps[..., 0], gaps[..., 1])
     to_own, to_others = distances[:, : len(own)], distances[:, len(own) :]
-    nearer = to_others.min(axis=1) < to_own.min(axis=1) + _AMBIGUOUS
+    nearer = to_others.min(axis=1) < to_own.min(axis=1) + least
     return np.asarray(nearer, dtype=float)
 
 
