@@ -63,10 +63,8 @@ def different(whole: ClassDeal) -> set[int]:
     return {len({tuple(one.values()) for one in each.values()}) for each in whole.values.values()}
 
 
-@pytest.mark.parametrize("name", ["demo", "velocity-quiz"])
-def test_papers_of_shipped_banks_differ_at_most_a_quarter_as_much(name: str) -> None:
-    whole = deal_exam(bank(name), roster(40), SECRET)
-    # Four papers have few sums to choose from: 0.037 against 0.123 points here
+def test_papers_of_a_shipped_bank_differ_at_most_a_third_as_much() -> None:
+    whole = deal_exam(bank("demo"), roster(40), SECRET)
     assert dealt(whole).std() <= naive(whole.exam, 40).std() / 3
     assert different(whole) == {40}
 

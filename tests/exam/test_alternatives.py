@@ -32,7 +32,7 @@ points = 6
 """
 TAGGED = """
 [[questions]]
-tag = "rolling"
+tag = "curved-track"
 per-student = true
 points = 9
 """
