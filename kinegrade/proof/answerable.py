@@ -19,6 +19,8 @@ from kinegrade.problem.solution import Solution
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.template import Template
 
+_DIGITS = 30  # of a given that no small field holds
+
 
 @dataclass
 class Answerable:
@@ -114,6 +116,13 @@ def find_answerable(template: Template, draws: Iterable[Mapping[str, str]]) -> A
     for values in draws:
         found.look(values)
     return found
+
+
+def list_values(solution: Solution) -> dict[str, str]:
+    """The givens of an instance as texts, by which it is solved again."""
+    return {
+        name: given.exact or given.decimal(_DIGITS) for name, given in solution.parameters.items()
+    }
 
 
 def write_values(values: Mapping[str, str]) -> str:

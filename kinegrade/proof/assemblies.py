@@ -14,6 +14,7 @@ from kinegrade.expressions.tree import SIDES_OF, Call, Expression, Name
 from kinegrade.problem.solution import Solution
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.template import Template
+from kinegrade.proof.answerable import list_values
 
 _OPPOSITES: Mapping[str, str] = {
     "right": "left",
@@ -21,7 +22,6 @@ _OPPOSITES: Mapping[str, str] = {
     "counterclockwise": "clockwise",
     SIDES_OF["right"]: SIDES_OF["left"],
 }
-_DIGITS = 30  # of a given that no small field holds
 _OTHER = {**_OPPOSITES, **{other: one for one, other in _OPPOSITES.items()}}
 
 
@@ -50,11 +50,8 @@ def find_other_assemblies(template: Template) -> Iterator[OtherAssembly]:
 
 def close_otherwise(solution: Solution, other: OtherAssembly) -> Solution | None:
     """The instance put together the other way; None where it does not close."""
-    values = {
-        name: given.exact or given.decimal(_DIGITS) for name, given in solution.parameters.items()
-    }
     try:
-        return solve_template(other.template, values, ())
+        return solve_template(other.template, list_values(solution), ())
     except KinegradeError:
         return None
 

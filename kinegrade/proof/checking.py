@@ -28,6 +28,7 @@ from kinegrade.proof.ends import note_points_beyond_ends
 from kinegrade.proof.published import prove_published
 from kinegrade.proof.report import SECRET, Report
 from kinegrade.proof.searching import find_breaking_values
+from kinegrade.proof.solutions import prove_solutions
 from kinegrade.proof.spread import Copied, Spread
 from kinegrade.students.following.connections import find_connections
 from kinegrade.students.near_mistakes import find_near_mistakes
@@ -70,6 +71,7 @@ def check(template: Template, sample: int = 200, secret: str = SECRET) -> Report
     _weigh(report)
     _note_assemblies(report)
     report.remarks += note_points_beyond_ends(template, report.examples)
+    report.faults += prove_solutions(report)
     _search(report, min(sample, _SEARCHED))
     describe_demands(report)
     report.following = find_connections(template, _select_asked(report))
