@@ -15,6 +15,7 @@ from kinegrade.exam.generating.earlier_exams import count_avoided
 from kinegrade.exam.generating.generate import Generated as Written
 from kinegrade.exam.generating.generate import generate as write_exam
 from kinegrade.exam.generating.options import GenerateOptions
+from kinegrade.exam.printing.paper_languages import note_languages
 from kinegrade.exam.roster.roster import Roster
 from kinegrade.language.message import Message
 from kinegrade.public.bank import Bank
@@ -66,7 +67,8 @@ def generate(
         raise OptionError(Message("terminal.seed-or-words"))
     chosen = find_language(language)
     written = write_exam(bank.blueprint, roster, place, chosen, options, force=force)
-    notes = (*roster.notes, *_list_notes(written, place, options))
+    languages = note_languages(written.dealt.bank, chosen, roster)
+    notes = (*roster.notes, *languages, *_list_notes(written, place, options))
     return Generated(place, notes, written.complaints)
 
 

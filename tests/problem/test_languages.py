@@ -9,10 +9,12 @@ import pytest
 
 from kinegrade.errors import TemplateError
 from kinegrade.language import ENGLISH, Language
+from kinegrade.language.catalogue import open_catalogue
 from kinegrade.problem.template.texts import (
     find_languages,
     find_missing_texts,
     find_unfinished_translations,
+    note_other_scripts,
     require_language,
 )
 from tests.problem.crank import crank, crank_text
@@ -46,6 +48,40 @@ def test_a_plain_text_is_the_same_in_every_language() -> None:
     template = crank(('{ en = "A crank", zh = "曲柄" }', '"OA"'))
     assert template.about.title.in_language(CHINESE) == "OA"
     assert find_languages(template) == (ENGLISH, CHINESE)
+
+
+@pytest.mark.parametrize(
+    ("title", "language", "noted"),
+    [
+        ("A crank", "zh", "title"),
+        ("曲柄", "en", "title"),
+        ("曲柄", "de", "title"),
+        ("A crank", "de", ""),
+        ("曲柄 OA", "zh", ""),
+        (r"$OA$ at $\\sin{{ r }}$", "zh", ""),
+        ("OA", "zh", ""),
+    ],
+)
+def test_a_plain_text_in_another_script_is_noted(title: str, language: str, noted: str) -> None:
+    template = crank(('{ en = "A crank", zh = "曲柄" }', f'"{title}"'))
+    words = open_catalogue(ENGLISH)
+    notes = [words.write(each) for each in note_other_scripts(template, Language(language))]
+    assert [f"these texts ({noted}) are written once" in note for note in notes] == [True] * bool(
+        noted
+    )
+
+
+def test_generate_notes_an_english_template_in_a_chinese_exam(tmp_path: Path) -> None:
+    (tmp_path / "crank.toml").write_text(
+        crank_text(('{ en = "A crank", zh = "曲柄" }', '"A crank"')), encoding="utf-8"
+    )
+    bank = 'title = "T"\ncourse = "C"\n[[questions]]\ntemplate = "crank.toml"\n'
+    (tmp_path / "bank.toml").write_text(bank, encoding="utf-8")
+    (tmp_path / "roster.csv").write_text("student,name\n1,A\n", encoding="utf-8")
+    files = [tmp_path / name for name in ("bank.toml", "roster.csv", "EXAM")]
+    result = kinegrade("generate", *files[:2], "-o", files[2], "--lang", "zh", "--no-papers")
+    assert result.exit_code == 0
+    assert "crank: these texts (title) are written once" in result.stderr
 
 
 def test_a_half_added_translation_is_a_fault_for_each_missing_text(tmp_path: Path) -> None:

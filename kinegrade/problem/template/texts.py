@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator, Sequence
 
 from kinegrade.errors import TemplateError
 from kinegrade.files.fields.place import Place, key_path
 from kinegrade.language import Language
+from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.message import Fault, Message, Part, Quoted, list_choices, list_plainly
 from kinegrade.problem.template.template import Template
 from kinegrade.problem.template.translated import (
@@ -15,6 +17,8 @@ from kinegrade.problem.template.translated import (
     find_named_languages,
 )
 
+_FORMULA = re.compile(r"\$[^$]*\$|\{\{.*?\}\}")
+_CHINESE, _LATIN = re.compile("[\u3400-\u9fff]"), re.compile("[a-z]{3}")
 _NAMED = 6  # texts that a message about a whole template names
 
 
@@ -49,6 +53,29 @@ def find_languages(template: Template) -> tuple[Language, ...]:
 def find_missing_texts(template: Template, language: Language) -> tuple[str, ...]:
     """The places of the texts that a template lacks in a language."""
     return tuple(key_path(place) for place, text in _list_texts(template) if not text.has(language))
+
+
+def note_other_scripts(template: Template, language: Language) -> Iterator[Message]:
+    """A note where texts that are written once for all languages are not in the script of this
+    one: a Chinese paper prints an English sentence as it stands.
+    """
+    chinese = open_catalogue(language).text("language.page.script") == "chinese"
+    found = [
+        key_path(place)
+        for place, text in _list_texts(template)
+        if text.plain is not None and _is_in_another_script(text.plain, chinese)
+    ]
+    if found:
+        listed = _list_some(found)
+        name = template.name
+        yield Message("texts.in-another-script", template=name, language=language, names=listed)
+
+
+def _is_in_another_script(text: str, chinese: bool) -> bool:
+    """Whether the words of a text, formulas left out, are Latin ones for Chinese, or Chinese."""
+    words = _FORMULA.sub("", text)
+    written_in_chinese = _CHINESE.search(words) is not None
+    return not written_in_chinese and bool(_LATIN.search(words)) if chinese else written_in_chinese
 
 
 def find_unfinished_translations(template: Template) -> list[Fault]:
