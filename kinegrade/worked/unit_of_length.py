@@ -11,14 +11,17 @@ from dataclasses import replace
 from math import isclose
 from typing import Literal
 
+from kinegrade.mechanics.motion import Motion
 from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.units import SCALES, Unit
 from kinegrade.problem.quantity import Quantity
 from kinegrade.problem.solution import Solution
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.template import Template
+from kinegrade.worked.formulas.numbers import DIGITS
 
 METRE: Literal["m"] = "m"
+_LARGEST = 10**DIGITS
 _EQUAL = 1e-9  # two ways of working a place out agree to this share of the largest length
 
 
@@ -26,7 +29,8 @@ def count_lengths_as_given(solution: Solution, asked: Iterable[str]) -> tuple[So
     """The instance with its unit of length taken for the metre, and the name of that unit.
 
     A mechanism of 20 cm moves as one of 20 m does, so the instance is solved once more as if its
-    numbers were metres. One whose template writes lengths as numbers, in SI, stays as it is.
+    numbers were metres. One whose template writes lengths as numbers, in SI, stays as it is, and so
+    does one that moves at ten thousands of its unit, of which rounding would fill up with zeros.
     """
     template = solution.template
     unit = _find_unit(template, asked)
@@ -36,7 +40,7 @@ def count_lengths_as_given(solution: Solution, asked: Iterable[str]) -> tuple[So
         return solution, METRE
     counted = solve_template(_count_in_metres(template, unit), given, solution.answers)
     agreeing = _is_scaled(solution, counted, float(SCALES[unit][0].rational))
-    return (counted, unit) if agreeing else (solution, METRE)
+    return (counted, unit) if agreeing and _reads_well(counted) else (solution, METRE)
 
 
 def _find_unit(template: Template, asked: Iterable[str]) -> str:
@@ -76,7 +80,28 @@ def _is_scaled(solution: Solution, counted: Solution, scale: float) -> bool:
         for place, other in zip(places, others, strict=True)
     )
     answers = (_agree(answer, counted[name]) for name, answer in solution.items())
-    return all(near) and all(answers)
+    return all(near) and all(answers) and _move_alike(solution.motion, counted.motion, scale)
+
+
+def _move_alike(motion: Motion, counted: Motion, scale: float) -> bool:
+    """Whether all rates are the same, or the same in the other unit."""
+    levels = (motion.rates, counted.rates), (motion.changes, counted.changes)
+    pairs = [(float(ours[rate]), float(theirs[rate])) for ours, theirs in levels for rate in ours]
+    return all(
+        any(isclose(one, other * factor, rel_tol=_EQUAL, abs_tol=_EQUAL) for factor in (1, scale))
+        for one, other in pairs
+    )
+
+
+def _reads_well(counted: Solution) -> bool:
+    """Whether no motion and no answer needs more digits before the point than are printed."""
+    motion = counted.doubles
+    numbers = [*motion.rates.values(), *motion.changes.values()]
+    numbers += [answer.value for answer in counted.values() if not answer.at_infinity]
+    for body in counted.assembly.mechanism.bodies:
+        for point in body.points:
+            numbers += [*motion.velocity(point, body.name), *motion.acceleration(point, body.name)]
+    return all(abs(number) < _LARGEST for number in numbers)
 
 
 def _list_places(solution: Solution) -> list[float]:

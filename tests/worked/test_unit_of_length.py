@@ -68,3 +68,9 @@ def test_lines_and_pictures_of_a_solution_in_centimetres_hold_no_metres(name: st
     ]
     scales = [caption for caption in captions if "corresponds to" in caption]
     assert all(f" {unit}/s" in caption for caption in scales)
+
+
+def test_motions_of_ten_thousands_of_a_unit_are_worked_out_in_si() -> None:
+    fast = 'unit = "rad/s", draw = [2]', 'unit = "rad/s", draw = [200]'
+    told = "\n".join(tell_crank(IN_CENTIMETRES, asking_in("cm/s"), fast))
+    assert r"0.2\,\unit{m} \cdot 200\,\unit{rad/s}" in told

@@ -15,7 +15,7 @@ from kinegrade.language.math.reading import read_math
 from kinegrade.mechanics.vector import Vector
 from kinegrade.worked.document import Block, Pictures
 from tests.worked.reader.amounts import Amount
-from tests.worked.reader.formula_reader import name_magnitude, name_symbol
+from tests.worked.reader.formula_reader import name_magnitude, name_symbol, read_unit
 
 _IN_PLACE = Vector(0.0, 0.0)
 _APART = 0.05  # millimetres within which two corners coincide
@@ -63,7 +63,13 @@ def judge_polygons(
             if origin is not None:
                 arrows = tuple(_read_arrows(picture.scene))
                 yield from _judge_chains(origin, arrows, picture.caption)
-                yield from _judge_labels(picture.scene, arrows, amounts)
+                scale = picture.scene.scale / _read_scale_unit(picture.caption)
+                yield from _judge_labels(picture.scene, scale, arrows, amounts)
+
+
+def _read_scale_unit(caption: str) -> float:
+    """What the unit at the end of a caption is in SI: "1 mm corresponds to 2 cm/s"."""
+    return read_unit(caption.rsplit(maxsplit=1)[-1].replace("²", "^2")).value
 
 
 def _find_origin(scene: Scene) -> Vector | None:
@@ -116,15 +122,17 @@ def _judge_chains(
 
 
 def _judge_labels(
-    scene: Scene, arrows: tuple[_Arrow, ...], amounts: Mapping[str, Amount]
+    scene: Scene, scale: float, arrows: tuple[_Arrow, ...], amounts: Mapping[str, Amount]
 ) -> Iterator[PolygonFault]:
-    """The arrow nearest to a label is as long as the vector that the label names."""
+    """The arrow nearest to a label is as long as the vector that the label names, to a scale in
+    millimetres on paper.
+    """
     for label in scene.primitives:
         if not isinstance(label, Label) or _CORNER.fullmatch(label.symbol):
             continue
         row = read_math(label.symbol, "")
         names = (name_magnitude(row), name_symbol(row))
-        sizes = [abs(amounts[name].value) * scene.scale for name in names if name in amounts]
+        sizes = [abs(amounts[name].value) * scale for name in names if name in amounts]
         named = _follow_leader(label, arrows, scene)
         if sizes and named and not _stands_well(label, named, sizes):
             told = " or ".join(f"{size:.2f} mm" for size in sizes)
