@@ -18,7 +18,7 @@ from kinegrade.problem.template.translated import (
 )
 
 _FORMULA = re.compile(r"\$[^$]*\$|\{\{.*?\}\}")
-_CHINESE, _LATIN = re.compile("[\u3400-\u9fff]"), re.compile("[a-z]{3}")
+_CHINESE, _LATIN = re.compile(r"[\u3400-\u9fff]"), re.compile("[a-z]{3}")
 _NAMED = 6  # texts that a message about a whole template names
 
 
