@@ -81,6 +81,11 @@ class Unit:
         return self.text == "deg"
 
     @property
+    def counts_turns(self) -> bool:
+        """Whether this is a number of turns in a time, as r/min is."""
+        return self.text in SHORT or self.text.startswith("r/")
+
+    @property
     def is_si(self) -> bool:
         """Whether its numbers are those of SI; degrees count, as angles have no other numbers."""
         return self.scale == ONE or self.degrees

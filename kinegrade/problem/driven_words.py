@@ -41,9 +41,17 @@ def describe_driven(driven: Driven, givens: Mapping[str, Given], *, changes: boo
     parts: dict[str, Part] = {
         "sense": _SENSES[driven.positive, sense],
         "velocity": givens[driven.velocity.given].size,
+        "rate": _name_rate(givens[driven.velocity.given]),
         "acceleration": "" if change is None else givens[change.given].size,
     }
     return Message(f"statement.{driven.path}-{pace}", **parts)
+
+
+def _name_rate(given: Given) -> Message:
+    """What a rate of turning is called, which depends on its unit."""
+    if given.quantity.measure.counts_turns:
+        return Message("statement.rotational-speed")
+    return Message("statement.angular-velocity")
 
 
 def name_sense(driven: Driven, givens: Mapping[str, Given]) -> Message | None:

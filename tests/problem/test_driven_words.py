@@ -64,6 +64,19 @@ def test_a_turning_body_has_its_sense_in_words_and_positive_numbers(
     assert words in printed(crank(*TURNING), omega=omega, alpha=alpha)
 
 
+def test_a_rate_in_turns_is_a_rotational_speed_in_each_language() -> None:
+    template = load_template("differential-epicyclic-train")
+    values = {"z_S": "28", "z_R": "92", "l": "120", "phi": "30", "n_S": "-180", "n_A": "105"}
+    parameters = solve_template(template, values).parameters
+    english, chinese = (
+        write_statement(template, parameters, language) for language in ("en", "zh")
+    )
+    assert r"turns clockwise with the rotational speed $n_{S} = 180\,\unit{r/min}$" in english
+    assert r"以转速 $n_{S} = 180\,\unit{r/min}$ 顺时针转动" in chinese
+    assert "angular velocity" not in english
+    assert "角速度" not in chinese
+
+
 def test_each_language_says_it_in_its_own_words() -> None:
     chinese = printed(crank(*TURNING), "zh", omega="2", alpha="3")
     assert chinese.startswith(

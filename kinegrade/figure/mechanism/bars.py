@@ -53,11 +53,9 @@ def find_straight_parts(
         else part
         for part in parts
     ]
-    sliding = [find_guided_rack(symbol.guide, parts) for symbol in symbols if symbol.guide]
-    discs = [part for part in parts if isinstance(part, SlottedDisc)]
-    told = {part: _set_off(part, sliding, discs) for part in parts if isinstance(part, Bar)}
-    parts = [told.get(part, part) for part in parts]
-    return weld_rods(parts, tuple(find_rods(mechanism, shapes, symbols, found, told.values())))
+    parts = _tell_apart(parts, symbols)
+    bars = [part for part in parts if isinstance(part, Bar)]
+    return weld_rods(parts, tuple(find_rods(mechanism, shapes, symbols, found, bars)))
 
 
 def _find_parts(
@@ -85,15 +83,29 @@ def _round_off(part: Part, pins: Set[Vector], features: Sequence[Feature]) -> Pa
     return part
 
 
-def _set_off(bar: Bar, sliding: Sequence[Bar | None], discs: Sequence[SlottedDisc]) -> Bar:
-    """A bar as it is told from what is beside it: a rack that slides in a guide has no eyes, as
-    nothing is pinned to it, and a slotted bar in front of a disc is white.
+def _tell_apart(parts: Sequence[Part], symbols: Sequence[Symbol]) -> list[Part]:
+    """The parts, of which a rack that slides in a guide has no eyes, as nothing is pinned to it,
+    and a slotted bar in front of a disc is white.
     """
-    if bar in sliding:
-        return replace(bar, free=(bar.start, bar.end))
-    reaches = [(length(bar.start - disc.centre), disc.radius) for disc in discs]
-    in_front = bar.use == "slot" and any(away < radius for away, radius in reaches)
-    return replace(bar, fill="white") if in_front else bar
+    sliding = [find_guided_rack(symbol.guide, parts) for symbol in symbols if symbol.guide]
+    parts = [
+        replace(part, free=(part.start, part.end))
+        if isinstance(part, Bar) and part in sliding
+        else part
+        for part in parts
+    ]
+    discs = [part for part in parts if isinstance(part, SlottedDisc)]
+    return [
+        replace(part, fill="white") if isinstance(part, Bar) and _is_in_front(part, discs) else part
+        for part in parts
+    ]
+
+
+def _is_in_front(bar: Bar, discs: Sequence[SlottedDisc]) -> bool:
+    """Whether a slotted bar would not be told from a disc behind it."""
+    return bar.use == "slot" and any(
+        length(bar.start - disc.centre) < disc.radius for disc in discs
+    )
 
 
 def _is_edge(feature: Feature, plate: Plate | None) -> bool:

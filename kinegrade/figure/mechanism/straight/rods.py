@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 from kinegrade.figure.joints.symbol import Guide, Rim, Symbol
 from kinegrade.figure.mechanism.straight_parts import Bar, Rod, find_guided_rack, find_half_width
@@ -22,7 +22,7 @@ def find_rods(
     shapes: Mapping[str, str],
     symbols: Sequence[Symbol],
     found: Sequence[Rim],
-    bars: Collection[Bar],
+    bars: Sequence[Bar],
 ) -> Iterator[Rod]:
     """The translating rods, none for a rack, each pointing away from the other bodies and long
     enough to keep its guide clear of the bars and wheels.
@@ -51,9 +51,7 @@ def _find_guides_of_rods(symbols: Sequence[Symbol]) -> Iterator[Guide]:
     yield from (guide for guide in guides.values() if guide.body in level)
 
 
-def _find_reach(
-    start: Vector, toward: Vector, bars: Collection[Bar], found: Sequence[Rim]
-) -> float:
+def _find_reach(start: Vector, toward: Vector, bars: Sequence[Bar], found: Sequence[Rim]) -> float:
     """The millimetres by which a rod is longer than usual to keep its guide clear of all bars and
     of the wheels that move; none when no length does.
     """
