@@ -9,7 +9,6 @@ prints; what is asked they never tell.
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator
-from dataclasses import dataclass
 from functools import reduce
 
 from kinegrade.description.bodies import say_bodies
@@ -17,29 +16,12 @@ from kinegrade.description.joints import say_joints
 from kinegrade.description.lengths import say_givens
 from kinegrade.description.motions import say_motions
 from kinegrade.description.positions import say_positions
+from kinegrade.description.said import Description
 from kinegrade.description.short import describe_briefly
 from kinegrade.description.subject import Subject, make_subject
 from kinegrade.language import Language
 from kinegrade.language.message import Message
-from kinegrade.language.prose.plain import write_prose
 from kinegrade.problem.solution import Solution
-from kinegrade.worked.document import Prose
-
-
-@dataclass(frozen=True)
-class Description:
-    """A figure in words.
-
-    `short` is plain text of at most 125 characters. `long` is paragraphs of prose with formulas
-    between dollar signs: axes and givens, bodies, joints, positions, motions.
-    """
-
-    short: str
-    long: tuple[Prose, ...]
-
-    def __str__(self) -> str:
-        """The long text without marks of formulas, a line for each paragraph."""
-        return "\n".join(write_prose(part.text, "description") for part in self.long)
 
 
 def describe(

@@ -8,7 +8,7 @@ little more than screening one.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, fields
 from functools import cached_property
@@ -121,7 +121,7 @@ class DrawFilter:
         seen = self.separation.compare(collect_columns(combinations))
         refusals = screen(self.separation, self.accuracy, seen)
         return [
-            _Screened(values, refusal, {name: row[place] for name, row in seen.bounds.items()})
+            _Screened(values, refusal, _take_one(seen.bounds.items(), place))
             for place, (values, refusal) in enumerate(zip(combinations, refusals, strict=True))
         ]
 
@@ -171,6 +171,17 @@ class DrawFilter:
         """
         return self._find_dealt(values).tolerances
 
+    def bound_together(self, draws: Iterable[Combination]) -> None:
+        """Bound honest rounding at the values of several papers that are set next, all at once,
+        which takes little longer than for one.
+        """
+        self._bounded.clear()
+        new = [values for values in draws if tuple(values.values()) not in self._found]
+        if new:
+            found = self.bound(new, self.carry).items()
+            for place, values in enumerate(new):
+                self._bounded[tuple(values.values())] = _take_one(found, place)
+
     def _find_dealt(self, values: Combination) -> Examined:
         """A combination that was dealt, solved once however often it is asked for in a row."""
         identity = tuple(values.values())
@@ -183,7 +194,9 @@ class DrawFilter:
     def _work_out(self, values: Combination) -> Examined:
         """An instance, fit for students or not: what honest rounding would leave is as stated."""
         solution = solve_template(self.template, values, self.asks, self.plan)
-        bounds = {name: float(row[0]) for name, row in self.bound([values], self.carry).items()}
+        bounds = self._bounded.get(tuple(values.values()))
+        if bounds is None:
+            bounds = _take_one(self.bound([values], self.carry).items(), 0)
         allowed = self.accuracy.allow(solution, bounds)
         stated = {name: self.accuracy.find_stated(name) for name in allowed}
         return Examined(solution, {name: allowed[name] or stated[name] for name in allowed})
@@ -239,6 +252,11 @@ class DrawFilter:
         return {}
 
     @cached_property
+    def _bounded(self) -> dict[tuple[str, ...], Mapping[str, float]]:
+        """What `bound_together` found last, by values."""
+        return {}
+
+    @cached_property
     def _blocks(self) -> dict[int, list[_Screened]]:
         """The combinations that were screened last, by the number of their block."""
         return {}
@@ -247,3 +265,8 @@ class DrawFilter:
     def _sample(self) -> Deck:
         """Combinations in an order that does not depend on the secret."""
         return Deck(self.deck.domains, "sample", self.template.name)
+
+
+def _take_one(bounds: Iterable[tuple[str, Doubles]], place: int) -> Mapping[str, float]:
+    """The bounds of one of several instances, by ask."""
+    return {name: float(row[place]) for name, row in bounds}

@@ -5,7 +5,7 @@ output.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import lru_cache, partial
 from itertools import groupby
 from operator import attrgetter
@@ -34,6 +34,7 @@ from kinegrade.figure.mechanism.view import crop_to_view
 from kinegrade.figure.placing.aligned import list_thin_lines
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.placing.obstacles import Obstacles
+from kinegrade.figure.placing.place import Wish
 from kinegrade.figure.scene import THIN, Bow, Scene, find_common_box
 from kinegrade.figure.similar_mechanisms import Subject, normalise_subject
 from kinegrade.mechanics.mechanism import Mechanism
@@ -88,18 +89,19 @@ def draw_unit_figure(shown: Subject) -> Scene:
     mechanism, hints = shown.mechanism, drop_still(shown.mechanism, shown.hints)
     span = measure_span(mechanism, hints)
     scale = _choose_first_scale(mechanism, hints, span)
-    best = fit_scene(partial(_compose, mechanism, hints, _USUAL_ORDER), scale, span)
+    begin = lru_cache(maxsize=1)(partial(_begin, mechanism, hints))
+    best = fit_scene(partial(_compose, begin, _USUAL_ORDER), scale, span)
     first = best.scale
     if best.strain:
-        other = fit_scene(partial(_compose, mechanism, hints, _LENGTHS_FIRST), first, span)
+        other = fit_scene(partial(_compose, begin, _LENGTHS_FIRST), first, span)
         best = min(best, other, key=_rate_scene)
     for order in _OTHER_ORDERS:
         if best.crowded:
-            other = fit_scene(partial(_compose, mechanism, hints, order), first, span)
+            other = fit_scene(partial(_compose, begin, order), first, span)
             best = min(best, other, key=_rate_scene)
     for share, order in _SMALLER:
         if best.crowded:
-            other = fit_scene(partial(_compose, mechanism, hints, order), first * share, span)
+            other = fit_scene(partial(_compose, begin, order), first * share, span)
             best = min(best, other, key=_rate_scene)
     return best
 
@@ -109,30 +111,51 @@ def _rate_scene(scene: Scene) -> tuple[int, float]:
     return len(scene.crowded), round(scene.strain, 6)
 
 
-def _compose(
-    mechanism: Mechanism, hints: FigureHints, order: tuple[_Stage, ...], scale: float
-) -> Layout:
-    """The mechanism, then frames and angles, then the other marks and the letters of points in an
-    order; last the radii, which may go anywhere, and the names of bodies.
+@dataclass(frozen=True)
+class _Begun:
+    """A figure at one scale as far as it is the same in whatever order the other marks follow: the
+    mechanism, how it is drawn, the wishes of its letters; the layout of what is drawn alone, and
+    the one with frames and angles.
     """
+
+    paper: Mechanism
+    hints: FigureHints
+    drawing: Drawing
+    named: tuple[Wish, ...]
+    start: Layout
+    layout: Layout
+
+
+def _begin(mechanism: Mechanism, hints: FigureHints, scale: float) -> _Begun:
     paper = scale_to_paper(mechanism, scale)
     drawing = draw(paper, hints)
     named = tuple(label_points(paper, hints, drawing))
-    unwritten = named
     start = Layout.of(drawing.primitives)
     layout = _place_frames_and_angles(start, paper, hints, drawing)
+    return _Begun(paper, hints, drawing, named, start, layout)
+
+
+def _compose(begin: Callable[[float], _Begun], order: tuple[_Stage, ...], scale: float) -> Layout:
+    """The mechanism, then frames and angles, then the other marks and the letters of points in an
+    order; last the radii, which may go anywhere, and the names of bodies.
+    """
+    begun = begin(scale)
+    paper, hints, drawing = begun.paper, begun.hints, begun.drawing
+    layout, unwritten = begun.layout, begun.named
     for stage in order:
         match stage:
             case "rotations":
                 turning = [given for given in hints.arrows if isinstance(given, Turning)]
                 lengths = hints.lengths
-                layout = add_rotations(layout, paper, turning, drawing, named, lengths=lengths)
+                layout = add_rotations(
+                    layout, paper, turning, drawing, begun.named, lengths=lengths
+                )
             case "motions":
                 moving = [given for given in hints.arrows if isinstance(given, Moving)]
                 for _, together in groupby(moving, attrgetter("point")):
                     layout = add_motions(layout, paper, list(together), drawing.rails, unwritten)
             case "lengths":
-                grounds = start.obstacles, Obstacles.of(drawing.ground)
+                grounds = begun.start.obstacles, Obstacles.of(drawing.ground)
                 layout = _place_lengths(layout, paper, hints, *grounds)
             case "letters":
                 letters = [keep_from_arrows(wish, layout.marks) for wish in unwritten]

@@ -15,6 +15,9 @@ from kinegrade.numbers.number import Arithmetic, Number
 # components for doubles, which no protocol of all numbers would allow
 Component = Any
 
+# What the constructor of a named tuple calls: half the time, in what is done most often
+_make = tuple.__new__
+
 
 class Vector(NamedTuple):
     """A vector or a point of the plane; components in any one arithmetic."""
@@ -23,24 +26,24 @@ class Vector(NamedTuple):
     y: Component
 
     def __add__(self, other: Vector) -> Vector:  # type: ignore[override]
-        return Vector(self.x + other.x, self.y + other.y)
+        return _make(Vector, (self.x + other.x, self.y + other.y))
 
     def __sub__(self, other: Vector) -> Vector:
-        return Vector(self.x - other.x, self.y - other.y)
+        return _make(Vector, (self.x - other.x, self.y - other.y))
 
     def __neg__(self) -> Vector:
-        return Vector(-self.x, -self.y)
+        return _make(Vector, (-self.x, -self.y))
 
     def __mul__(self, factor: Number) -> Vector:  # type: ignore[override]
         if isinstance(factor, Vector):
             return NotImplemented
-        return Vector(self.x * factor, self.y * factor)
+        return _make(Vector, (self.x * factor, self.y * factor))
 
     def __rmul__(self, factor: Number) -> Vector:  # type: ignore[override]
         return self * factor
 
     def __truediv__(self, divisor: Number) -> Vector:
-        return Vector(self.x / divisor, self.y / divisor)
+        return _make(Vector, (self.x / divisor, self.y / divisor))
 
     def dot(self, other: Vector) -> Component:
         """Scalar product."""
@@ -52,7 +55,7 @@ class Vector(NamedTuple):
 
     def turned(self) -> Vector:
         """The vector turned by 90 degrees counter-clockwise (k x self)."""
-        return Vector(-self.y, self.x)
+        return _make(Vector, (-self.y, self.x))
 
     def squared(self) -> Component:
         """Square of the length."""
@@ -64,4 +67,4 @@ class Vector(NamedTuple):
 
     def map(self, number: Callable[[Number], Number]) -> Vector:
         """The vector with `number` applied to its components."""
-        return Vector(number(self.x), number(self.y))
+        return _make(Vector, (number(self.x), number(self.y)))

@@ -17,7 +17,7 @@ from fractions import Fraction
 from itertools import islice
 from typing import Literal
 
-from kinegrade.description.description import Description
+from kinegrade.description.said import Description
 from kinegrade.figure.scene import Scene
 from kinegrade.language import Language
 from kinegrade.press.paper_head import PLAIN_HEAD, PaperHead

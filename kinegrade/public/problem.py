@@ -6,7 +6,8 @@ from contextlib import suppress
 from dataclasses import dataclass, replace
 from os import PathLike, fspath
 
-from kinegrade.description.description import Description, describe
+from kinegrade.description.description import describe
+from kinegrade.description.said import Description
 from kinegrade.errors import KinegradeError
 from kinegrade.exam.printing.pages import QuestionPlace, ShownInstance, lay_out_question
 from kinegrade.figure.back_ends.svg import to_svg

@@ -7,7 +7,8 @@ from __future__ import annotations
 import re
 from collections.abc import Collection, Iterator
 
-from kinegrade.description.description import Description, describe
+from kinegrade.description.description import describe
+from kinegrade.description.said import Description
 from kinegrade.language import Language
 from kinegrade.problem.quantity import Quantity
 from kinegrade.problem.solution import Solution

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from kinegrade.description.description import Description, describe
+from kinegrade.description.description import describe
+from kinegrade.description.said import Description
 from kinegrade.language import Language
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.library.library import find_template_names, load_template

@@ -19,7 +19,7 @@ from kinegrade.exam.roster.roster import Roster
 from kinegrade.exam.roster.students import Student
 from kinegrade.exam.setting.dealing import ClassDeal, deal_exam
 from kinegrade.exam.setting.key_record import make_key_line
-from kinegrade.exam.setting.setting import set_paper
+from kinegrade.exam.setting.setting import set_paper, set_papers
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.library.library import load_template
 from kinegrade.processes.executor import Start, open_executor
@@ -156,6 +156,14 @@ def test_a_paper_is_set_alone_as_in_its_class(bank: Bank) -> None:
     fresh = deal_exam(bank, roster("x"), FromWords("spring")).exam
     alone = [make_key_line(set_paper(fresh, whole.dealt(each))) for each in whole.roster.students]
     assert alone == together
+
+
+def test_papers_are_set_together_as_alone(bank: Bank) -> None:
+    whole = deal_exam(bank, roster(*CLASS), FromWords("spring"))
+    dealt = [whole.dealt(each) for each in whole.roster.students]
+    one, other = (deal_exam(bank, roster("x"), FromWords("spring")).exam for _ in range(2))
+    alone = [make_key_line(set_paper(one, each)) for each in dealt]
+    assert [make_key_line(each) for each in set_papers(other, dealt)] == alone
 
 
 def test_the_places_of_a_class_get_the_same_whoever_has_them(bank: Bank) -> None:

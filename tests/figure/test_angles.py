@@ -267,8 +267,8 @@ def test_no_leader_ends_at_a_side_beyond_which_its_letter_would_stand() -> None:
     arc = AngleArc(Bow(VERTEX, 12.0, 0.0, 0.3, THIN), (side,), Angle("x", "O", "right", "up"), 0.0)
     downward = LedAngleArc(arc, Vector(11.8, 2.2), radians(210), 4.0, 0.0)
     assert downward.path()[0][1].y > 0.0
-    assert downward.crosses_side()
-    assert not replace(downward, turn=radians(10)).crosses_side()
+    assert downward.crosses(arc.measure_sides())
+    assert not replace(downward, turn=radians(10)).crosses(arc.measure_sides())
 
 
 def test_a_leader_may_leave_a_narrow_angle_between_its_sides() -> None:

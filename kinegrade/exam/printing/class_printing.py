@@ -11,7 +11,7 @@ from functools import lru_cache
 
 from kinegrade.exam.printing.printing import PressOrder, Printed, PrintRun, print_papers
 from kinegrade.exam.setting.dealing import ClassDeal
-from kinegrade.exam.setting.setting import DealtPaper, Exam, set_paper
+from kinegrade.exam.setting.setting import DealtPaper, Exam, set_papers
 from kinegrade.press.protocol import Press
 from kinegrade.processes.executor import Shared, map_in_order
 
@@ -65,7 +65,7 @@ def split_class(count: int, jobs: int) -> Iterator[range]:
 def _print(task: _PrintTask) -> list[Printed]:
     """A part of the class set and printed."""
     run, exam = task.run.value, task.exam.value
-    papers = [set_paper(exam, each) for each in task.papers]
+    papers = set_papers(exam, task.papers)
     return print_papers(run, open_press(run.press_order), papers, exam.sketcher)
 
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from kinegrade.deadlines.moment import write_moment
-from kinegrade.description.description import Description
+from kinegrade.description.said import Description
 from kinegrade.description.short import describe_briefly
 from kinegrade.exam.bank.blueprint import Bank
 from kinegrade.exam.bank.by_hand import HandQuestion

@@ -6,7 +6,7 @@ anywhere, alone. `kinegrade.exam.setting.dealing` deals to a class.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
@@ -155,6 +155,13 @@ def set_paper(exam: Exam, dealt: DealtPaper) -> SetPaper:
         if question.identifier in dealt.values
     )
     return SetPaper(dealt.student, dealt.code, questions, dealt.order, dealt.version, dealt.place)
+
+
+def set_papers(exam: Exam, dealt: Sequence[DealtPaper]) -> list[SetPaper]:
+    """Several papers, which are set faster together than one by one. Raises as `set_paper`."""
+    for name, draw_filter in exam.filters.items():
+        draw_filter.bound_together(each.values[name] for each in dealt if name in each.values)
+    return [set_paper(exam, each) for each in dealt]
 
 
 def _set_question(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from math import cos, pi
 
@@ -92,6 +92,15 @@ class AngleArc:
         bow = self.bow
         return tuple(line for leg in self.legs if (line := leg.line(bow.centre, bow.radius)))
 
+    def measure_sides(self) -> tuple[tuple[Vector, float], ...]:
+        """The direction of each side, and how far it is drawn."""
+        centre = self.bow.centre
+        lines = [(leg, leg.line(centre, self.bow.radius)) for leg in self.legs]
+        return tuple(
+            (polar(leg.angle), length(line[1] - centre) if line else leg.drawn)
+            for leg, line in lines
+        )
+
     def _list_far_lines(self) -> Iterator[Segment]:
         bow = self.bow
         for leg in self.legs:
@@ -137,6 +146,7 @@ def add_leaders(arc: AngleArc, cost: float, dear: float) -> Iterator[LedAngleArc
     lines = (*arc.neighbours.lines, *arc.list_sides())
     others = Obstacles.of((Strokes(arc.neighbours.lines, THIN),))
     leaving = [(way, turn) for way in outward for turn in (way, *_TWELFTHS)]
+    sides = arc.measure_sides()
     for reach in _LEADERS:
         demerit = cost + _LED + _LONGER * (reach - _LEADERS[0])
         if demerit >= dear:
@@ -145,7 +155,7 @@ def add_leaders(arc: AngleArc, cost: float, dear: float) -> Iterator[LedAngleArc
             if abs(cos(turn - way)) > _LEAST_LEAVING:
                 start = bow.centre + polar(way, bow.radius)
                 led = LedAngleArc(arc, start, turn, reach, demerit)
-                worse = _THROUGH * led.crosses_side() + _RUNS_ON * runs_on(led.line(), lines)
+                worse = _THROUGH * led.crosses(sides) + _RUNS_ON * runs_on(led.line(), lines)
                 worse += _ACROSS * (others.along(led.path(), shared=False) > 0)
                 yield replace(led, demerit=demerit + worse) if worse else led
 
@@ -163,19 +173,17 @@ class LedAngleArc:
     demerit: float
     shared: bool = True
 
-    def crosses_side(self) -> bool:
+    def crosses(self, sides: Iterable[tuple[Vector, float]]) -> bool:
         """Whether the leader, or its letter at its end, crosses a side of the angle as far as that
         is drawn.
         """
-        centre, end = self.arc.bow.centre, self.start + polar(self.turn, self.reach + _IN_LETTER)
-        for leg in self.arc.legs:
-            toward, line = polar(leg.angle), leg.line(centre, self.arc.bow.radius)
-            drawn = length(line[1] - centre) if line else leg.drawn
-            from_side = [(place - centre).cross(toward) for place in (self.start, end)]
-            if from_side[0] * from_side[1] <= 0:
-                share = from_side[0] / (from_side[0] - from_side[1])
-                at = self.start + (end - self.start) * share
-                if 0 < (at - centre).dot(toward) < drawn + _PAST_SIDE:
+        start = self.start - self.arc.bow.centre
+        step = polar(self.turn, self.reach + _IN_LETTER)
+        for toward, drawn in sides:
+            aside, further = start.cross(toward), step.cross(toward)
+            if aside * (aside + further) <= 0:
+                at = start + step * (-aside / further)
+                if 0 < at.dot(toward) < drawn + _PAST_SIDE:
                     return True
         return False
 

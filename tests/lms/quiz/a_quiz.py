@@ -10,7 +10,7 @@ from fractions import Fraction
 from itertools import pairwise
 from typing import Literal
 
-from kinegrade.description.description import Description
+from kinegrade.description.said import Description
 from kinegrade.exam.quiz.document import Quiz, QuizAsk, QuizMistake, QuizPaper, QuizQuestion
 from kinegrade.figure.scene import FIRM, Scene, Strokes
 from kinegrade.mechanics.vector import Vector

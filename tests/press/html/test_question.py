@@ -6,7 +6,7 @@ from dataclasses import replace
 from fractions import Fraction
 from xml.etree import ElementTree
 
-from kinegrade.description.description import Description
+from kinegrade.description.said import Description
 from kinegrade.language import ENGLISH
 from kinegrade.press.html.question import write_description, write_row, write_statement
 from kinegrade.press.sheet import AnswerRow

@@ -16,7 +16,7 @@ from zipfile import ZipFile
 
 import pytest
 
-from kinegrade.description.description import Description
+from kinegrade.description.said import Description
 from kinegrade.errors import TypesetError
 from kinegrade.language.math.tokens import COMMANDS
 from kinegrade.press.program_run import ProgramRun
