@@ -12,6 +12,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, fields
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 from kinegrade.draws.deck import Combination, Deck
 from kinegrade.draws.earlier import NONE_EARLIER, EarlierDraws
@@ -25,22 +26,21 @@ from kinegrade.draws.examining import (
     require_room,
     solve_sensible,
 )
-from kinegrade.draws.screening import screen
 from kinegrade.errors import Problem
 from kinegrade.figure.sketch import Sketcher, sketch
 from kinegrade.language.message import Message
 from kinegrade.mechanics.plan import Plan
-from kinegrade.numbers.pad import Doubles
 from kinegrade.numbers.tolerance import USUAL_CARRY, Tolerance
 from kinegrade.problem.printed_givens import mark_question
 from kinegrade.problem.solution import Solution
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.hints import FigureHints
 from kinegrade.problem.template.template import Template
-from kinegrade.students.mistaking.mistakes import convert_parameters
 from kinegrade.students.rounding.accuracy import Accuracy
-from kinegrade.students.rounding.bounds import find_error_bounds
-from kinegrade.students.separation import Separation, collect_columns, find_separation
+
+if TYPE_CHECKING:
+    from kinegrade.numbers.pad import Doubles
+    from kinegrade.students.separation import Separation
 
 # Combinations from which it is judged which mistakes can be kept apart from the truth
 _SAMPLE = 400
@@ -118,6 +118,9 @@ class DrawFilter:
         """Combinations looked at in doubles, all at once."""
         if self.separation is None or not combinations:
             return [_Screened(values, None, {}) for values in combinations]
+        from kinegrade.draws.screening import screen
+        from kinegrade.students.separation import collect_columns
+
         seen = self.separation.compare(collect_columns(combinations))
         refusals = screen(self.separation, self.accuracy, seen)
         return [
@@ -207,6 +210,10 @@ class DrawFilter:
         """
         if self.plan is None:
             return {}
+        from kinegrade.students.mistaking.mistakes import convert_parameters
+        from kinegrade.students.rounding.bounds import find_error_bounds
+        from kinegrade.students.separation import collect_columns
+
         asks = {name: self.template.asks[name] for name in self.asks}
         arrays = convert_parameters(self.template, collect_columns(draws))
         return find_error_bounds(self.template, asks, arrays, self.plan, carry)
@@ -226,6 +233,8 @@ class DrawFilter:
         """
         if self.plan is None or not self.asks:
             return None
+        from kinegrade.students.separation import collect_columns, find_separation
+
         asks = {name: self.template.asks[name] for name in self.asks}
         sample = collect_columns(self._sample.first(_SAMPLE))
         return find_separation(self.template, asks, self.accuracy, self.plan, sample)

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from os import PathLike
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from kinegrade.exam.folder import exam_folder
 from kinegrade.exam.folder.exam_folder import ExamFolder
-from kinegrade.marks_folder import folder as marks_folder
-from kinegrade.marks_folder.folder import MarksFolder
 from kinegrade.public.folders import expect_folders
+
+if TYPE_CHECKING:
+    from kinegrade.marks_folder.folder import MarksFolder
 
 
 def open_exam(path: str | PathLike[str]) -> ExamFolder:
@@ -36,5 +38,7 @@ def open_marks(path: str | PathLike[str]) -> MarksFolder:
     Traceback (most recent call last):
     kinegrade.errors.TableError: EXAM: you gave EXAM where MARKS is expected - ...
     """
+    from kinegrade.marks_folder import folder as marks_folder  # a paper alone needs no marks
+
     expect_folders((Path(path), "MARKS"))
     return marks_folder.open_marks(Path(path))

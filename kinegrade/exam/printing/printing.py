@@ -10,11 +10,7 @@ from typing import assert_never
 
 from kinegrade.exam.bank.blueprint import Bank
 from kinegrade.exam.folder.contents import PAPERS, SOLUTIONS
-from kinegrade.exam.folder.writing import encode_line
-from kinegrade.exam.printing.key_pages import make_key_paper
 from kinegrade.exam.printing.pages import lay_out_paper
-from kinegrade.exam.setting.key_mistakes import find_mistaken_answers
-from kinegrade.exam.setting.key_record import make_key_line
 from kinegrade.exam.setting.setting import SetPaper
 from kinegrade.figure.sketch import Sketcher, sketch
 from kinegrade.language import Language
@@ -131,6 +127,12 @@ def print_papers(
 
     Raises TypesetError with all faults of their texts.
     """
+    # What the key takes, which a paper that is printed alone does not need
+    from kinegrade.exam.folder.writing import encode_line
+    from kinegrade.exam.printing.key_pages import make_key_paper
+    from kinegrade.exam.setting.key_mistakes import find_mistaken_answers
+    from kinegrade.exam.setting.key_record import make_key_line
+
     pages = {
         paper.student.file_name: lay_out_paper(run.bank, paper, run.language, sketcher)
         for paper in (papers if run.extras.papers else ())

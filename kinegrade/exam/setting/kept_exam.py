@@ -21,7 +21,6 @@ from kinegrade.exam.setting.derivation import derive_question, find_differences,
 from kinegrade.exam.setting.setting import Exam, SetPaper, SetQuestion
 from kinegrade.language.message import Fault, Message, Quoted
 from kinegrade.mechanics.plan import Plan
-from kinegrade.students.following.connections import find_generic_plan
 
 _Term: TypeAlias = Literal["code", "version", "questions", "printed"]
 
@@ -148,6 +147,8 @@ class KeptExam:
 
     def require_no_contradiction(self) -> None:
         """Raises ExamError where something else follows for a paper than the key says."""
+        from kinegrade.students.following.connections import find_generic_plan
+
         plans = {name: find_generic_plan(each.template) for name, each in self._questions.items()}
         for line in self.exam.lines():
             for kept in line.questions:

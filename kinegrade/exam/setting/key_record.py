@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from decimal import Decimal
 from types import MappingProxyType
+from typing import TYPE_CHECKING
 
 from kinegrade.exam.folder.records import (
     KeyLine,
@@ -14,10 +15,12 @@ from kinegrade.exam.folder.records import (
     StatedTolerance,
 )
 from kinegrade.exam.folder.writing import make_decimal
-from kinegrade.exam.setting.key_mistakes import Mistaken
 from kinegrade.exam.setting.setting import SetAsk, SetPaper, SetQuestion
 from kinegrade.numbers.tolerance import Tolerance
 from kinegrade.problem.quantity import Quantity
+
+if TYPE_CHECKING:
+    from kinegrade.exam.setting.key_mistakes import Mistaken
 
 _NOTHING_KNOWN: Mapping[str, Mistaken] = MappingProxyType({})
 
