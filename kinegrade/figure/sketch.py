@@ -6,7 +6,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from functools import lru_cache, partial
+from functools import cache, lru_cache, partial
 from itertools import groupby
 from operator import attrgetter
 from typing import Literal, assert_never
@@ -89,7 +89,7 @@ def draw_unit_figure(shown: Subject) -> Scene:
     mechanism, hints = shown.mechanism, drop_still(shown.mechanism, shown.hints)
     span = measure_span(mechanism, hints)
     scale = _choose_first_scale(mechanism, hints, span)
-    begin = lru_cache(maxsize=1)(partial(_begin, mechanism, hints))
+    begin = cache(partial(_begin, mechanism, hints))
     best = fit_scene(partial(_compose, begin, _USUAL_ORDER), scale, span)
     first = best.scale
     if best.strain:
