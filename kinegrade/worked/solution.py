@@ -39,6 +39,7 @@ from kinegrade.worked.steps.steps import explain_step, find_stage
 from kinegrade.worked.steps.titles import name_step
 from kinegrade.worked.steps.used_points import find_placed_points, find_used_points
 from kinegrade.worked.unit_of_length import count_lengths_as_given
+from kinegrade.worked.vectors.contacts import introduce_contacts
 from kinegrade.worked.vectors.facts import note_equation
 from kinegrade.worked.vectors.needed_rates import (
     NOTHING,
@@ -143,6 +144,7 @@ def collect_needs(case: Case, asked: Iterable[Ask]) -> Needs:
 def _write_position_chapter(case: Case, used: Collection[str]) -> Iterator[Block]:
     """Where the points used are."""
     yield Heading(case.write(Message("solution.positions")), 1)
+    yield from introduce_contacts(case, used)
     yield from explain_positions(case, used)
 
 

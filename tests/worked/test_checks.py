@@ -19,6 +19,7 @@ from kinegrade.worked.solution import write_worked_solution
 from tests.worked.draws import drawn, kept
 from tests.worked.reader.amounts import Amount, Unreadable
 from tests.worked.reader.formula_reader import read_formula
+from tests.worked.telling import lines
 
 CHECK = re.compile(
     r"^Check by (?P<way>.*): left side \$(?P<left>.*)\$, right side \$(?P<right>.*)\$; "
@@ -236,3 +237,16 @@ def test_a_point_in_a_wrong_place_shows() -> None:
     slipped = replace(solution, motion=replace(solution.motion, frames=frames))
     (check,) = find_checks(write_worked_solution(slipped, ("phi_2",), "en").blocks)
     assert not check.agrees
+
+
+RATE = re.compile(r"(\d+(?:\.\d+)?)\\,\\unit\{(?:m|rad)/s(?:\^2)?\}")
+
+
+@pytest.mark.parametrize("name", find_template_names())
+def test_a_check_goes_by_rates_that_stand_on_the_page(name: str) -> None:
+    for place in range(len(drawn(name))):
+        page = "\n".join(lines(kept(name, place))).split("Check by")[0::1]
+        told = set(RATE.findall(" ".join(part.partition("they agree")[2] or part for part in page)))
+        for check in read_checks(name, place):
+            sums = (RELATION.split(side)[0] for side in (check.left, check.right))
+            assert {one for side in sums for one in RATE.findall(side)} <= told

@@ -20,6 +20,7 @@ from kinegrade.worked.answers.asked_vectors import (
     is_vector_call,
 )
 from kinegrade.worked.answers.centrodes import explain_centrode
+from kinegrade.worked.answers.directions import explain_turn, is_turn
 from kinegrade.worked.answers.projections import Working
 from kinegrade.worked.answers.quantity_formulas import find_value, work_out
 from kinegrade.worked.answers.stated_values import explain_value
@@ -50,6 +51,8 @@ def explain_answer(ask: Ask, case: Case) -> Iterator[Block]:
         if call.function == "pole" and isinstance(call.arguments[0], Name):
             yield from explain_pole(call.arguments[0].name, case)
     yield from explain_prerequisites(ask.quantity, case)
+    if isinstance(ask.quantity, Call) and is_turn(ask.quantity):
+        yield from explain_turn(ask.quantity, case)
     symbol, answer = read_symbol(ask.symbol), case.solution.answers[ask.name]
     working = work_out(ask.quantity, case)
     if working.symbols.looks_like(abs(symbol)):

@@ -15,9 +15,9 @@ from kinegrade.worked.formulas.formula import Function
 from kinegrade.worked.formulas.symbols import name_angle, name_vector
 from kinegrade.worked.positions.algebra import Pair, cross, dot, over, times
 from kinegrade.worked.positions.axes import length_of
-from kinegrade.worked.positions.instance import PURE, Instance
+from kinegrade.worked.positions.instance import DEGREE, PURE, Instance
 
-_QUADRANTS: Mapping[tuple[int, int], Message] = {  # by the signs of the cosine and of the sine
+QUADRANTS: Mapping[tuple[int, int], Message] = {  # by the signs of the cosine and of the sine
     (1, 1): Message("solution.first-quadrant"),
     (-1, 1): Message("solution.second-quadrant"),
     (-1, -1): Message("solution.third-quadrant"),
@@ -103,7 +103,10 @@ def _settle(
     if signs[0] and signs[1]:
         lines += instance.equation(Function("tan", label), over(sine, cosine), PURE)
     name, working = working.denote("angle", label, Call("atan2", (sine, cosine)))
-    return name, working.shown(lines).said(_QUADRANTS[signs])
+    working = working.shown(lines).said(QUADRANTS[signs])
+    if working.symbol is None:
+        working = working.shown(working.instance.equation(label, name, DEGREE))
+    return name, working
 
 
 def find_angle_between(

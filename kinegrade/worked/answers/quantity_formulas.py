@@ -17,6 +17,7 @@ from kinegrade.worked.answers.asked_vectors import (
     is_vector_call,
 )
 from kinegrade.worked.answers.dimensions import find_unit
+from kinegrade.worked.answers.directions import is_turn, state_turn
 from kinegrade.worked.answers.places import is_pole, state_distance, state_place
 from kinegrade.worked.answers.projections import (
     Working,
@@ -84,7 +85,7 @@ def _measure(tree: Call, case: Case) -> Working:
             named = name_known_axis(tree.arguments[1], direction, case)
             return project(fact, direction, case, named)
         case _:
-            return _state_angle(tree, case)
+            return state_turn(tree, case) if is_turn(tree) else _state_angle(tree, case)
 
 
 def _state_magnitude(fact: Fact, case: Case) -> Working:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import chain
 from typing import Literal
@@ -14,8 +14,9 @@ from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Level
 from kinegrade.worked.answers.point_vectors import Found, explain_point_vector, keep_fact
 from kinegrade.worked.case import Case
+from kinegrade.worked.document import Block
 from kinegrade.worked.findings import Fact, Piece
-from kinegrade.worked.formulas.atoms import AXES, TWO, VectorSymbol, add_terms
+from kinegrade.worked.formulas.atoms import AXES, OTHER, TWO, VectorSymbol, add_terms
 from kinegrade.worked.formulas.equation import Equation, Link, equate
 from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.measures import double, length
@@ -28,6 +29,7 @@ from kinegrade.worked.vectors.components import add_components
 from kinegrade.worked.vectors.coriolis import Turned, explain_directions
 from kinegrade.worked.vectors.points import list_relative_parts
 from kinegrade.worked.vectors.relatives import Relative, find_relative, index_relative
+from kinegrade.worked.vectors.summands import PLACES, name_component
 from kinegrade.worked.vectors.vectors import name_by_role, name_coriolis
 
 
@@ -64,6 +66,7 @@ def _explain_rest(motion: Relative, name: VectorSymbol, level: Level, case: Case
     parts = [absolute, transport]
     if level == "acceleration":
         coriolis = yield from explain_coriolis(motion, case)
+        yield from _explain_components(coriolis, motion, case)
         parts.append(coriolis)
     yield case.say(
         Message(
@@ -75,6 +78,26 @@ def _explain_rest(motion: Relative, name: VectorSymbol, level: Level, case: Case
     )
     yield case.show(*(add_components(axis, name, parts, case, "-") for axis in AXES))
     return Fact(name, absolute.value - add_vectors(part.value for part in parts[1:]), True)
+
+
+def _explain_components(coriolis: Fact, motion: Relative, case: Case) -> Iterator[Block]:
+    """The components of a Coriolis acceleration that is slanting: those of the relative velocity,
+    turned with the frame.
+    """
+    relative = case.findings.answered[Call("relative_velocity", motion.names)]
+    if not relative.by_components or not all(map(double, coriolis.value)):
+        return
+    turning = name_rotation(motion.frame, case, "velocity")
+    omega = measure(find_rotation_value(motion.frame, case, "velocity"), "rad/s")
+    equations = list[Equation]()
+    for axis, sign in zip(AXES, (-1, 1), strict=True):
+        across = OTHER[axis]
+        speed = measure(relative.value[PLACES[across]], "m/s")
+        symbols = (TWO * turning * name_component(relative.symbol, across)).signed(sign)
+        size = state_number(coriolis.value[PLACES[axis]], "m/s^2")
+        links = (*equate(symbols, TWO.dot(omega).dot(speed).signed(sign)), *size)
+        equations.append(Equation(name_component(coriolis.symbol, axis), links))
+    yield case.show(*equations)
 
 
 def _state_difference(name: VectorSymbol, parts: Sequence[Fact]) -> Equation:

@@ -16,6 +16,7 @@ from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Level
 from kinegrade.worked.case import Case
 from kinegrade.worked.checks.check import Check, Side, compare
+from kinegrade.worked.checks.components import Turned, list_component_checks
 from kinegrade.worked.findings import Fact
 from kinegrade.worked.formulas.atoms import TWO, ZERO, add_terms
 from kinegrade.worked.formulas.formula import Formula
@@ -45,6 +46,10 @@ def list_body_checks(level: Level, case: Case) -> Iterator[Check]:
         for pair in pairs:
             if _is_new(pair, case) == new:
                 yield from _check_pair(pair, level, case)
+    for pair in pairs:
+        omega, alpha = case.motion.omega(pair.body), case.motion.alpha(pair.body)
+        turned = Turned(pair.points, pair.facts, double(omega), double(alpha))
+        yield from list_component_checks(turned, level, case)
 
 
 def _list_pairs(level: Level, case: Case) -> Iterator[_Pair]:
@@ -77,7 +82,7 @@ def _check_pair(pair: _Pair, level: Level, case: Case) -> Iterator[Check]:
     for way, across in (("along", False), ("across", True)):
         turning = _state_turning(pair, arm, level, case, across=across)
         before, after = (arm.multiply(fact, across=across) for fact in pair.facts)
-        if double(after.value):
+        if before is not None and after is not None and double(after.value):
             yield compare(
                 Message(f"solution.check-{way}-{level}", first=first, second=second),
                 after,
@@ -93,28 +98,35 @@ class _Arm:
     vector: Vector
     number: Formula
 
-    def multiply(self, fact: Fact, *, across: bool) -> Side:
+    def multiply(self, fact: Fact, *, across: bool) -> Side | None:
         """The product of a vector with the arm, with the arm turned by 90 degrees where `across`:
-        its length times what lies along it, else by components.
+        by components, else its length times what lies along it; None where a part is slanting to
+        it.
         """
         line = self.vector.turned() if across else self.vector
         value = double(line.map(float).dot(fact.value.map(float)))
-        if value == 0:
-            return Side(ZERO, 0.0)
-        if not fact.by_components and not double(line.cross(fact.value)):
-            size = abs(value) / float(line.map(float).squared()) ** 0.5
-            return Side(
-                self.number.dot(measure(size, fact.symbol.unit)).signed(_sign(value)), value
-            )
+        if fact.by_components:
+            return Side(self._multiply_components(line, fact), value)
+        terms: list[Formula] = []
+        for piece in fact.parts:
+            along = double(line.dot(piece.value))
+            if along and double(line.cross(piece.value)):
+                return None
+            if along:
+                size = abs(along) / float(line.map(float).squared()) ** 0.5
+                number = measure(size, fact.symbol.unit)
+                terms.append(self.number.dot(number).signed(_sign(along)))
+        return Side(add_terms(terms), value)
+
+    def _multiply_components(self, line: Vector, fact: Fact) -> Formula:
         pairs = zip(line, fact.value, strict=True)
-        products = [
+        return add_terms(
             measure(abs(one), "m")
             .dot(measure(abs(other), fact.symbol.unit))
             .signed(_sign(one * other))
             for one, other in pairs
             if double(one * other)
-        ]
-        return Side(add_terms(products), value)
+        )
 
 
 def _sign(number: Any) -> int:

@@ -13,6 +13,7 @@ from kinegrade.worked.checks.bodies import list_body_checks
 from kinegrade.worked.checks.carriers import list_carrier_checks
 from kinegrade.worked.checks.check import Check
 from kinegrade.worked.checks.places import list_place_checks
+from kinegrade.worked.checks.poles import list_pole_checks
 from kinegrade.worked.checks.projections import list_projection_checks
 from kinegrade.worked.checks.tracks import list_track_checks
 from kinegrade.worked.document import Block
@@ -23,6 +24,9 @@ def check_rates(stages: Mapping[Step, Stage], level: Level, case: Case) -> Itera
     """The check of the last step that has one, else that of a wheel between tracks, of the points
     of a body or of gears on a carrier.
     """
+    if case.findings.places_alone:
+        yield from _say_first(list_pole_checks(stages.values(), case), case)
+        return
     for step, stage in reversed(tuple(stages.items())):
         for check in list_projection_checks(step, stage):
             if check.is_telling:

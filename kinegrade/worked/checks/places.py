@@ -39,7 +39,7 @@ class _Distance:
     def check(self, case: Case) -> Check:
         """The same distance by coordinates."""
         start, end = (case.motion.points[point] for point in (self.first, self.second))
-        sides = [_state_difference(*pair) for pair in zip(start, end, strict=True)]
+        sides = [state_difference(*pair) for pair in zip(start, end, strict=True)]
         across = [side for side in sides if side != ZERO]
         numbers = add_squares(across) if len(across) > 1 else across[0]
         value, given = length(end - start, case.arithmetic), make_instance(case).value(self.given)
@@ -102,7 +102,7 @@ def _find_located(call: Expression) -> tuple[str, ...]:
             assert_never(call)
 
 
-def _state_difference(start: Any, end: Any) -> Formula:
+def state_difference(start: Any, end: Any) -> Formula:
     """The difference of two coordinates in numbers, of which the square is taken; where one is zero
     the other one.
     """

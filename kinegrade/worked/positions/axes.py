@@ -7,13 +7,11 @@ as in a textbook.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Literal, assert_never
 
-from kinegrade.expressions.reading import read_expression
 from kinegrade.expressions.tree import Call, Expression, Name, Number, Operation
-from kinegrade.worked.formulas.leaves import count_quarter_turns
 from kinegrade.worked.positions.algebra import (
     ONE,
     TWO,
@@ -28,8 +26,7 @@ from kinegrade.worked.positions.algebra import (
     times,
 )
 from kinegrade.worked.positions.construction_steps import PLACED, Step
-
-_QUARTERS: Mapping[int, tuple[int, int]] = {0: (1, 0), 1: (0, 1), 2: (-1, 0), 3: (0, -1)}
+from kinegrade.worked.positions.right_angles import make_unit
 
 
 @dataclass(frozen=True)
@@ -80,7 +77,7 @@ class Axes:
             case Call(function="turned", arguments=(vector,)):
                 return _turn_left(self.pair(vector))
             case Call(function="polar", arguments=(centre, radius, angle)):
-                return _add("+", self.pair(centre), scale(_make_unit(angle), radius))
+                return _add("+", self.pair(centre), scale(make_unit(angle), radius))
             case Call(function="midpoint", arguments=(first, second)):
                 return _divide(_add("+", self.pair(first), self.pair(second)), TWO)
             case Operation():
@@ -149,25 +146,9 @@ def find_line(shape: Call, axes: Axes) -> tuple[Pair, Pair]:
     """
     start = axes.pair(shape.arguments[0]) or (ZERO, ZERO)
     if not axes.is_vector(shape.arguments[1]):
-        return start, _make_unit(shape.arguments[1])
+        return start, make_unit(shape.arguments[1])
     end = axes.pair(shape.arguments[1]) or (ZERO, ZERO)
     return start, (minus(end[0], start[0]), minus(end[1], start[1]))
-
-
-def _make_unit(angle: Expression) -> Pair:
-    """The unit vector in a direction; along an axis it is worked out."""
-    quarters = count_quarter_turns(angle)
-    if quarters is not None:
-        x, y = _QUARTERS[quarters]
-        return _make_integer(x), _make_integer(y)
-    if is_negated(angle):
-        return Call("cos", (angle.right,)), minus(ZERO, Call("sin", (angle.right,)))
-    return Call("cos", (angle,)), Call("sin", (angle,))
-
-
-def _make_integer(value: int) -> Expression:
-    """A small whole number as an expression."""
-    return read_expression(str(value))
 
 
 def _turn_left(pair: Pair | None) -> Pair | None:

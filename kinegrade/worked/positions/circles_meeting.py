@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Literal
+from dataclasses import dataclass
+from typing import Literal, assert_never
 
-from kinegrade.expressions.tree import Call, Expression, Name, Operation
+from kinegrade.expressions.reading import read_expression
+from kinegrade.expressions.tree import Call, Expression, Name, Number, Operation
 from kinegrade.language.math.tree import Row
 from kinegrade.language.message import Message
 from kinegrade.worked.document import Block, Display
@@ -17,6 +19,7 @@ from kinegrade.worked.positions.algebra import (
     ZERO,
     Pair,
     cross,
+    make_positive,
     minus,
     over,
     plus,
@@ -25,10 +28,12 @@ from kinegrade.worked.positions.algebra import (
 )
 from kinegrade.worked.positions.axes import length_of
 from kinegrade.worked.positions.instance import DEGREE, METRE, PURE, Instance
+from kinegrade.worked.positions.right_angles import split_right_angles
 from kinegrade.worked.positions.shapes import describe_circle
 from kinegrade.worked.senses import name_rotation_sense
 
 _NOTHING: Pair = (ZERO, ZERO)
+STRAIGHT = Name("pi")
 
 
 def explain_circles(
@@ -38,29 +43,79 @@ def explain_circles(
     (first, radius), (second, opposite) = (circle.arguments for circle in circles)
     name, start, end = (instance.text(corner) for corner in (Name(point), first, second))
     left = turns_left(point, first, second, instance)
-    axis, towards = Call("distance", (first, second)), Call("direction", (first, second))
+    axis, side = Call("distance", (first, second)), _find_side(first, second, instance)
     cosine = _solve_for_cosine(radius, opposite, axis)
     corner = instance.free("corner")
     angle = instance.value(Call("acos", (cosine,)))
     opened = instance.named(corner, _name_corner((second, first, Name(point)), instance), angle)
-    turned = (plus if left else minus)(towards, Name(corner))
+    turned = _tidy((plus if left else minus)(side.direction, Name(corner)), opened)
     seen = Seen(turned, corner, opened.symbols[corner], angle)
     instance.case.findings.seen[first, Name(point)] = seen
     placed = Call("polar", (first, radius, turned))
     sense = name_rotation_sense(left)
+    measured = isinstance(side.direction, Call)
+    directed = opened.formula(side.direction), side.direction, DEGREE
     return (
         instance.say(_describe_triangle(point, circles, left, instance)),
-        Display(_solve_triangle(axis, cosine, corner, opened)),
+        Display(_solve_triangle(axis, side, cosine, (corner, opened))),
         instance.say(
             Message("solution.triangle-side", point=name, first=start, second=end, sense=sense),
         ),
         Display(
             (
-                *opened.equation(opened.formula(towards), towards, DEGREE),
+                *(opened.equation(*directed) if measured else ()),
                 *opened.coordinates(point, opened.axes.pair(placed) or _NOTHING),
             )
         ),
     )
+
+
+@dataclass(frozen=True)
+class _Side:
+    """The side between the centres: its length and its direction from the first one."""
+
+    length: Expression
+    direction: Expression
+
+
+def _find_side(first: Expression, second: Expression, instance: Instance) -> _Side:
+    """As it is given, where one centre is placed from the other one by distance and direction, or
+    along the x axis; else by coordinates.
+    """
+    towards = _find_given_side(first, second, instance)
+    back = _find_given_side(second, first, instance)
+    if towards is not None:
+        return towards
+    if back is not None:
+        return _Side(back.length, plus(back.direction, STRAIGHT))
+    vector = instance.axes.pair(Operation("-", second, first)) or _NOTHING
+    size = length_of(Call("", vector), instance.axes)
+    if vector[1] == ZERO:
+        return _Side(size, ZERO if instance.sign(vector[0]) > 0 else STRAIGHT)
+    return _Side(size, Call("direction", (first, second)))
+
+
+def _find_given_side(start: Expression, end: Expression, instance: Instance) -> _Side | None:
+    """The distance and direction by which the second point is placed from the first one."""
+    for step in instance.steps:
+        match step.tree:
+            case Call("polar", (base, size, angle)):
+                if (Name(step.point), base) == (end, start) and instance.sign(size) > 0:
+                    return _Side(size, angle)
+            case Number() | Name() | Operation() | Call():
+                continue
+            case _:
+                assert_never(step.tree)
+    return None
+
+
+def _tidy(angle: Expression, instance: Instance) -> Expression:
+    """A direction as right angles and a positive rest."""
+    sign, rest, quarters = split_right_angles(angle)
+    found = instance.sign(rest)
+    sized = make_positive(rest, found)
+    turned = over(times(read_expression(str(quarters)), STRAIGHT), TWO)
+    return (plus if sign * found > 0 else minus)(turned, sized)
 
 
 def _name_corner(points: tuple[Expression, ...], instance: Instance) -> Symbol:
@@ -95,16 +150,14 @@ def _solve_for_cosine(radius: Expression, opposite: Expression, axis: Expression
 
 
 def _solve_triangle(
-    axis: Call, cosine: Expression, corner: str, instance: Instance
+    axis: Call, side: _Side, cosine: Expression, opened: tuple[str, Instance]
 ) -> tuple[Row, ...]:
-    """The side between the centres, the cosine, and the angle."""
-    vector = instance.axes.pair(Operation("-", axis.arguments[1], axis.arguments[0])) or _NOTHING
+    """The side between the centres, the cosine, and the angle, which is named in the instance."""
+    corner, instance = opened
     angle = instance.symbols[corner]
     instance.note_distance(axis)
     return (
-        *instance.equation(
-            instance.formula(axis), length_of(Call("", vector), instance.axes), METRE
-        ),
+        *instance.equation(instance.formula(axis), side.length, METRE),
         *instance.equation(Function("cos", angle), cosine, PURE),
         *instance.equation(angle, Name(corner), DEGREE),
     )

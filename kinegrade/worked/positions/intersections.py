@@ -23,6 +23,7 @@ from kinegrade.worked.positions.algebra import (
     Pair,
     cross,
     dot,
+    is_negated,
     minus,
     over,
     plus,
@@ -137,7 +138,10 @@ def _solve_along_line(
     """
     base, along = line
     name = instance.free("s")
-    further = instance.named(name, name_quantity(name), instance.value(share), unit)
+    symbol = name_quantity(name)
+    further = instance.named(name, symbol, instance.value(share), unit)
+    if unit is METRE and further.sign(share) > 0:
+        _note_length(point, base, symbol, instance)
     step = Name(name)
     lines = further.equation(further.formula(step), share, unit)
     for axis, start, part in zip(AXES, base, along, strict=True):
@@ -145,6 +149,14 @@ def _solve_along_line(
             _name_coordinate(further, axis, point), plus(start, times(step, part))
         )
     return lines
+
+
+def _note_length(point: str, base: Pair, symbol: Symbol, instance: Instance) -> None:
+    """Keep the distance of a point from the named point of its line as worked out."""
+    starts = (step.point for step in instance.steps if instance.axes.pair(Name(step.point)) == base)
+    start = next(starts, None)
+    if start is not None and start != point:
+        instance.case.findings.arms.setdefault(frozenset((start, point)), symbol)
 
 
 def _solve_line_and_circle(
@@ -222,9 +234,10 @@ def _make_unit_line(line: _Line, instance: Instance) -> _Line:
 
 def _is_unit(along: Pair) -> bool:
     """Whether a direction is given by an angle or an axis, and not by two points."""
-    if ONE in along or minus(ZERO, ONE) in along:
-        return True
-    return isinstance(along[0], Call) and along[0].function == "cos"
+    sizes = [part.right if is_negated(part) else part for part in along]
+    return ONE in sizes or any(
+        isinstance(size, Call) and size.function in ("cos", "sin") for size in sizes
+    )
 
 
 def _write_circle_equation(point: str, circle: Call, instance: Instance) -> Row:

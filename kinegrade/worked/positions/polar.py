@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Literal
+from typing import Literal, assert_never
 
-from kinegrade.expressions.tree import Expression
+from kinegrade.expressions.tree import Call, Expression, Name, Number, Operation
 from kinegrade.worked.formulas.leaves import count_quarter_turns
-from kinegrade.worked.positions.algebra import ZERO, minus
+from kinegrade.worked.positions.algebra import ZERO, is_negated, minus
 from kinegrade.worked.positions.instance import Instance
 
 _Heading = Literal["x", "y", "minus-x", "minus-y"]
@@ -39,7 +39,20 @@ def find_polar_way(
     return PolarWay(
         instance.text(centre),
         instance.text(minus(ZERO, radius) if against else radius),
-        instance.text(angle, degrees=True),
+        instance.text(_put_positive_first(angle), degrees=True),
         None if quarters is None else _HEADINGS[(quarters + 2 * against) % 4],
         against,
     )
+
+
+def _put_positive_first(angle: Expression) -> Expression:
+    """An angle whose sum does not begin with a minus sign where it need not."""
+    match angle:
+        case Operation("+", left, right) if is_negated(left):
+            return minus(right, left.right)
+        case Operation("+" | "-" as sign, left, right):
+            return Operation(sign, _put_positive_first(left), right)
+        case Number() | Name() | Operation() | Call():
+            return angle
+        case _:
+            assert_never(angle)

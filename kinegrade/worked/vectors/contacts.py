@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection, Iterator
 from dataclasses import replace
 from typing import assert_never
 
 from kinegrade.expressions.tree import Call, Expression, Name, Number, Operation, list_parts
+from kinegrade.language.message import Message
 from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.relations import Term
 from kinegrade.problem.quantities.motion_functions import MOTION_FUNCTIONS
 from kinegrade.worked.case import Case
+from kinegrade.worked.document import Block
 from kinegrade.worked.formulas.measures import is_zero
 
 
@@ -17,14 +20,14 @@ def turn_about_contact(term: Term, case: Case) -> Term | None:
     """The rotation of a point about the contact in place of its base point: the point's whole
     velocity. None for a body that does not roll on the ground in a named point.
     """
-    contact = _find_contact(term.rate.body, case) if term.kind == "rotation" else None
+    contact = find_contact(term.rate.body, case) if term.kind == "rotation" else None
     if contact is None:
         return None
     points = case.motion.points
     return replace(term, base=contact, vector=points[term.point] - points[contact])
 
 
-def _find_contact(body: str, case: Case) -> str | None:
+def find_contact(body: str, case: Case) -> str | None:
     """The named point in which a body rolls on the ground; None where it does not, or the point has
     no name.
     """
@@ -58,3 +61,14 @@ def _uses_components(tree: Expression, point: str) -> bool:
             return any(_uses_components(part, point) for part in list_parts(tree))
         case _:
             assert_never(tree)
+
+
+def introduce_contacts(case: Case, used: Collection[str]) -> Iterator[Block]:
+    """Where bodies roll in points that the figure does not show."""
+    bodies = case.motion.frames.mechanism.bodies
+    shown = {point for body in bodies for point in body.points} | {*case.template.figure.labels}
+    for body in bodies:
+        point = find_contact(body.name, case)
+        if point is not None and point in used and point not in shown:
+            name, letter = case.naming.body(body.name), case.naming.point(point)
+            yield case.say(Message("solution.unmarked-contact", body=name, point=letter))

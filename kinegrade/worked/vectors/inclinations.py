@@ -6,14 +6,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from math import degrees
 from typing import Literal, TypeAlias, assert_never
 
 from kinegrade.expressions.tree import Call, Name, Operation
 from kinegrade.language.message import Message
 from kinegrade.mechanics.relations import Term
 from kinegrade.mechanics.vector_equation import Part
-from kinegrade.numbers.angle import Angle
 from kinegrade.worked.case import Case
 from kinegrade.worked.document import Block, Display
 from kinegrade.worked.formulas.atoms import TWO, Symbol, add_terms
@@ -23,6 +21,7 @@ from kinegrade.worked.formulas.numbers import state_angle
 from kinegrade.worked.formulas.symbols import index_letter, join_letters
 from kinegrade.worked.positions.algebra import make_positive, over
 from kinegrade.worked.positions.instance import DEGREE, PURE, make_instance
+from kinegrade.worked.positions.marked_angles import measure_given
 from kinegrade.worked.vectors.known_vectors import find_path_term
 from kinegrade.worked.vectors.magnitudes import find_heading, find_track_ends
 from kinegrade.worked.vectors.stated_angles import find_stated_angle
@@ -216,11 +215,10 @@ def is_line_found(angle: float, case: Case) -> bool:
     """Whether an acute angle, in degrees, is that of a line with x which has been introduced, or is
     given.
     """
-    points, values = case.motion.points, case.solution.assembly.values
+    points = case.motion.points
     lines = (bearing(points[end] - points[start]) % 180 for start, end in case.findings.inclined)
     found = (min(line, 180 - line) for line in lines)
-    angles = (value for value in values.values() if isinstance(value, Angle))
-    given = (degrees(float(value.ball())) for value in angles)
+    given = (measure_given(name, case) for name in case.template.angles)
     return any(abs(one - angle) < _CLOSE for one in (*found, *given))
 
 

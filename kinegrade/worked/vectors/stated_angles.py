@@ -1,5 +1,5 @@
-"""Directions that a template states by an angle of its givens: from one point to another that is
-constructed on a ray from it.
+"""Directions that are stated: by an angle of the givens, from one point to another that is
+constructed on a ray from it, or marked in the figure, or by an angle of a triangle.
 """
 
 from __future__ import annotations
@@ -7,18 +7,20 @@ from __future__ import annotations
 import operator
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from math import degrees, nan, pi
-from typing import assert_never
+from typing import Any, assert_never
 
-from kinegrade.expressions.tree import Call, Expression, Name, Number, Operation, Operator, walk
+from kinegrade.expressions.tree import Call, Expression, Name, Number, Operation, walk
 from kinegrade.numbers.angle import Angle
 from kinegrade.worked.case import Case
+from kinegrade.worked.findings import Seen
 from kinegrade.worked.formulas.formula import Formula
-from kinegrade.worked.formulas.leaves import count_quarter_turns, formulate
+from kinegrade.worked.formulas.leaves import formulate
 from kinegrade.worked.formulas.measures import tidy
 from kinegrade.worked.formulas.symbols import collect_symbols
 from kinegrade.worked.positions.construction_steps import Step, list_steps
+from kinegrade.worked.positions.marked_angles import find_marked_angle
+from kinegrade.worked.positions.right_angles import split_right_angles
 
-_OPPOSITE: Mapping[Operator, Operator] = {"+": "-", "-": "+"}
 _WORK: Mapping[str, Callable[[float, float], float]] = {
     "+": operator.add,
     "-": operator.sub,
@@ -34,11 +36,34 @@ def find_stated_angle(ends: tuple[str, str], case: Case) -> tuple[Formula, int, 
     """
     steps = list_steps(case.template)
     angle = next((angle for angle in _list_stated(ends, steps) if _is_given(angle, case)), None)
-    if angle is None:
-        return None
-    sign, plain = _drop_right_angles(angle)
-    symbols = formulate(collect_symbols(case.template)).state(plain, True)
-    return symbols, sign, tidy(degrees(_evaluate(plain, case)))
+    if angle is not None:
+        sign, plain, _ = split_right_angles(angle)
+        return _state(sign, plain, case)
+    marked, seen = find_marked_angle(ends, case), _find_seen(ends, case)
+    if marked is not None:
+        return _state(*marked, case)
+    if seen is not None:
+        sign, plain, _ = split_right_angles(seen.tree)
+        return _state(sign, plain, case, seen)
+    return None
+
+
+def _state(
+    sign: int, angle: Expression, case: Case, seen: Seen | None = None
+) -> tuple[Formula, int, float]:
+    """An angle of givens, and of one that a triangle has given."""
+    symbols, values = dict(collect_symbols(case.template)), dict(case.solution.assembly.values)
+    if seen is not None:
+        symbols[seen.name], values[seen.name] = seen.symbol, seen.value
+    formula = formulate(symbols).state(angle, True)
+    return formula, sign, tidy(degrees(_evaluate(angle, values)))
+
+
+def _find_seen(ends: tuple[str, str], case: Case) -> Seen | None:
+    """The direction that a triangle has given, by angles with letters alone."""
+    pairs = tuple(map(Name, ends)), tuple(map(Name, reversed(ends)))
+    found = (one for pair, one in case.findings.seen.items() if pair in pairs)
+    return next((one for one in found if _is_given(one.tree, case)), None)
 
 
 def _list_stated(ends: tuple[str, str], steps: Sequence[Step]) -> Iterator[Expression]:
@@ -95,32 +120,18 @@ def _read_line(tree: Expression) -> Iterator[tuple[str, Expression]]:
             yield through.name, direction
 
 
-def _drop_right_angles(angle: Expression) -> tuple[int, Expression]:
-    """What remains of a sum without right angles, and the sign with which it counts."""
-    if not isinstance(angle, Operation) or angle.sign not in ("+", "-"):
-        return 1, angle
-    if count_quarter_turns(angle.right) is not None:
-        return _drop_right_angles(angle.left)
-    if count_quarter_turns(angle.left) is None:
-        sign, left = _drop_right_angles(angle.left)
-        joined = _OPPOSITE[angle.sign] if sign < 0 else angle.sign
-        return sign, Operation(joined, left, angle.right)
-    sign, rest = _drop_right_angles(angle.right)
-    return sign * {"+": 1, "-": -1}[angle.sign], rest
-
-
-def _evaluate(angle: Expression, case: Case) -> float:
-    """An angle made of givens, in radians."""
+def _evaluate(angle: Expression, values: Mapping[str, Any]) -> float:
+    """An angle made of givens and of what has been found, in radians."""
     match angle:
         case Name("pi"):
             return pi
         case Name(name):
-            value = case.solution.assembly.values[name]
+            value = values[name]
             return float(value.ball() if isinstance(value, Angle) else value)
         case Number(value=value):
             return float(value)
         case Operation(sign=sign, left=left, right=right):
-            return _WORK[sign](_evaluate(left, case), _evaluate(right, case))
+            return _WORK[sign](_evaluate(left, values), _evaluate(right, values))
         case Call():
             return nan
         case _:

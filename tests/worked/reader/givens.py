@@ -6,8 +6,11 @@ import math
 import re
 from collections.abc import Iterator
 
+from kinegrade.language.known import known_languages
+from kinegrade.language.message import Message
 from kinegrade.problem.as_stated import restate
 from kinegrade.problem.solution import Solution
+from kinegrade.worked.document import write_sentence
 from tests.worked.reader.amounts import Amount, make_exact
 from tests.worked.reader.formula_reader import read_unit
 
@@ -36,3 +39,13 @@ def find_letters(solution: Solution) -> frozenset[str]:
     texts += [ask.symbol for ask in template.asks.values()]
     found = {letter for text in texts for letter in LETTER.findall(text)}
     return frozenset(re.sub(r"_(\w)$", r"_{\1}", letter) for letter in found)
+
+
+def find_introduced(prose: str) -> Iterator[str]:
+    """The point that a sentence of the solution introduces, in any language."""
+    for language in known_languages():
+        message = Message("solution.unmarked-contact", body="BODY", point="POINT")
+        pattern = re.escape(write_sentence(message, language))
+        found = re.fullmatch(pattern.replace("BODY", ".*").replace("POINT", "(.*)"), prose)
+        if found:
+            yield found[1]

@@ -9,24 +9,15 @@ from collections.abc import Mapping
 from tests.worked.reader.laws import Law
 
 KNOWN: Mapping[Law, frozenset[str]] = {
-    # rounded numbers put in lose a digit
-    "equal": frozenset(("two-wheels-on-cylinder",)),
+    "equal": frozenset(),
     "rounded": frozenset(),
     "exact": frozenset(),
     "settled": frozenset(),
     "short": frozenset(),
     "unit": frozenset(),
-    # a component, or the rotation of a body that translates, is used that was not derived
-    "symbol": frozenset(
-        (
-            "bent-rod-two-sleeves",
-            "triangle-pose-three-frames",
-        )
-    ),
-    # directions by their angle from x
-    "angle": frozenset(("planetary-gear-external-rim-velocities", "two-wheels-on-cylinder")),
-    # points of the construction alone
-    "point": frozenset(("rolling-wheel-pin-slotted-rocker",)),
+    "symbol": frozenset(),
+    "angle": frozenset(),
+    "point": frozenset(),
     "closed": frozenset(),
     # short arrows along others leave a symbol no place of its own
     "label": frozenset(("crank-slider-in-floating-link",)),

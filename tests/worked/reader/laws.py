@@ -13,7 +13,7 @@ from typing import Literal, TypeAlias
 from kinegrade.language.math.tree import Fenced, Row
 from kinegrade.problem.solution import Solution
 from kinegrade.worked.case import write_row
-from kinegrade.worked.document import Block
+from kinegrade.worked.document import Block, Prose
 from tests.worked.reader.amounts import Amount, MixedUnits, Unreadable
 from tests.worked.reader.equations import Line, Said, Side, read_page
 from tests.worked.reader.forms import (
@@ -30,7 +30,7 @@ from tests.worked.reader.formula_reader import (
     name_symbol,
     read_formula,
 )
-from tests.worked.reader.givens import find_letters, read_givens
+from tests.worked.reader.givens import find_introduced, find_letters, read_givens
 from tests.worked.reader.polygons import judge_polygons
 
 Law: TypeAlias = Literal[
@@ -55,7 +55,7 @@ LAWS: dict[Law, str] = {
     "unit": "every number has its unit",
     "symbol": "every symbol is given, found before, or found next",
     "angle": "every angle is given, found before, or what an angle in symbols amounts to",
-    "point": "every point with coordinates is one of the statement or the figure",
+    "point": "every point with coordinates is one of the statement, or is introduced as where wheels roll",
     "closed": "the arrows of a polygon follow one another from the origin to one end, on two sides",
     "label": "a symbol in a polygon stands beside an arrow as long as its value says",
 }
@@ -96,7 +96,9 @@ class _Known:
 
 def find_faults(blocks: Sequence[Block], solution: Solution) -> Iterator[Fault]:
     """All that is wrong with a page, line by line, then with its polygons."""
-    known = _Known({}, find_letters(solution))
+    told = (block.text for block in blocks if isinstance(block, Prose))
+    introduced = (letter for text in told for letter in find_introduced(text))
+    known = _Known({}, find_letters(solution).union(introduced))
     for symbol, amount in read_givens(solution):
         known.learn(symbol, amount)
     parts = list(read_page(blocks))

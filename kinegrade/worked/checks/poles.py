@@ -1,0 +1,35 @@
+"""Checks of poles that normals have given: their distances by coordinates."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from kinegrade.language.message import Message
+from kinegrade.worked.case import Case
+from kinegrade.worked.checks.check import Check, Side, compare
+from kinegrade.worked.checks.places import state_difference
+from kinegrade.worked.formulas.atoms import ZERO, add_squares
+from kinegrade.worked.formulas.measures import length
+from kinegrade.worked.formulas.numbers import measure
+from kinegrade.worked.steps.couplers import find_coupler
+from kinegrade.worked.steps.poles import name_pole
+from kinegrade.worked.vectors.stage import Stage
+
+
+def list_pole_checks(stages: Iterable[Stage], case: Case) -> Iterator[Check]:
+    """The checks of all poles, each from the points whose velocities have led to it, where they lie
+    neither straight above one another nor beside.
+    """
+    for coupler in filter(None, map(find_coupler, stages)):
+        pole = case.motion.pole(coupler.body, case.arithmetic)
+        letter = case.naming.point(name_pole(coupler.body, case))
+        for part in (coupler.point, coupler.base):
+            place = case.motion.points[part.point]
+            sides = [state_difference(*pair) for pair in zip(place, pole, strict=True)]
+            if ZERO not in sides:
+                distance = length(pole - place, case.arithmetic)
+                point = case.naming.point(part.point)
+                way = Message("solution.check-pole", pole=letter, point=point)
+                numbers = measure(distance, "m")
+                left = Side(add_squares(sides), distance)
+                yield compare(way, left, Side(numbers, distance), "m")

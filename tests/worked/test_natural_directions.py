@@ -1,0 +1,101 @@
+"""Directions in a worked solution are those of the statement, its figure and its triangles."""
+
+from __future__ import annotations
+
+import pytest
+
+from kinegrade.expressions.reading import read_expression
+from kinegrade.worked.positions.algebra import ZERO
+from kinegrade.worked.positions.right_angles import make_unit, split_right_angles
+from tests.worked.draws import kept
+from tests.worked.telling import lines
+
+
+def _page(name: str) -> str:
+    return "\n".join(lines(kept(name)))
+
+
+@pytest.mark.parametrize(
+    ("angle", "sign", "rest", "quarters"),
+    [
+        ("phi", 1, "phi", 0),
+        ("phi + pi/2", 1, "phi", 1),
+        ("pi/2 - phi", -1, "phi", 1),
+        ("-phi", -1, "phi", 0),
+        ("beta - pi", 1, "beta", 2),
+        ("-theta + pi/2 + beta", -1, "theta - beta", 1),
+        ("delta + beta - pi/2", 1, "delta + beta", 3),
+        ("3*pi/2", 1, "0", 3),
+    ],
+)
+def test_right_angles_are_taken_out_of_an_angle(
+    angle: str, sign: int, rest: str, quarters: int
+) -> None:
+    found = split_right_angles(read_expression(angle))
+    assert found == (sign, read_expression(rest), quarters)
+
+
+@pytest.mark.parametrize(
+    ("angle", "x", "y"),
+    [
+        ("phi", "cos(phi)", "sin(phi)"),
+        ("-phi", "cos(phi)", "-sin(phi)"),
+        ("phi + pi/2", "-sin(phi)", "cos(phi)"),
+        ("pi - phi", "-cos(phi)", "sin(phi)"),
+        ("phi - pi/2", "sin(phi)", "-cos(phi)"),
+        ("pi", "-1", "0"),
+    ],
+)
+def test_a_unit_vector_has_the_given_angle_alone(angle: str, x: str, y: str) -> None:
+    assert make_unit(read_expression(angle)) == (read_expression(x), read_expression(y))
+
+
+def test_a_point_beyond_a_right_angle_is_placed_by_the_given_angle() -> None:
+    assert r"x_{B} &= x_{A} - r_{2}\sin\varphi" in _page("crossed-belt-drive")
+
+
+def test_a_line_whose_angle_the_figure_marks_has_no_angle_of_its_own() -> None:
+    # it was psi_AB = 20 degrees, found by a tangent, beside the given phi = 20 degrees
+    page = _page("elliptic-trammel-end-driven")
+    assert r"\psi" not in page
+    assert r"PA &= l\sin\varphi" in page
+    assert r"\psi" not in _page("bar-through-swivelling-sleeve")
+
+
+def test_a_mark_serves_every_pair_of_points_on_its_line() -> None:
+    # A slides on BC, whose angle with the vertical is marked at B
+    assert r"\psi" not in _page("crank-slider-in-floating-link")
+
+
+def test_a_side_that_a_triangle_has_placed_goes_by_its_angle() -> None:
+    assert r"v_{\mathrm{e}1}\sin(\angle O_{2}O_{1}M - \psi_{CM})" in _page("pin-in-two-rings")
+
+
+def test_a_side_between_centres_that_is_given_is_not_worked_out_from_coordinates() -> None:
+    page = _page("two-wheels-on-cylinder")
+    assert r"OA &= R + r_{1}" in page
+    assert r"x_{B} &= (R + r_{2})\sin(\angle AOB - \theta)" in page
+
+
+def test_a_distance_along_a_line_is_not_found_twice() -> None:
+    page = _page("rotary-engine")
+    assert r"s \cdot \omega" in page
+    assert "OB = " not in page
+
+
+def test_a_contact_that_the_figure_does_not_show_is_introduced() -> None:
+    page = _page("rolling-wheel-pin-slotted-rocker")
+    assert "The wheel touches its track at $P$." in page
+    assert "touches its track" not in _page("planetary-gear-external-rim-velocities")
+
+
+def test_the_angle_between_two_velocities_goes_by_directions_that_are_found() -> None:
+    page = _page("planetary-gear-external-rim-velocities")
+    assert r"\angle(x,v_{A}) &= \varphi + 90^\circ = 105^\circ" in page
+    assert (
+        r"\angle(v_{A},v_{B}) &= \angle(x,v_{B}) - \angle(x,v_{A}) = 150^\circ - 105^\circ" in page
+    )
+
+
+def test_right_angles_alone_leave_nothing() -> None:
+    assert split_right_angles(read_expression("pi/2 + pi"))[1] == ZERO
