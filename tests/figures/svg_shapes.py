@@ -11,13 +11,15 @@ from dataclasses import dataclass
 from math import acos, cos, pi, sin, sqrt
 from xml.etree import ElementTree
 
-from shapely import MultiLineString, Point, Polygon, box
+from shapely import LineString, MultiLineString, Point, Polygon, box
 from shapely.geometry.base import BaseGeometry
 
 from tests.figures.letters import measure_letters
 
 SVG = "{http://www.w3.org/2000/svg}"
 STEP = pi / 36  # radians between two points of an arc that is read as a polyline
+THIN = 0.185  # millimetres, the pen of leaders, dimensions and arcs of angles
+HATCHING = 2.5  # millimetres: shorter thin lines are hatching, or the arms of crosses
 PIN = 1.5  # millimetres: smaller circles are pins and dots
 NUMBER = r"-?\d*\.?\d+(?:e-?\d+)?"
 
@@ -37,7 +39,8 @@ class Picture:
     """A figure on its paper, in millimetres, y downward.
 
     `ink` is what is seen of each shape, `heads` the black triangles of arrows, `pins` the centres of
-    small circles.
+    small circles; `arcs` are the thin arcs as lines, `lines` the thin straight ones longer than
+    hatching.
     """
 
     paper: Polygon
@@ -45,6 +48,8 @@ class Picture:
     heads: tuple[Polygon, ...]
     pins: tuple[Point, ...]
     letters: tuple[Letters, ...]
+    arcs: tuple[LineString, ...] = ()
+    lines: tuple[LineString, ...] = ()
 
 
 def read_picture(text: str) -> Picture:
@@ -59,12 +64,14 @@ def read_picture(text: str) -> Picture:
     heads: list[Polygon] = []
     pins: list[Point] = []
     letters: list[Letters] = []
+    thin: list[LineString] = []
     for element in drawing:
         if element.tag == f"{SVG}text":
             letters.append(read_letters(element, size))
             continue
         lines, area = read_shape(element)
         pins += [area.centroid] if float(element.attrib.get("r", PIN)) < PIN else []
+        thin += read_thin_lines(element)
         fill = element.attrib.get("fill")
         if fill is not None:
             ink = [seen for each in ink if not (seen := cover(each, area)).is_empty]
@@ -73,7 +80,19 @@ def read_picture(text: str) -> Picture:
             heads += [area] if len(area.exterior.coords) == 4 else []
         if element.attrib.get("stroke") != "none":
             ink.append(lines.buffer(float(element.attrib["stroke-width"]) / 2, quad_segs=3))
-    return Picture(box(0, 0, width, height), tuple(ink), tuple(heads), tuple(pins), tuple(letters))
+    arcs = tuple(line for line in thin if len(line.coords) > 2)
+    lines = tuple(line for line in thin if len(line.coords) == 2 and line.length > HATCHING)
+    shapes = tuple(ink), tuple(heads), tuple(pins), tuple(letters)
+    return Picture(box(0, 0, width, height), *shapes, arcs, lines)
+
+
+def read_thin_lines(element: ElementTree.Element) -> list[LineString]:
+    """The lines of a path that is drawn with the thinnest pen and encloses nothing."""
+    attributes = element.attrib
+    solid = "d" in attributes and "fill" not in attributes and "stroke-dasharray" not in attributes
+    if not solid or float(attributes.get("stroke-width", 1.0)) > THIN or "Z" in attributes["d"]:
+        return []
+    return [LineString(line) for line in read_path(attributes["d"])]
 
 
 def cover(seen: BaseGeometry, area: BaseGeometry) -> BaseGeometry:

@@ -1,0 +1,129 @@
+"""What is wrong with the angles of a printed picture: an arc without its letter, a letter outside
+its angle or beside the arc of another one, a leader that no reader tells from other lines.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from math import hypot
+
+from shapely import LineString, Point
+
+from kinegrade.problem.template.hints import Angle
+from tests.figures.svg_shapes import Letters, Picture
+
+AT_ARC = 4.5  # millimetres from a letter to its arc at most
+ON_ARC = 0.15  # millimetres between the end of a leader and its arc
+AT_END = 1.6  # millimetres between a letter and the end of its leader
+OWN = 0.2  # millimetres by which a letter is nearer to its own arc than to that of another angle
+CENTRED = 0.3  # millimetres between a vertex and the centre of its arc
+GREEK = dict(
+    zip(
+        (["alpha", "beta", "gamma", "delta", "eta", "theta", "varphi", "phi", "psi"]),
+        "αβγδηθφϕψ",
+        strict=True,
+    )
+)
+
+
+@dataclass(frozen=True)
+class PrintedAngle:
+    """An angle as it is printed: its letter, the arc about its vertex, and the leader that joins
+    them, if there is one.
+    """
+
+    letter: Letters
+    vertex: Point
+    arc: LineString
+    leader: LineString | None
+
+
+def find_angle_flaws(
+    picture: Picture, points: Mapping[str, Point], angles: tuple[Angle, ...]
+) -> list[str]:
+    """What is wrong with the letters of angles at marked points, in words."""
+    printed = [found for angle in angles if (found := _find_printed(picture, points, angle))]
+    flaws: list[str] = []
+    for each in printed:
+        others = [other.arc for other in printed if other is not each]
+        flaws += [f"{each.letter.text} {flaw}" for flaw in _find_flaws_of(each, others)]
+    return flaws
+
+
+def write_as_printed(symbol: str) -> str:
+    r"""The text of a symbol in LaTeX.
+
+    >>> write_as_printed(r"\varphi_{1}")
+    'φ1'
+    """
+    named = re.sub(r"\\([a-z]+)", lambda name: GREEK.get(name[1], name[1]), symbol)
+    return re.sub(r"[{}_\s]|mathrm", "", named)
+
+
+def _find_printed(
+    picture: Picture, points: Mapping[str, Point], angle: Angle
+) -> PrintedAngle | None:
+    """The angle with the arc about its vertex that is nearest to its letter; None where its vertex
+    is not marked, or where two angles have one letter.
+    """
+    vertex, text = points.get(angle.at), write_as_printed(angle.symbol)
+    letters = [each for each in picture.letters if each.text == text]
+    if vertex is None or len(letters) != 1:
+        return None
+    arcs = [arc for arc in picture.arcs if is_about(arc, vertex)]
+    if not arcs:
+        return None
+    leaders = [(arc, line) for arc in arcs if (line := _find_leader(picture, letters[0], arc))]
+    if leaders:
+        return PrintedAngle(letters[0], vertex, *leaders[0])
+    return PrintedAngle(letters[0], vertex, min(arcs, key=letters[0].box.distance), None)
+
+
+def is_about(arc: LineString, vertex: Point) -> bool:
+    """Whether an arc has its centre at a point."""
+    radii = [hypot(x - vertex.x, y - vertex.y) for x, y in arc.coords]
+    return max(radii) - min(radii) < CENTRED
+
+
+def _find_leader(picture: Picture, letter: Letters, arc: LineString) -> LineString | None:
+    for line in picture.lines:
+        for start, end in ((line.coords[0], line.coords[1]), (line.coords[1], line.coords[0])):
+            inner = LineString(arc.coords[2:-2]) if len(arc.coords) > 6 else arc
+            if inner.distance(Point(start)) < ON_ARC and letter.box.distance(Point(end)) < AT_END:
+                return line
+    return None
+
+
+def _find_flaws_of(angle: PrintedAngle, others: list[LineString]) -> Iterator[str]:
+    """The flaws of one angle."""
+    box = angle.letter.box
+    if angle.leader is not None:
+        if _leaves_along(angle.leader, angle.arc, angle.vertex):
+            yield "has a leader that runs on from its arc"
+        return
+    away = box.distance(angle.arc)
+    if away > AT_ARC:
+        yield "stands off from its arc"
+    if any(box.distance(other) < away + OWN for other in others):
+        yield "stands as near to the arc of another angle"
+    if not _lies_within(box.centroid, angle):
+        yield "stands outside its angle"
+
+
+def _leaves_along(leader: LineString, arc: LineString, vertex: Point) -> bool:
+    """Whether a leader begins within 35 degrees of the direction of its arc."""
+    start, end = sorted(leader.coords, key=lambda place: arc.distance(Point(place)))
+    along = (end[0] - start[0], end[1] - start[1])
+    outward = (start[0] - vertex.x, start[1] - vertex.y)
+    across = along[0] * outward[0] + along[1] * outward[1]
+    return abs(across) < 0.57 * hypot(*along) * hypot(*outward)
+
+
+def _lies_within(place: Point, angle: PrintedAngle) -> bool:
+    """Whether the ray from the vertex through a place meets the arc."""
+    x, y = place.x - angle.vertex.x, place.y - angle.vertex.y
+    far = 2 * max(map(angle.vertex.distance, map(Point, angle.arc.coords))) / max(hypot(x, y), 0.1)
+    ray = LineString([angle.vertex, (angle.vertex.x + far * x, angle.vertex.y + far * y)])
+    return bool(ray.distance(angle.arc) < ON_ARC)

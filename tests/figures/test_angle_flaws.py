@@ -1,0 +1,56 @@
+"""Each flaw of the letter of an angle is found where there is one, and none where there is none."""
+
+from __future__ import annotations
+
+import pytest
+from shapely import Point
+
+from kinegrade.problem.template.hints import Angle
+from tests.figures.angle_flaws import find_angle_flaws, write_as_printed
+from tests.figures.test_flaws import draw, write
+
+POINTS = {"O": Point(10.0, 15.0), "A": Point(24.0, 15.0)}
+# Quarters of circles of 5 mm about O and A, between right and up
+ARC = '<path d="M15 15A5 5 0 0 0 10 10" stroke-width="0.18"/>'
+OTHER = '<path d="M29 15A5 5 0 0 0 24 10" stroke-width="0.18"/>'
+ANGLES = (Angle(r"\varphi", "O", "right", "up"), Angle(r"\psi", "A", "right", "up"))
+OUTWARD = '<path d="M13.54 11.46L16.3 8.7" stroke-width="0.18"/>'
+ALONG = '<path d="M13.54 11.46L17 14.9" stroke-width="0.18"/>'
+
+
+def find(*elements: str) -> list[str]:
+    return find_angle_flaws(draw(ARC, OTHER, *elements), POINTS, ANGLES)
+
+
+@pytest.mark.parametrize(
+    "elements",
+    [
+        (write("φ", 15.0, 11.0), write("ψ", 29.0, 11.0)),  # outside their arcs
+        (write("φ", 12.2, 14.2),),  # inside
+        (OUTWARD, write("φ", 17.4, 8.4)),  # at a leader
+        (write("φ", 35.0, 11.0), write("φ", 15.0, 11.0)),  # two of one letter: it is not read
+    ],
+)
+def test_a_letter_at_its_own_arc_has_no_flaw(elements: tuple[str, ...]) -> None:
+    assert find(*elements) == []
+
+
+@pytest.mark.parametrize(
+    ("elements", "flaw"),
+    [
+        ((write("φ", 20.0, 6.5),), "φ stands off from its arc"),
+        (
+            (write("φ", 22.0, 10.6), write("ψ", 29.0, 11.0)),
+            "φ stands as near to the arc of another angle",
+        ),
+        ((write("φ", 13.5, 18.5),), "φ stands outside its angle"),
+        ((ALONG, write("φ", 18.2, 16.6)), "φ has a leader that runs on from its arc"),
+    ],
+)
+def test_a_flaw_of_an_angle_is_found(elements: tuple[str, ...], flaw: str) -> None:
+    assert flaw in find(*elements)
+
+
+def test_symbols_are_written_as_they_are_printed() -> None:
+    assert write_as_printed(r"\theta_{A}") == "θA"
+    assert write_as_printed(r"\psi") == "ψ"
