@@ -19,8 +19,8 @@ class KnownFlaw:
 
 KNOWN: Mapping[str, KnownFlaw] = {
     "crank-rocker-towed-wheel": KnownFlaw("E far from its point", "the wheel has no room inside"),
-    "eccentric-cam-offset-follower": KnownFlaw("O far from its point", "two arrows are at its pin"),
-    "extended-rod-driving-rocker": KnownFlaw("B far from its point", "rails on both sides; led to"),
+    "differential-epicyclic-train": KnownFlaw("P far from its point", "the planet has no room"),
+    "pose-cam-tappet": KnownFlaw("ψ stands off from its arc", "the cross and e are at its angle"),
     "ring-gear-planet-relative-spin": KnownFlaw("O2 far from its point", "the planet is small"),
     "rod-sliding-on-driven-wheel": KnownFlaw("O1 far from its point", "two arrows are at its pin"),
     "slotted-bar-between-two-rods": KnownFlaw("B far from its point", "arrows are on both sides"),
