@@ -26,7 +26,7 @@ EXCEPTIONS = {
     "figure/mechanism/straight/welded_rods.py: _run_past(part, rods) if isinstance(part, Bar) "
     "else part": "only a bar has a slot that may run past a rod",
     "practice/sampling.py: np.linspace(*_find_way(path), count) if endless "
-    "else path.spread(count)": "a path with any other end has its own spacing towards it",
+    "else spread(count)": "a path with any other end has its own spacing towards it",
     "worked/steps/used_points.py: found if MOTION_FUNCTIONS[call.function].level != 'acceleration' "
     "else ()": "an acceleration alone is never taken about the point of contact",
     "language/math/spoken/nodes.py: match row[place]: _": "nothing else spells a unit",

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
+from operator import itemgetter
 
 import numpy as np
 
@@ -51,16 +52,14 @@ def choose_poses(path: MotionPath) -> PoseTable:
     """Positions of the path, as many as it takes for those between to be true; of one on which
     points go far away, those nearby.
     """
-    best, least = None, np.inf
+    tried: list[tuple[float, PoseTable]] = []
     for moved in _list_choices(path):
         table = _tabulate(path, moved)
-        error = _find_error(path, table) / table.extent
-        if best is None or error < least:
-            best, least = table, error
-        if error <= _TRUE:
+        tried.append((_find_error(path, table) / table.extent, table))
+        if tried[-1][0] <= _TRUE:
             break
-    assert best is not None
-    return replace(best, tells_poles=least <= _SURE)
+    error, best = min(tried, key=itemgetter(0))
+    return replace(best, tells_poles=error <= _SURE)
 
 
 def _list_choices(path: MotionPath) -> Iterator[Array]:
