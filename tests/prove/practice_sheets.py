@@ -1,5 +1,5 @@
 """A practice sheet in a browser says of what students type what `kinegrade grade` says, template by
-template.
+template, and is as small as is promised.
 """
 
 from __future__ import annotations
@@ -7,8 +7,13 @@ from __future__ import annotations
 from functools import partial
 from pathlib import Path
 
+import kinegrade
+from kinegrade.language import ENGLISH
+from kinegrade.practice.making import make_practice_sheet
+from kinegrade.practice.page import write_page
 from tests.browsers.page import BrowserName, open_page
 from tests.practice.graded import Pair, mark_answers
+from tests.practice.test_files import FOUR_OF_TWENTY
 from tests.practice.test_reader import compare_made_up
 from tests.practice.typed_sheet import judge_in_page
 from tests.prove.draws import seeded_template
@@ -28,6 +33,14 @@ def hold(seed: int, folder: Path) -> None:
     unlike = [pair for pair in list_pairs(seed, folder) if not pair.agrees]
     assert not unlike, " ".join(map(str, unlike))
     compare_made_up(seed, 200)
+
+
+def hold_size(seed: int, _: Path) -> None:
+    """Measure the page of four questions of twenty draws."""
+    blueprint = kinegrade.Bank.read("demo").blueprint
+    sheet = make_practice_sheet(blueprint, 20, f"prove {seed}", ENGLISH).sheet
+    assert [len(question.draws) for question in sheet.questions] == [20] * 4
+    assert len(write_page(sheet, ENGLISH)) <= FOUR_OF_TWENTY
 
 
 def list_pairs(seed: int, folder: Path) -> list[Pair]:

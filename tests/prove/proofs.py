@@ -53,6 +53,7 @@ PROOFS = (
     Proof("whole papers", whole_papers.hold, cases=10, batch=1, sample=0),
     Proof("printed pages", printed_pages.hold, cases=32, batch=1, sample=0),
     Proof("practice sheets", practice_sheets.hold, cases=60, batch=6, sample=0),
+    Proof("practice sheet size", practice_sheets.hold_size, cases=1, batch=1, sample=0),
     Proof("accessible pages", accessible_pages.hold, cases=1_020, batch=51, sample=2),
     Proof("fair marks", fair_marks.hold, cases=400, batch=20, sample=3),
 )
