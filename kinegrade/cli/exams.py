@@ -13,6 +13,7 @@ from kinegrade.cli.column_choice import COLUMN
 from kinegrade.cli.help import command
 from kinegrade.cli.options import (
     CLUSTER,
+    CYCLE,
     FILE,
     FORCE,
     JOBS,
@@ -99,6 +100,7 @@ _WITH_ADD = (
     is_flag=True,
 )
 @METHOD
+@CYCLE
 @click.option(
     "--spare",
     type=click.IntRange(0, 1000),

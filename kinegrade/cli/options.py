@@ -41,6 +41,7 @@ METHOD = click.option(
     "--method",
     type=click.Choice(["base-point", "projection", "pole"]),
 )
+CYCLE = click.option("--cycle", is_flag=True)
 JOBS = click.option(
     "--jobs",
     type=click.IntRange(1),

@@ -13,6 +13,7 @@ from kinegrade.cli.help import command
 from kinegrade.cli.option_types import LanguageChoice
 from kinegrade.cli.options import (
     CLUSTER,
+    CYCLE,
     FILE,
     FORCE,
     JOBS,
@@ -146,6 +147,7 @@ def reprint_exam(exam: Path, *, template: Path, accept_changes: bool, jobs: int)
 @click.argument("exam", type=FILE)
 @click.argument("students", nargs=-1, metavar="[STUDENT]...")
 @METHOD
+@CYCLE
 @click.option(
     "--lang",
     "language",
@@ -164,6 +166,7 @@ def solutions(
     students: tuple[str, ...],
     *,
     method: Method | None,
+    cycle: bool,
     language: Language | None,
     before_due: bool,
     jobs: int,
@@ -179,6 +182,6 @@ def solutions(
     folder = kinegrade.open_exam(exam)
     if not before_due:
         require_due_past(folder)
-    wishes = SolutionWishes(students, method, language, jobs, force, show_progress, cluster)
+    wishes = SolutionWishes(students, method, cycle, language, jobs, force, show_progress, cluster)
     count = add_solutions(folder, wishes)
     say(Message("terminal.solutions-written", exam=str(exam), count=count))

@@ -6,7 +6,7 @@ import numpy as np
 
 from kinegrade.cycles.centrodes import find_poled_bodies, trace_centrodes
 from kinegrade.cycles.cycle import Cycle
-from kinegrade.cycles.graphs import convert_displacements
+from kinegrade.cycles.graph import convert_displacements
 from kinegrade.files.csv_writing import write_csv_text
 from kinegrade.mechanics.ground import GROUND
 from kinegrade.motion.placing import find_carriers

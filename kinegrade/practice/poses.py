@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from kinegrade.cycles.curves import trace_curves
-from kinegrade.cycles.graphs import convert_displacements
+from kinegrade.cycles.graph import convert_displacements
 from kinegrade.motion.path import Array, MotionPath
 from kinegrade.practice.sampling import PoseTable, choose_poses
 from kinegrade.practice.skeleton import list_circles

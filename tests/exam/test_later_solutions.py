@@ -74,7 +74,7 @@ def test_several_processes_write_the_same(tmp_path: Path, small_parts: int) -> N
     "options",
     [
         ("--lang", "zh", "--paper-size", "letter"),
-        ("--method", "pole"),
+        ("--method", "pole", "--cycle"),
         pytest.param(("--engine", "latex"), marks=pytest.mark.needs_tex),
     ],
 )
@@ -87,11 +87,14 @@ def test_they_are_printed_as_the_papers_were(tmp_path: Path, options: tuple[str,
     assert contents(folder / "LATER") == contents(folder / "WITH")
 
 
-def test_a_method_of_its_own_is_kept_for_what_is_printed_again(exam: Path, tmp_path: Path) -> None:
+@pytest.mark.parametrize("manner", [("--method", "pole"), ("--cycle",)])
+def test_a_manner_of_its_own_is_kept_for_what_is_printed_again(
+    exam: Path, tmp_path: Path, manner: tuple[str, ...]
+) -> None:
     (tmp_path / "other").mkdir()
     folder = write_class(tmp_path / "other")
-    assert generate(folder, "EXAM", "--solutions", "--method", "pole").exit_code == 0
-    assert kinegrade("solutions", exam, "--method", "pole").exit_code == 0
+    assert generate(folder, "EXAM", "--solutions", *manner).exit_code == 0
+    assert kinegrade("solutions", exam, *manner).exit_code == 0
     assert contents(exam) == contents(folder / "EXAM")
 
 
@@ -162,6 +165,10 @@ def test_one_student_gets_no_other_method_than_the_rest(exam: Path) -> None:
     assert refusal(exam, "007", "--method", "pole").endswith(
         "--method: is not the one of the exam's other worked solutions - expected one method for "
         "the whole class - name no students, or leave it out"
+    )
+    assert refusal(exam, "007", "--cycle").endswith(
+        "--cycle: the exam's other worked solutions have no graphs over the cycle - expected graphs "
+        "for the whole class - name no students, or leave it out"
     )
 
 

@@ -9,7 +9,7 @@ import click
 
 import kinegrade
 from kinegrade.cli.help import command
-from kinegrade.cli.options import FORCE, LANGUAGE, METHOD, OPTIONAL_OUTPUT, refusing
+from kinegrade.cli.options import CYCLE, FORCE, LANGUAGE, METHOD, OPTIONAL_OUTPUT, refusing
 from kinegrade.cli.terminal import terminal_words
 from kinegrade.errors import TemplateError
 from kinegrade.language.message import Fault, Message, Quoted
@@ -46,6 +46,7 @@ ASKS = click.option(
 )
 @OPTIONAL_OUTPUT
 @METHOD
+@CYCLE
 @LANGUAGE
 @FORCE
 @refusing
@@ -57,6 +58,7 @@ def solve(
     as_json: bool,
     output: Path | None,
     method: Method | None,
+    cycle: bool,
     language: Language,
     force: bool,
 ) -> None:
@@ -71,7 +73,7 @@ def solve(
         from kinegrade.exam.printing.sample import print_worked_solution
         from kinegrade.files.output import write_file
 
-        pages = print_worked_solution(solution, language, asks, method)
+        pages = print_worked_solution(solution, language, asks, method, cycle=cycle)
         write_file(output, pages, "pdf", force=force)
 
 

@@ -76,9 +76,10 @@ class ExamHead(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True, di
     people edit, as it was generated. `earlier` has by template the values that earlier exams dealt
     and nobody is to get again. `paper_size` and `engine` printed the papers, which all have so many
     `pages` unless in large print, 0 where earlier versions printed them; `method` found the
-    velocities of worked solutions, if one was asked for. Of the questions of `choices` papers hold
-    only some, `spares` have no student, the key had so many `corrections`, and where people were
-    `forgotten`, names stand for them. Papers of an `unprinted` exam are printed when asked for.
+    velocities of worked solutions, if one was asked for, and they have graphs over the `cycle`. Of
+    the questions of `choices` papers hold only some, `spares` have no student, the key had so many
+    `corrections`, and where people were `forgotten`, names stand for them. Papers of an `unprinted`
+    exam are printed when asked for.
     """
 
     format: int
@@ -94,6 +95,7 @@ class ExamHead(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True, di
     engine: str = ""
     pages: int = 0
     method: str | None = None
+    cycle: bool = False
     secret: str | None = None
     label: str | None = None
     codes: str | None = None

@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import closing
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Literal
 
 from msgspec import structs
 
@@ -33,6 +34,7 @@ from kinegrade.problem.template.template import Method
 from kinegrade.processes.executor import open_executor
 from kinegrade.processes.garbage_collection import bulk_work
 
+_Manner = Literal["method", "cycle"]  # in which worked solutions are those of a whole class
 _NAMED = 5  # students that a message names
 Progress = Callable[[Iterator[tuple[str, Printout]], int], Iterator[tuple[str, Printout]]]
 
@@ -41,7 +43,8 @@ Progress = Callable[[Iterator[tuple[str, Printout]], int], Iterator[tuple[str, P
 class SolutionWishes:
     """Whose worked solutions are wanted, by id; none for everybody's.
 
-    `method` finds velocities where several serve, by default that of the exam; they are in
+    `method` finds velocities where several serve, by default that of the exam; they have graphs
+    over the `cycle` if that is wished, or if those of the exam do; they are in
     `language`, by default in that of each paper; with `force` those that exist are replaced. They
     are printed by up to `jobs` processes, or by the workers of the `cluster` whose scheduler has
     that address; `progress` is given them one after another, and their number.
@@ -49,6 +52,7 @@ class SolutionWishes:
 
     students: tuple[str, ...]
     method: Method | None
+    cycle: bool
     language: Language | None
     jobs: int
     force: bool
@@ -79,26 +83,31 @@ def add_solutions(exam: ExamFolder, wishes: SolutionWishes) -> int:
 
 
 def _make_run(exam: ExamFolder, wishes: SolutionWishes, students: Sequence[Candidate]) -> PrintRun:
-    """How the worked solutions are printed. Raises OptionError where some of the class would have
-    theirs by another method than the others; BankError, or TemplateError, where texts are missing
+    """How the worked solutions are printed. Raises OptionError where those of some of the class
+    would be others than those of the rest; BankError, or TemplateError, where texts are missing
     in the language.
     """
     kept = KeptExam(exam)
     if wishes.language:
         require_bank_language(kept.bank, wishes.language)
     printed = {"solutions": True, "solution_language": wishes.language}
-    if wishes.method in (None, exam.head.method):
-        return kept_run(exam, kept, **printed)
-    if len(students) < len(exam.head.students):
-        raise OptionError(
-            Fault(
-                "--method",
-                Message("exam.one-method"),
-                Message("exam.method-of-all"),
-                Message("exam.name-nobody"),
-            )
-        )
-    return kept_run(exam, kept, **printed, method=wishes.method)
+    changed = dict(_list_changes(exam, wishes))
+    if changed and len(students) < len(exam.head.students):
+        raise OptionError(*map(_refuse_for_some, changed))
+    return kept_run(exam, kept, **printed, **changed)
+
+
+def _list_changes(exam: ExamFolder, wishes: SolutionWishes) -> Iterator[tuple[_Manner, object]]:
+    """What is wished otherwise than the exam has it."""
+    if wishes.method not in (None, exam.head.method):
+        yield "method", wishes.method
+    if wishes.cycle and not exam.head.cycle:
+        yield "cycle", True
+
+
+def _refuse_for_some(manner: _Manner) -> Fault:
+    what, expected = Message(f"exam.one-{manner}"), Message(f"exam.{manner}-of-all")
+    return Fault(f"--{manner}", what, expected, Message("exam.name-nobody"))
 
 
 def _require_new(exam: ExamFolder, students: Sequence[Candidate]) -> None:
@@ -127,6 +136,6 @@ def _write_head(exam: ExamFolder, run: PrintRun, folder: Path) -> None:
     if lost:
         raise refuse_edited(exam.path, lost)
     editable = digest_grown(exam, folder)
-    method = run.extras.method
-    if (editable, method) != (exam.head.editable, exam.head.method):
-        write_head(structs.replace(exam.head, method=method), editable, folder)
+    head = structs.replace(exam.head, method=run.extras.method, cycle=run.extras.cycle)
+    if editable != exam.head.editable or head != exam.head:
+        write_head(head, editable, folder)

@@ -35,12 +35,12 @@ class GenerateOptions:
     numbers. Nobody gets numbers that anybody had in the exams whose folders are to `avoid`.
     `share_with_group` lets the user's group read the folder. `engine` is the bank's unless one is
     given. With `no_papers` none is printed before it is asked for. `solutions` writes worked
-    solutions, by `method` where several serve; `spare` papers have no student; `also` names the
-    other kinds of files in which papers are wanted. What would be a complaint is refused where
-    `strict`. With `resume` a run goes on with what an interrupted one left, and leaves what it has
-    done where it is interrupted itself. Papers are printed by up to `jobs` processes, or by the
-    workers of the `cluster` whose scheduler has that address; `progress` is given them one after
-    another, and their number.
+    solutions, by `method` where several serve and with graphs over the `cycle`; `spare` papers have
+    no student; `also` names the other kinds of files in which papers are wanted. What would be a
+    complaint is refused where `strict`. With `resume` a run goes on with what an interrupted one
+    left, and leaves what it has done where it is interrupted itself. Papers are printed by up to
+    `jobs` processes, or by the workers of the `cluster` whose scheduler has that address;
+    `progress` is given them one after another, and their number.
     """
 
     seed: str | None = None
@@ -53,6 +53,7 @@ class GenerateOptions:
     no_papers: bool = False
     solutions: bool = False
     method: Method | None = None
+    cycle: bool = False
     spare: int = 0
     also: tuple[str, ...] = ()
     strict: bool = False
@@ -89,7 +90,7 @@ class GenerateOptions:
                     Message("exam.without-also"),
                 )
             )
-        return Extras(self.solutions, self.method, also, papers=not self.no_papers)
+        return Extras(self.solutions, self.method, self.cycle, also, papers=not self.no_papers)
 
     def press_order(self, bank: Bank) -> PressOrder:
         """The press for an exam."""

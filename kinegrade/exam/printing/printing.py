@@ -45,13 +45,14 @@ class PressOrder:
 
 @dataclass(frozen=True)
 class Extras:
-    """What is wanted beside the key: worked solutions, by `method` where several serve,
-    in `solution_language` for everybody, else in that of each paper; papers in the other kinds of
-    files named (docx, html). Without `papers` none is printed.
+    """What is wanted beside the key: worked solutions, by `method` where several serve, with graphs
+    over the `cycle`, in `solution_language` for everybody, else in that of each paper; papers in
+    the other kinds of files named (docx, html). Without `papers` none is printed.
     """
 
     solutions: bool = False
     method: Method | None = None
+    cycle: bool = False
     also: tuple[str, ...] = ()
     solution_language: Language | None = None
     papers: bool = True
@@ -173,7 +174,8 @@ def print_solutions(run: PrintRun, press: Press, papers: Sequence[SetPaper]) -> 
     # It loads everything for worked solutions
     from kinegrade.exam.printing.solution_pages import SolutionWriter, write_solution_sheet
 
-    writer = SolutionWriter(run.language, run.extras.method, run.extras.solution_language)
+    wanted = run.extras
+    writer = SolutionWriter(run.language, wanted.method, wanted.solution_language, wanted.cycle)
     return press.solutions(
         {paper.student.file_name: write_solution_sheet(run.bank, paper, writer) for paper in papers}
     )

@@ -59,7 +59,8 @@ class Reprint:
             write_solution_sheet,
         )
 
-        writer = SolutionWriter(self.run.language, self.run.extras.method)
+        wanted = self.run.extras
+        writer = SolutionWriter(self.run.language, wanted.method, cycle=wanted.cycle)
         sheet = write_solution_sheet(self.run.bank, self.paper, writer)
         return self._press.solutions({self._name: sheet})[self._name].pdf
 
@@ -106,12 +107,12 @@ def kept_run(exam: ExamFolder, kept: KeptExam, **extras: object) -> PrintRun:
     """
     head = exam.head
     order = {"engine": head.engine or kept.bank.engine, "paper_size": head.paper_size or "a4"}
-    method = {"method": head.method}
+    worked = {"method": head.method, "cycle": head.cycle}
     return PrintRun(
         kept.bank,
         exam.language,
         _converted(exam, order, PressOrder),
-        _converted(exam, {**method, **extras}, Extras),
+        _converted(exam, {**worked, **extras}, Extras),
         pages=head.pages,
     )
 

@@ -7,6 +7,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from fractions import Fraction
 
+from kinegrade.cycles.chapter import require_graphs
 from kinegrade.draws.examining import Refused, require_doubles
 from kinegrade.errors import MechanismError
 from kinegrade.exam.bank.blueprint import Bank, BankAsk, BankQuestion, Blueprint
@@ -78,9 +79,13 @@ def print_worked_solution(
     language: Language,
     asks: Sequence[str] | None = None,
     method: Method | None = None,
+    *,
+    cycle: bool = False,
 ) -> bytes:
     """The worked solution of an instance for these asks, by default for what the template gives
-    points for, as PDF; the method as in `write_worked_solution`.
+    points for, as PDF, with graphs over the `cycle` if wanted; the method as in
+    `write_worked_solution`. Raises MechanismError for what cannot be worked or does not move,
+    TemplateError where no answer has a graph.
     """
     template = solution.template
     require_language([template], language)
@@ -90,8 +95,10 @@ def print_worked_solution(
         what = Message("exam.too-large-to-work", reason=refusal.detail)
         raise MechanismError(Fault(template.name, what)) from refusal
     worked_out = _list_shown(template) if asks is None else tuple(asks)
+    if cycle:
+        require_graphs(solution, worked_out)
     place = QuestionPlace(1, "q1")
-    question = work_question(place, solution, worked_out, language, method)
+    question = work_question(place, solution, worked_out, language, method, cycle=cycle)
     sheet = SolutionSheet(
         language,
         "kinegrade",

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
 
+from kinegrade.cycles.chapter import write_cycle_chapter
 from kinegrade.exam.bank.blueprint import Bank
 from kinegrade.exam.printing.pages import (
     QuestionPlace,
@@ -28,13 +29,15 @@ _Instance = tuple[Language, str, tuple[tuple[str, str], ...]]
 @dataclass(frozen=True)
 class SolutionWriter:
     """Writes worked solutions by `method` where several serve, None leaves it to each template, in
-    `language` unless the student has another, or else in the one `for_all`; that of a question that
-    several papers have in common is written once for all of them.
+    `language` unless the student has another, or else in the one `for_all`, with graphs over the
+    `cycle` if wanted; that of a question that several papers have in common is written once for all
+    of them.
     """
 
     language: Language
     method: Method | None = None
     for_all: Language | None = None
+    cycle: bool = False
     _done: dict[_Instance, WorkedQuestion] = field(default_factory=dict, repr=False)
 
     def write(self, number: int, question: SetQuestion, language: Language) -> WorkedQuestion:
@@ -42,8 +45,14 @@ class SolutionWriter:
         values = tuple(question.drawn.values.items())
         instance = (language, question.question.identifier, values)
         if instance not in self._done:
-            self._done[instance] = _work_question(number, question, language, self.method)
+            self._done[instance] = self._work(number, question, language)
         return replace(self._done[instance], number=number)
+
+    def _work(self, number: int, question: SetQuestion, language: Language) -> WorkedQuestion:
+        place = QuestionPlace(number, question.question.identifier)
+        asks = tuple(entry.ask.name for entry in question.asks)
+        solution = question.drawn.solution
+        return work_question(place, solution, asks, language, self.method, cycle=self.cycle)
 
 
 def write_solution_sheet(bank: Bank, paper: SetPaper, writer: SolutionWriter) -> SolutionSheet:
@@ -64,24 +73,18 @@ def write_solution_sheet(bank: Bank, paper: SetPaper, writer: SolutionWriter) ->
     )
 
 
-def _work_question(
-    number: int, question: SetQuestion, language: Language, method: Method | None
-) -> WorkedQuestion:
-    """A question of a paper with its worked solution, for the quantities that are asked."""
-    place = QuestionPlace(number, question.question.identifier)
-    asks = tuple(entry.ask.name for entry in question.asks)
-    return work_question(place, question.drawn.solution, asks, language, method)
-
-
 def work_question(
     place: QuestionPlace,
     solution: Solution,
     asks: tuple[str, ...],
     language: Language,
     method: Method | None = None,
+    *,
+    cycle: bool = False,
 ) -> WorkedQuestion:
-    """A solved instance with its statement, its figure as on a paper, and its worked solution;
-    where this speaks of axes that the paper has no need of, they stand aside in the figure.
+    """A solved instance with its statement, its figure as on a paper, and its worked solution, with
+    graphs over the `cycle` if wanted; where this speaks of axes that the paper has no need of, they
+    stand aside in the figure.
     """
     template = solution.template
     hints = mark_question(template, asks)
@@ -93,7 +96,7 @@ def work_question(
         place.identifier,
         template.about.title.in_language(language),
         write_statement(template, solution.parameters, language, asks),
-        blocks,
+        (*blocks, *(write_cycle_chapter(solution, asks, language) if cycle else ())),
         draw_figure(template, solution.assembly.mechanism.map(float), hints),
         template.name,
     )

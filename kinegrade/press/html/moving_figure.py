@@ -11,9 +11,9 @@ import numpy as np
 from markupsafe import Markup
 
 from kinegrade.cycles.cycle import Cycle
-from kinegrade.cycles.graphs import convert_displacements, write_signed
+from kinegrade.cycles.graph import convert_displacements
 from kinegrade.cycles.moving_figure import MovingFigure, draw_cycle
-from kinegrade.cycles.wording import say_input
+from kinegrade.cycles.wording import say_input, write_signed
 from kinegrade.figure.back_ends.svg import CLOSE, open_document, write_parts
 from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
