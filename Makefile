@@ -5,6 +5,7 @@
 # make fairness   students who work rightly, or make each known mistake, on 1,000 papers of every template (20 minutes)
 # make docs   this program's pages for people, as a site in build/docs
 # make picture   the page that README shows, printed again (poppler)
+# make costs   the picture of what papers and answers cost by the size of the class, measured anew (an hour)
 # make measure   how large and how dense the code is, beside what its rebuilding aims at
 # make prove   every proof in full, at new seeds (less than an hour on two cores)
 # make catalogue LANGUAGE=de   the words of a language brought up to the English ones, or begun
@@ -19,7 +20,7 @@ BIN := $(VENV)/bin
 unexport PYTHONDONTWRITEBYTECODE
 READY := $(VENV)/.ready
 
-.PHONY: docs picture demo practice demo-answers test lint types bench measure fairness prove catalogue golden check-templates tools clean
+.PHONY: docs picture costs demo practice demo-answers test lint types bench measure fairness prove catalogue golden check-templates tools clean
 
 $(READY): pyproject.toml
 	$(PYTHON) -m venv $(VENV)
@@ -78,6 +79,9 @@ picture: $(READY)
 	printf 'student,name\n0012,Ada Byron\n' > build/picture/roster.csv
 	$(BIN)/kinegrade generate demo build/picture/roster.csv -o build/picture/EXAM --reproducible picture
 	pdftoppm -singlefile -r 80 -gray -png build/picture/EXAM/papers.pdf docs/pictures/paper
+
+costs: $(READY)
+	$(BIN)/python -m benchmarks.class_plot docs/pictures/class-costs.svg
 
 catalogue: $(READY)
 	$(BIN)/python -m tests.language.update $(LANGUAGE)

@@ -37,8 +37,7 @@ class Cost:
 def measure(folder: Path, students: int) -> Cost:
     """Generate the exam of a class in the folder, by one process."""
     roster, exam = folder / f"{students}.csv", folder / f"EXAM-{students}"
-    rows = "".join(f"{number:06},Student {number}\n" for number in range(students))
-    roster.write_text(f"student,name\n{rows}", encoding="utf-8")
+    write_roster(roster, students)
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
     command = ["generate", BANK, str(roster), "-o", str(exam), "--reproducible", "sizes"]
     process = subprocess.Popen(
@@ -54,6 +53,12 @@ def measure(folder: Path, students: int) -> Cost:
     seconds = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
     sizes = [file.stat().st_size for file in exam.rglob("*") if file.is_file()]
     return Cost(students, seconds, used.ru_maxrss / 1024, sum(sizes) / 1e6, len(sizes))
+
+
+def write_roster(file: Path, students: int) -> None:
+    """The roster of a class of so many students."""
+    rows = "".join(f"{number:06},Student {number}\n" for number in range(students))
+    file.write_text(f"student,name\n{rows}", encoding="utf-8")
 
 
 def write_cost(cost: Cost) -> str:

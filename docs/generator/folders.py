@@ -30,7 +30,7 @@ def write_folder_page() -> str:
         "in it too.",
         write_table(("file", "holds", "columns"), _list_tables()),
         "### Columns of marks.csv",
-        write_words("column", read_words(_LAYOUT, "AnswerCells")),
+        write_words("column", read_words(_LAYOUT, "ANSWER_COLUMNS")),
         "### Columns of grades.csv",
         "Between `name` and `total` stands a column for each question.",
         write_words(

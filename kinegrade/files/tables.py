@@ -204,6 +204,8 @@ def _complain_of_stray_quote(file: str, line: int) -> Complaint:
 
 def _find_ragged(rows: Iterable[Row], width: int, file: str) -> Iterator[Complaint]:
     for row in rows:
+        if len(row.cells) == width:
+            continue
         count, surplus = len(row.cells), row.cells[width:]
         problem = Message("files.ragged", cells=count, width=width)
         if count < width:

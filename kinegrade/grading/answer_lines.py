@@ -6,18 +6,21 @@ Called by `grade`. A response longer than a thousand characters is cut.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from functools import lru_cache
 from itertools import chain
+
+import numpy as np
 
 from kinegrade.files.cell_text import shorten
 from kinegrade.files.csv_writing import neutralise, write_csv_cell
-from kinegrade.grading.fast.judged_block import JudgedBlock
+from kinegrade.grading.fast.judged_block import KINDS, JudgedBlock
 from kinegrade.grading.fast.typed_cells import TypedCells
 from kinegrade.grading.marks import MarkedBlock
 from kinegrade.grading.sheets.pool import list_put_rows
 from kinegrade.grading.typed.answers import Reading
 from kinegrade.language.catalogue import Catalogue, open_catalogue
 from kinegrade.language.message import Text
-from kinegrade.marks_folder.layout import BY_POLICY, NAMES_BETWEEN, AnswerCells
+from kinegrade.marks_folder.layout import BY_POLICY, NAMES_BETWEEN
 from kinegrade.marks_folder.writing import MarksWriter
 from kinegrade.numbers.amounts import write_amount
 
@@ -31,78 +34,114 @@ def write_marks(folder: MarksWriter, blocks: Iterable[MarkedBlock]) -> Iterator[
     words = open_catalogue(folder.language)
     with folder.answers() as write:
         for block in blocks:
-            write(_write_answer_cells(block, words))
+            write(_write_lines(block, words))
             for paper, _ in block.judged.rows:
                 put += list_put_rows(block.asks, paper)
             yield block
     folder.put(put)
 
 
-def _write_answer_cells(block: MarkedBlock, words: Catalogue) -> AnswerCells:
-    """A line for each answer, assembled column by column; none for what a paper does not ask."""
-    cells = _write_all_cells(block, words)
-    width = len(block.asks)
-    lacking = {
-        row * width + number
-        for row, (paper, _) in enumerate(block.judged.rows)
-        for number in paper.lacks
-    }
-    if not lacking:
-        return cells
-    held = [place for place in range(len(block.judged.kinds)) if place not in lacking]
-    return AnswerCells(*([column[place] for place in held] for column in cells))
+def _write_lines(block: MarkedBlock, words: Catalogue) -> str:
+    """A line for each answer, assembled column by column; none for what a paper does not ask.
 
-
-def _write_all_cells(block: MarkedBlock, words: Catalogue) -> AnswerCells:
-    judged, asks, count = block.judged, block.asks, len(block.judged.rows)
-    points = [[write_amount(share * ask.points) for share in judged.credits] for ask in asks]
-    students = ([write_csv_cell(paper.student)] * len(asks) for paper, _ in judged.rows)
-    cells = judged.cells
-    return AnswerCells(
-        student=[*chain.from_iterable(students)],
-        question=[write_csv_cell(ask.question) for ask in asks] * count,
-        ask=[write_csv_cell(ask.ask) for ask in asks] * count,
-        response=_with_odd(cells.typed, cells, _show_response),
-        read_as=_with_odd(cells.read_as, cells, lambda reading: reading.read_as),
-        unit=[write_csv_cell(ask.unit) for ask in asks] * count,
-        verdict=judged.kinds,
-        points=[texts[share] for texts, share in zip(points * count, judged.shares, strict=True)],
-        out_of=[write_amount(ask.points) for ask in asks] * count,
-        reason=_write_reasons(judged.reasons, words),
-        mistakes=_list_mistakes(judged),
-        rule=[BY_POLICY if place in judged.by_policy else "" for place in range(len(judged.kinds))],
+    Columns that repeat are joined beforehand, and each part ends with its comma or line break.
+    """
+    count, cells = len(block.judged.rows), block.judged.cells
+    students = ([write_csv_cell(paper.student)] * len(block.asks) for paper, _ in block.judged.rows)
+    columns: tuple[Sequence[str], ...] = (
+        [*chain.from_iterable(students)],
+        [_join("", ask.question, ask.ask, "") for ask in block.asks] * count,
+        _with_odd(cells.typed, cells, _show_response),
+        [","] * len(cells.typed),
+        _with_odd(cells.read_as, cells, lambda reading: reading.read_as),
+        _write_verdicts(block),
+        _write_reasons(block.judged, words),
+        _write_ends(block.judged),
     )
+    if any(paper.lacks for paper, _ in block.judged.rows):
+        held = _list_held(block)
+        columns = tuple([column[place] for place in held] for column in columns)
+    parts = [""] * (len(columns) * len(columns[0]))
+    for place, column in enumerate(columns):
+        parts[place :: len(columns)] = column
+    return "".join(parts)
+
+
+def _list_held(block: MarkedBlock) -> list[int]:
+    """The places of what papers ask."""
+    asks = range(len(block.asks))
+    return [
+        row * len(asks) + number
+        for row, (paper, _) in enumerate(block.judged.rows)
+        for number in asks
+        if number not in paper.lacks
+    ]
+
+
+def _join(*cells: str) -> str:
+    return ",".join(map(write_csv_cell, cells))
 
 
 def _show_response(reading: Reading) -> str:
     return neutralise(shorten(reading.typed))
 
 
-def _write_reasons(reasons: Sequence[Text], words: Catalogue) -> list[str]:
-    """Most reasons are comparisons, in words with a comma: they need quotation marks, and nothing
-    else.
-    """
-    return [
-        f'"{reason}"'
-        if isinstance(reason, str) and reason[:1].isalpha() and "," in reason and '"' not in reason
-        else write_csv_cell(neutralise(words.write(reason)))
-        for reason in reasons
-    ]
+def _write_verdicts(block: MarkedBlock) -> list[str]:
+    """Unit, verdict, points and maximum: few ways for each ask, looked up by all three."""
+    judged, shape = block.judged, (len(block.asks), len(block.judged.credits), len(KINDS))
+    asks = np.arange(len(judged.kinds)) % len(block.asks)
+    ways = np.ravel_multi_index((asks, judged.shares, judged.kinds), shape)
+    texts = np.full(shape, "", dtype=object).ravel()
+    for way in np.flatnonzero(np.bincount(ways)).tolist():
+        number, share, kind = map(int, np.unravel_index(way, shape))
+        ask = block.asks[number]
+        points = write_amount(judged.credits[share] * ask.points), write_amount(ask.points)
+        texts[way] = _join("", ask.unit, KINDS[kind], *points, "")
+    listed: list[str] = texts[ways].tolist()
+    return listed
 
 
-def _list_mistakes(judged: JudgedBlock) -> list[str]:
-    column = [""] * len(judged.kinds)
+def _write_reasons(judged: JudgedBlock, words: Catalogue) -> list[str]:
+    """Most reasons are comparisons, and are written all at once."""
+    column = np.full(len(judged.kinds), "", dtype=object)
+    column[judged.compared] = judged.write_compared()
+    for place, reason in judged.reasons.items():
+        column[place] = _write_reason(reason, words)
+    listed: list[str] = column.tolist()
+    return listed
+
+
+def _write_reason(reason: Text, words: Catalogue) -> str:
+    """Most are sentences of letters with a comma: they need quotation marks, and nothing else."""
+    if isinstance(reason, str) and reason[:1].isalpha() and "," in reason and '"' not in reason:
+        return f'"{reason}"'
+    return write_csv_cell(neutralise(words.write(reason)))
+
+
+def _write_ends(judged: JudgedBlock) -> list[str]:
+    """Mistakes and rule, and the end of the line."""
+    column = [",,\n"] * len(judged.kinds)
+    for place in np.flatnonzero(judged.by_policy).tolist():
+        column[place] = f",,{BY_POLICY}\n"
     for place, mistakes in judged.mistakes.items():
-        column[place] = write_csv_cell(neutralise(NAMES_BETWEEN.join(mistakes)))
+        rule = BY_POLICY if judged.by_policy[place] else ""
+        column[place] = f",{_write_names(mistakes)},{rule}\n"
     return column
+
+
+@lru_cache(maxsize=1024)
+def _write_names(mistakes: tuple[str, ...]) -> str:
+    return write_csv_cell(neutralise(NAMES_BETWEEN.join(mistakes)))
 
 
 def _with_odd(
     texts: Sequence[str], cells: TypedCells, text_of: Callable[[Reading], str]
-) -> list[str]:
+) -> Sequence[str]:
     """A column of cells made safe for a CSV file; plain numbers, which most cells are, are safe as
     they stand.
     """
+    if not cells.readings:
+        return texts
     column = list(texts)
     for place, reading in cells.readings.items():
         column[place] = write_csv_cell(text_of(reading))

@@ -9,6 +9,8 @@ from functools import partial
 from itertools import groupby
 from typing import NamedTuple
 
+import numpy as np
+
 from kinegrade.exam.folder.keys import Ask
 from kinegrade.files.cell_text import shorten
 from kinegrade.files.tables import Complaint
@@ -34,7 +36,7 @@ def find_doubts(
     for place, reading in judged.cells.readings.items():
         row, number = divmod(place, len(asks))
         file, line = judged.rows[row][1].place(number)
-        verdict = name_verdict(judged.kinds[place])
+        verdict = name_verdict(judged.kind(place))
         complain = partial(Complaint, file, line, columns[number], shorten(reading.typed))
         if reading.kind in ("unreadable", "wrong unit"):
             points = judged.credits[judged.shares[place]] * asks[number].points
@@ -50,7 +52,7 @@ def _find_shared(
     judged: JudgedBlock, asks: Sequence[Ask], columns: Sequence[str]
 ) -> Iterator[Doubt]:
     """One doubt for each student whose answers are right on another paper."""
-    places = (place for place, kind in enumerate(judged.kinds) if kind == "another paper")
+    places = np.flatnonzero(judged.are("another paper")).tolist()
     for row, group in groupby(places, lambda place: place // len(columns)):
         numbers = [place % len(columns) for place in group]
         file, line = judged.rows[row][1].place(numbers[0])

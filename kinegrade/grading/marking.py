@@ -9,8 +9,11 @@ from collections import defaultdict
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
+from functools import lru_cache, partial
 from itertools import chain, islice
 from typing import assert_never
+
+import numpy as np
 
 from kinegrade.exam.folder.keys import Ask, Paper, Sitting, add_counted
 from kinegrade.files.cell_text import is_answered
@@ -33,7 +36,7 @@ from kinegrade.language.message import Text
 from kinegrade.marks_folder.rows import Grade, Submission
 from kinegrade.numbers.amounts import add_amounts
 
-_BLOCK = 250  # papers marked together
+_BLOCK = 1000  # papers marked together
 
 
 @dataclass(frozen=True, slots=True)
@@ -99,22 +102,21 @@ class _Marker:
         """The marks of some papers."""
         rows = self._counted(papers)
         judged = self._judged(rows)
+        blank = np.isnan(judged.cells.values.reshape(len(rows), -1))
+        bare = {*np.flatnonzero(blank.all(axis=1)).tolist()}  # rows without a number
         grades = [
-            self._make_grade(paper, points, entry)
-            for (paper, entry), points in zip(rows, self._points(judged), strict=True)
+            self._make_grade(paper, points, entry, absent=row in bare and not self._answered(paper))
+            for row, ((paper, entry), points) in enumerate(
+                zip(rows, self._points(judged), strict=True)
+            )
         ]
-        complaints = [
-            complaint
-            for paper, entry in rows
-            if paper.lacks
-            for complaint in find_strange(paper, entry, self.asks, self.sheet.columns)
-        ]
-        complaints += [
-            complaint
-            for paper, entry in rows
-            if len(self._entries(paper)) > 1
-            for complaint in find_repeated(self._entries(paper), entry)
-        ]
+        complaints: list[Complaint] = []
+        for paper, entry in rows:
+            if paper.lacks:
+                complaints += find_strange(paper, entry, self.asks, self.sheet.columns)
+        for paper, entry in rows:
+            if len(self._entries(paper)) > 1:
+                complaints += find_repeated(self._entries(paper), entry)
         general: dict[Text, list[Complaint]] = defaultdict(list)
         for doubt in find_doubts(judged, self.asks, self.sheet.columns):
             if doubt.why in self.judge.styles.reasons:
@@ -125,21 +127,17 @@ class _Marker:
 
     def _judged(self, rows: Sequence[Row]) -> JudgedBlock:
         """These rows judged, by what their papers ask alone."""
-        return self.judge.judged([(paper, leave_out(paper, entry)) for paper, entry in rows])
+        return self.judge.judged([(row[0], leave_out(*row)) for row in rows])
 
-    def _make_grade(self, paper: Paper, points: tuple[Fraction, ...], entry: Entry) -> Grade:
+    def _make_grade(
+        self, paper: Paper, points: tuple[Fraction, ...], entry: Entry, *, absent: bool
+    ) -> Grade:
         """A student's grade by an entry; that of a paper without some alternatives is of the others
         alone.
         """
         own, out_of = self._find_own(paper, points)
-        return Grade(
-            paper.student,
-            paper.name,
-            own,
-            out_of,
-            absent=self._is_absent(paper),
-            submission=self._find_submission(paper, entry),
-        )
+        submission = self._find_submission(paper, entry)
+        return Grade(paper.student, paper.name, own, out_of, absent=absent, submission=submission)
 
     def _find_submission(self, paper: Paper, entry: Entry) -> Submission | None:
         """When and after how many others an entry was handed in, where that costs anything."""
@@ -165,9 +163,10 @@ class _Marker:
     def _entries(self, paper: Paper) -> Sequence[Entry]:
         return self.sheet.entries[paper.student]
 
-    def _is_absent(self, paper: Paper) -> bool:
+    def _answered(self, paper: Paper) -> bool:
+        """Whether a student answered anything, in any entry."""
         responses = chain.from_iterable(entry.responses for entry in self._entries(paper))
-        return not any(map(is_answered, responses))
+        return any(map(is_answered, responses))
 
     def _row(self, paper: Paper, entry: Entry) -> Row:
         return self.pool.paper(paper, entry), entry
@@ -213,13 +212,13 @@ class _Marker:
         once.
         """
         known = self.known if len(judged.credits) == USUAL_CREDITS else {}
-        for first in range(0, len(judged.shares), len(self.asks)):
-            way = tuple(judged.shares[first : first + len(self.asks)])
+        add_up = lru_cache(maxsize=None)(partial(self._question_points, judged))
+        for way in map(tuple, judged.shares.reshape(-1, len(self.asks)).tolist()):
             if way not in known:
                 known[way] = tuple(
                     [
-                        self._question_points(judged, question, way)
-                        for question in self.judge.papers.questions
+                        add_up(each, way[each.start : each.stop])
+                        for each in self.judge.papers.questions
                     ]
                 )
             yield known[way]
@@ -227,9 +226,9 @@ class _Marker:
     def _question_points(
         self, judged: JudgedBlock, question: range, way: tuple[int, ...]
     ) -> Fraction:
-        shares = [judged.credits[share] for share in way[question.start : question.stop]]
+        """The points of a question whose asks have these shares."""
         return add_amounts(
-            share * self.asks[number].points
-            for number, share in zip(question, shares, strict=True)
+            judged.credits[share] * self.asks[number].points
+            for number, share in zip(question, way, strict=True)
             if share
         )

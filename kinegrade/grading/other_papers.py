@@ -54,10 +54,9 @@ class OtherPapers:
         for block in blocks:
             judged, width = block.judged, len(self.asks)
             is_number = ~np.isnan(judged.cells.values)
-            right = np.array(judged.kinds, dtype=object) == "right"
-            doubtful = np.flatnonzero(is_number & ~right).tolist()
+            right = judged.are("right")
             self.numbers += int(is_number.sum())
-            self.strange += sum(judged.kinds[place] not in _EXPLAINED for place in doubtful)
+            self.strange += int((is_number & ~right & ~judged.are(*_EXPLAINED)).sum())
             self.rows.append(judged.cells.values.reshape(-1, width))
             self.right.append(right.reshape(-1, width))
             yield block

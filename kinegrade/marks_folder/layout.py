@@ -21,37 +21,32 @@ class TableFile(NamedTuple):
     optional: tuple[str, ...] = ()
 
 
-class AnswerCells(NamedTuple):
-    """Lines of marks.csv, column by column: cells as they stand in the CSV file, all columns of one
-    length. A class is written faster this way than line by line.
-    """
-
+ANSWER_COLUMNS = (
     #: The student's id.
-    student: Sequence[str]
+    "student",
     #: The question, `q1`, as in the bank.
-    question: Sequence[str]
+    "question",
     #: The ask, `v_B`.
-    ask: Sequence[str]
+    "ask",
     #: What was typed, unchanged.
-    response: Sequence[str]
+    "response",
     #: The number that was read, in the unit of the ask.
-    read_as: Sequence[str]
+    "read_as",
     #: The unit of the ask.
-    unit: Sequence[str]
+    "unit",
     #: `right`, `blank`, `mistake` and so on.
-    verdict: Sequence[str]
+    "verdict",
     #: The points earned.
-    points: Sequence[str]
+    "points",
     #: The points that could be earned.
-    out_of: Sequence[str]
+    "out_of",
     #: Why, in a sentence.
-    reason: Sequence[str]
+    "reason",
     #: The identifiers of the known mistakes that lead to this answer.
-    mistakes: Sequence[str]
+    "mistakes",
     #: `policy` where something other than the paper's rule decided.
-    rule: Sequence[str]
-
-
+    "rule",
+)
 # grades.csv has a column for each question between these
 BEFORE_QUESTIONS = (
     #: The student's id.
@@ -82,7 +77,7 @@ _KEPT_AMOUNTS = ("before", "before_out_of", "by_this_marking", "out_of", "stands
 
 # Earlier versions named the mistakes and the policy in the reason alone
 #: Every answer with its verdict and reason.
-ANSWERS: Final = TableFile("marks.csv", AnswerCells._fields, optional=("mistakes", "rule"))
+ANSWERS: Final = TableFile("marks.csv", ANSWER_COLUMNS, optional=("mistakes", "rule"))
 MISTAKE: Final = "mistake"  # the verdict on an answer that known mistakes lead to
 NAMES_BETWEEN: Final = " "  # identifiers of mistakes contain no blank
 BY_POLICY: Final = "policy"  # the rule of an answer that was not compared by the paper's

@@ -24,7 +24,6 @@ from kinegrade.marks_folder.layout import (
     FILES,
     KEPT,
     MERGED,
-    AnswerCells,
 )
 from kinegrade.marks_folder.open_questions import OpenQuestion
 from kinegrade.marks_folder.rows import Grade, KeptTotal, Submission, Subtracted
@@ -49,10 +48,9 @@ COMPLAINT = Complaint("a.csv", None, "q1.v", "=1+1", "unreadable", "no points")
 
 def test_what_is_written_is_read_again(tmp_path: Path) -> None:
     writer, folder = MarksWriter(tmp_path, ENGLISH), MarksFolder(tmp_path)
-    cells = (["7", "7"], ["q1", "q2"], ["v", "v"], ["'=1", '"0,5"'], ["", "0.5"], ["m/s", "1"])
-    rest = ["", "key"], ["no-pole sense-reversed", ""], ["", "policy"]
     with writer.answers() as write:
-        write(AnswerCells(*cells, ["mistake", "right"], ["0.5", "2"], ["2", "2"], *rest))
+        write("7,q1,v,'=1,,m/s,mistake,0.5,2,,no-pole sense-reversed,\n")
+        write('7,q2,v,"0,5",0.5,1,right,2,2,key,,policy\n')
     writer.grades(("q1", "q2"), [replace(ANNA, kept=Fraction(3), grade="=A")], SCALE)
     writer.subtracted([SUBTRACTED])
     writer.complaints([COMPLAINT])

@@ -21,10 +21,10 @@ from kinegrade.exam.folder.columns.gathering import read_centres, read_mistakes,
 from kinegrade.exam.folder.keys import Ask, Key
 from kinegrade.grading.fast.another_paper import PapersAnswered
 from kinegrade.grading.fast.bounds import Flags, Places, Rules, tabulate_rules
-from kinegrade.grading.fast.comparison import Comparison, compare
+from kinegrade.grading.fast.comparison import compare
 from kinegrade.grading.fast.judged_block import NO_SHARE, JudgedBlock, Row
 from kinegrade.grading.fast.mistaken import Mistakes, find_best
-from kinegrade.grading.fast.reasons import read_reasons, write_mistakes
+from kinegrade.grading.fast.reasons import surround_comparison
 from kinegrade.grading.fast.typed_cells import CellReader
 from kinegrade.grading.judging.decision import Decision, decide, name_mistakes, void
 from kinegrade.grading.judging.follow import Decided, Follows, follow_answers, withhold
@@ -69,9 +69,11 @@ class BlockJudge:
     def judged(self, rows: Sequence[Row]) -> JudgedBlock:
         """Judges every answer in these rows."""
         cells = CellReader(self.asks, self.styles).cells([entry.responses for _, entry in rows])
-        count = len(cells.typed)
-        block = JudgedBlock(rows, cells, ["blank"] * count, [""] * count, [NO_SHARE] * count)
-        for place, names in self._compared(block).items():
+        keys = [paper.keys for paper, _ in rows]
+        rules = self._rules([read_rules(each) for each in keys])
+        comparison = compare(cells.values, read_centres(keys).reshape(-1), rules)
+        block = JudgedBlock.begin(rows, cells, comparison, self.language)
+        for place, names in self._compared(block, rules).items():
             block.put(place, self._decided(block, place, names))
         if self.follows is not None:
             for row, led_on in groupby(self._led_on(block), _ROW):
@@ -83,13 +85,13 @@ class BlockJudge:
     def _ruling(self, place: int) -> Ruling:
         return self.policy.ruling(self.asks[place % len(self.asks)].column)
 
-    def _compared(self, block: JudgedBlock) -> _Open:
+    def _compared(self, block: JudgedBlock, rules: Rules) -> _Open:
         """Records every certain verdict, and gives the places still open."""
-        keys = [paper.keys for paper, _ in block.rows]
-        centres = read_centres(keys)
-        rules = self._rules([read_rules(each) for each in keys])
-        comparison = compare(block.cells.values, centres.reshape(-1), rules)
-        self._put_numbers(block, comparison)
+        comparison = block.comparison
+        certain = np.flatnonzero(comparison.certain)
+        rulings = (self.policy.ruling(ask.column) for ask in self.asks)
+        changed = np.array([ruling.room != NO_ROOM for ruling in rulings])
+        block.put_compared(certain, changed[certain % len(self.asks)])
         wrong = np.flatnonzero(comparison.certain & ~comparison.right)
         return self._uncertain(block, comparison.certain) | self._mistaken(block, wrong, rules)
 
@@ -101,26 +103,6 @@ class BlockJudge:
         different = {id(rules): rules for rules in printed}
         now = {name: tuple(map(Ruling.rule, rulings, rules)) for name, rules in different.items()}
         return tabulate_rules([now[id(rules)] for rules in printed])
-
-    def _put_numbers(self, block: JudgedBlock, comparison: Comparison) -> None:
-        """Records what is certain, at places where the paper's rule holds and where the policy's
-        does.
-        """
-        certain = np.flatnonzero(comparison.certain)
-        rulings = (self.policy.ruling(ask.column) for ask in self.asks)
-        changed = np.array([ruling.room != NO_ROOM for ruling in rulings])
-        by_policy = changed[certain % len(self.asks)]
-        self._put_alike(block, comparison, certain[~by_policy], by_policy=False)
-        self._put_alike(block, comparison, certain[by_policy], by_policy=True)
-
-    def _put_alike(
-        self, block: JudgedBlock, comparison: Comparison, places: Places, *, by_policy: bool
-    ) -> None:
-        """Numbers at places where all rules are the papers', or all are the policy's."""
-        reasons = comparison.reasons(places, read_reasons(self.language, by_policy=by_policy))
-        block.put_compared(places, comparison.right[places], reasons)
-        if by_policy:
-            block.by_policy.update(places.tolist())
 
     def _uncertain(self, block: JudgedBlock, certain: Flags) -> _Open:
         """What was typed but could not be compared; records whatever is not a number at all."""
@@ -145,17 +127,38 @@ class BlockJudge:
         found: _Open = {place: None for place in open_to if self._others(block, place)}
         keys, width = [paper.keys for paper, _ in block.rows], len(self.asks)
         mistakes = Mistakes.of(wrong, read_mistakes(keys, wrong, width))
+        leading = mistakes.leading(block.cells.values, rules, self.language)
         shares = [self.policy.ruling(ask.column).mistakes for ask in self.asks]
-        for place, ways in mistakes.leading(block.cells.values, rules, self.language):
-            credits = shares[place % width]
-            best = find_best(ways, credits)
+        led: list[tuple[int, tuple[str, ...], str]] = [
+            each for each in leading.list_single() if each[0] not in found
+        ]
+        for place, ways in leading.group_others():
+            best = find_best(ways, shares[place % width])
             if best is None:
                 found.setdefault(place, {way.name for way in ways})
             elif place not in found:
                 names = name_mistakes(best.name, [way.name for way in ways])
-                reason = write_mistakes(names, best.comparison, self.language)
-                block.put_mistakes(place, names, reason, credits.get(names[0]))
+                led.append((place, names, best.comparison))
+        self._put_mistakes(block, led, shares)
         return found
+
+    def _put_mistakes(
+        self,
+        block: JudgedBlock,
+        led: Sequence[tuple[int, tuple[str, ...], str]],
+        shares: Sequence[Mapping[str, Fraction]],
+    ) -> None:
+        """Records answers with the mistakes that lead to them, and how far they are from these."""
+        places, mistakes, comparisons = zip(*led, strict=True) if led else ((), (), ())
+        around = {names: surround_comparison(names, self.language) for names in {*mistakes}}
+        reasons = [
+            comparison.join(around[names])
+            for names, comparison in zip(mistakes, comparisons, strict=True)
+        ]
+        block.put_mistakes(places, mistakes, reasons)
+        if any(shares):
+            for place, names in zip(places, mistakes, strict=True):
+                block.put_share(place, shares[place % len(shares)].get(names[0], Fraction(0)))
 
     def _others(self, block: JudgedBlock, place: int) -> Sequence[Alternative]:
         row, number = divmod(place, len(self.asks))
@@ -175,11 +178,10 @@ class BlockJudge:
 
     def _led_on(self, block: JudgedBlock) -> Iterator[tuple[int, range]]:
         """Rows and questions in which a number that is not right comes after another number."""
-        for row in range(len(block.rows)):
-            kinds = block.kinds[row * len(self.asks) : (row + 1) * len(self.asks)]
-            for question in self.papers.questions:
-                if sum(kind in _LED_ON for kind in kinds[question.start : question.stop]) > 1:
-                    yield row, question
+        led_on = block.are(*_LED_ON).reshape(-1, len(self.asks))
+        counts = [led_on[:, list(question)].sum(axis=1) for question in self.papers.questions]
+        for row, question in np.argwhere(np.column_stack(counts) > 1).tolist():
+            yield row, self.papers.questions[question]
 
     def _credit(
         self, block: JudgedBlock, row: int, led_on: Sequence[range], follows: Follows
@@ -199,7 +201,7 @@ class BlockJudge:
     def _find_shared(self, block: JudgedBlock, row: int) -> Sequence[range]:
         """The questions of a row that are answered as is right on another paper."""
         places = slice(row * len(self.asks), (row + 1) * len(self.asks))
-        wrong = np.array([kind in _LED_ON for kind in block.kinds[places]])
+        wrong = block.are(*_LED_ON)[places]
         return self.papers.find_shared(block.rows[row][0], block.cells.values[places], wrong)
 
     def _followed(

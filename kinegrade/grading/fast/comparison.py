@@ -8,7 +8,6 @@ precision. So the outcome is always the exact one.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -23,9 +22,9 @@ from kinegrade.grading.fast.bounds import (
     Places,
     Rules,
 )
+from kinegrade.grading.fast.number_texts import scale_numbers
 from kinegrade.grading.fast.reasons import Form, Forms
 
-_DIGITS = 6  # significant digits in a reason
 _ALIKE = 1e-5  # a difference and a tolerance this close may be written with the same digits
 
 
@@ -44,16 +43,19 @@ class Comparison:
 
     def reasons(self, places: Places, forms: Forms) -> list[str]:
         """The comparisons at these places in words, exactly as `judge` words them."""
+        to_figures = self.bounds.to_figures[places]
+        if not to_figures.any():
+            return self._fill(forms.within, places)
+        texts = np.empty(len(places), dtype=object)
+        for chosen, form in ((to_figures, forms.to_figures), (~to_figures, forms.within)):
+            texts[chosen] = self._fill(form, places[chosen])
+        listed: list[str] = texts.tolist()
+        return listed
+
+    def _fill(self, form: Form, places: Places) -> list[str]:
         bounds = self.bounds
         known = self.centres, self.difference, bounds.room, bounds.low, bounds.high
-        numbers = [each[places] for each in known]
-        if not bounds.to_figures.any():
-            return _write_all(forms.within, numbers, len(places))
-        rows = np.column_stack(numbers).tolist()
-        return [
-            _write_one(forms.to_figures if figures else forms.within, row)
-            for figures, row in zip(bounds.to_figures[places].tolist(), rows, strict=True)
-        ]
+        return form.fill([each[places] for each in known])
 
 
 def compare(values: Numbers, centres: Numbers, rules: Rules) -> Comparison:
@@ -81,19 +83,9 @@ def _are_written_alike(numbers: Numbers, error: Numbers) -> Flags:
     """Whether everything within the error of a number is written with the same six digits; for
     zero, only if it is exact.
     """
-    power = _DIGITS - 1 - np.floor(np.log10(numbers))
-    last = numbers * 10.0**power
+    scaled = scale_numbers(numbers)
+    last, most = scaled.last, error * scaled.unit
     from_half = np.abs(last - np.floor(last) - 0.5)
-    certain: Flags = (from_half > error * 10.0**power + HALF) & (error * 10.0**power < 1)
+    certain: Flags = scaled.known & (from_half > most + HALF) & (most < 1)
     certain |= (numbers == 0) & (error == 0)
     return certain
-
-
-def _write_all(form: Form, numbers: Sequence[Numbers], count: int) -> list[str]:
-    """One text for each row, filled in together."""
-    listed: list[float] = np.column_stack([numbers[each] for each in form.order]).ravel().tolist()
-    return str(f"{form.text}\n" * count % tuple(listed)).splitlines()
-
-
-def _write_one(form: Form, row: Sequence[float]) -> str:
-    return form.text % tuple([row[each] for each in form.order])

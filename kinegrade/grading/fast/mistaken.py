@@ -15,14 +15,14 @@ from operator import itemgetter
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from kinegrade.exam.folder.columns.gathering import LedTo
-from kinegrade.grading.fast.bounds import Numbers, Places, Rules
+from kinegrade.grading.fast.bounds import Flags, Numbers, Places, Rules
 from kinegrade.grading.fast.comparison import compare
 from kinegrade.grading.fast.reasons import read_comparisons
 from kinegrade.grading.judging.decision import rank_mistake
 from kinegrade.language import Language
+from kinegrade.stated_marking import find_identifier
 
 _TOO_NEAR = 1e-9  # relative: of two mistakes this near to each other, either may be the nearer one
 _PLACE = itemgetter(0)
@@ -43,39 +43,82 @@ class Way(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Mistakes:
-    """What mistakes lead to: their names, the places of the answers, and the wrong values."""
+    """What mistakes lead to, and the place of the answer that each is held against."""
 
-    names: NDArray[np.object_]
+    led_to: LedTo
     places: Places
-    values: Numbers
 
     @classmethod
     def of(cls, places: Places, led_to: LedTo) -> Mistakes:
         """The mistakes at each of these places."""
-        return cls(led_to.names, np.repeat(places, led_to.counts), led_to.values)
+        return cls(led_to, np.repeat(places, led_to.counts))
 
-    def leading(
-        self, answers: Numbers, rules: Rules, language: Language
-    ) -> Iterator[tuple[int, list[Way]]]:
-        """The ways that may lead to the answers, in the order of the places; `answers` and `rules`
-        are those of all places.
-        """
-        agreeing = rules.at(self.places).may_agree(answers[self.places], self.values)
+    def leading(self, answers: Numbers, rules: Rules, language: Language) -> Leading:
+        """The ways that may lead to the answers; `answers` and `rules` are those of all places."""
+        values = self.led_to.values
+        agreeing = rules.at(self.places).may_agree(answers[self.places], values)
         near = np.flatnonzero(agreeing)
         places = self.places[near]
-        led = compare(answers[places], self.values[near], rules.at(places))
+        led = compare(answers[places], values[near], rules.at(places))
         likely = np.flatnonzero(led.right | ~led.decided)
-        ways = map(
-            Way,
-            places[likely].tolist(),
-            self.names[near[likely]].tolist(),
-            led.certain[likely].tolist(),
-            led.difference[likely].tolist(),
-            led.centres[likely].tolist(),
+        return Leading(
+            places[likely],
+            self.led_to.names[near[likely]],
+            self.led_to.known,
+            led.certain[likely],
+            led.difference[likely],
+            led.centres[likely],
             led.reasons(likely, read_comparisons(language)),
         )
+
+
+@dataclass(frozen=True, slots=True)
+class Leading:
+    """The ways that may lead to answers, in the order of their places, as columns of `Way`; `names`
+    are numbers of those that are `known`.
+    """
+
+    places: Places
+    names: Places
+    known: Sequence[str]
+    certain: Flags
+    differences: Numbers
+    values: Numbers
+    comparisons: Sequence[str]
+
+    def list_single(self) -> Iterator[tuple[int, tuple[str, ...], str]]:
+        """The answers to which certainly one mistake leads, as most: place, identifier and
+        comparison.
+        """
+        identifiers = [(find_identifier(name),) for name in self.known]
+        single = np.flatnonzero(self._single)
+        named = [identifiers[number] for number in self.names[single].tolist()]
+        comparisons = [self.comparisons[each] for each in single.tolist()]
+        return zip(self.places[single].tolist(), named, comparisons, strict=True)
+
+    def group_others(self) -> Iterator[tuple[int, list[Way]]]:
+        """The other answers, each with its ways."""
+        ways = map(self._way, np.flatnonzero(~self._single).tolist())
         for place, group in groupby(ways, _PLACE):
             yield place, list(group)
+
+    @property
+    def _single(self) -> Flags:
+        """Which ways are certain, and lead to an answer to which no other does."""
+        changes = np.ones(len(self.places) + 1, dtype=np.bool_)
+        changes[1:-1] = self.places[1:] != self.places[:-1]
+        single: Flags = changes[:-1] & changes[1:] & self.certain
+        return single
+
+    def _way(self, number: int) -> Way:
+        return Way(
+            int(self.places[number]),
+            self.known[self.names[number]],
+            bool(self.certain[number]),
+            float(self.differences[number]),
+            float(self.values[number]),
+            self.comparisons[number],
+        )
 
 
 def find_best(ways: Sequence[Way], shares: Mapping[str, Fraction]) -> Way | None:
@@ -84,8 +127,6 @@ def find_best(ways: Sequence[Way], shares: Mapping[str, Fraction]) -> Way | None
     """
     if not all(way.certain for way in ways):
         return None
-    if len(ways) == 1:  # as most answers have
-        return ways[0]
     best = min(ways, key=lambda way: rank_mistake(way.name, way.difference, shares))
     for way in ways:
         near = abs(way.difference - best.difference) < _TOO_NEAR * abs(best.value)

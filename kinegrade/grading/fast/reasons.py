@@ -5,9 +5,14 @@ words in a language, filled in with many numbers in a single step.
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
+from itertools import chain
 
+from kinegrade.files.csv_writing import neutralise, write_csv_cell
+from kinegrade.grading.fast.bounds import Numbers
+from kinegrade.grading.fast.number_texts import write_numbers
 from kinegrade.grading.judging.decision import explain_mistakes
 from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
@@ -29,6 +34,13 @@ class Form:
 
     text: str
     order: tuple[int, ...]
+
+    def fill(self, numbers: Sequence[Numbers]) -> list[str]:
+        """A text for each row of these five columns of numbers."""
+        columns = [write_numbers(numbers[number]) for number in self.order]
+        texts = f"{self.text}\n".encode() * len(columns[0])
+        filled = texts % tuple(chain.from_iterable(zip(*columns, strict=True)))
+        return filled.decode("utf-8").split("\n")[:-1]
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,14 +69,18 @@ def read_reasons(language: Language, *, by_policy: bool) -> Forms:
     return Forms(_make_form(within, language), _make_form(to_figures, language))
 
 
-def write_mistakes(mistakes: tuple[str, ...], comparison: str, language: Language) -> str:
-    """The reason of an answer that these mistakes lead to."""
-    before, after = _surround_comparison(mistakes, language)
-    return f"{before}{comparison}{after}"
+@cache
+def read_cells(language: Language, *, by_policy: bool) -> Forms:
+    """The same reasons as cells of a CSV file; numbers need no quotation marks."""
+    forms = read_reasons(language, by_policy=by_policy)
+    return Forms(_make_cell(forms.within), _make_cell(forms.to_figures))
 
 
 @cache
-def _surround_comparison(mistakes: tuple[str, ...], language: Language) -> tuple[str, str]:
+def surround_comparison(mistakes: tuple[str, ...], language: Language) -> tuple[str, str]:
+    """What stands before and behind the comparison in the reason of an answer that these mistakes
+    lead to.
+    """
     text = open_catalogue(language).write(explain_mistakes(mistakes, _VALUE))
     before, _, after = text.partition(_VALUE)
     return before, after
@@ -73,4 +89,8 @@ def _surround_comparison(mistakes: tuple[str, ...], language: Language) -> tuple
 def _make_form(message: Message, language: Language) -> Form:
     text = open_catalogue(language).write(message)
     order = tuple(int(number) for number in _HOLE.findall(text))
-    return Form(_HOLE.sub("%.6g", text.replace("%", "%%")), order)
+    return Form(_HOLE.sub("%s", text.replace("%", "%%")), order)
+
+
+def _make_cell(form: Form) -> Form:
+    return Form(write_csv_cell(neutralise(form.text)), form.order)

@@ -36,7 +36,11 @@ def read_part(answers: AnswerFile, exam: Sitting) -> Part:
     rows, complaints = _group_rows(table, columns, exam)
     responses, put, places = columns.responses(), columns.sources(answers), columns.places(answers)
 
+    only_rows = not (put or places or answers.submitted)
+
     def make_entry(row: Row, kept: str) -> Entry:
+        if only_rows:  # as in most files
+            return Entry(row.line, responses(row.cells), kept, table.file)
         sources = put.get(row.line, ())
         given = responses(row.cells)
         at = places.get(row.line, ())
@@ -65,7 +69,8 @@ def _group_rows(
             complaints.append(_complain_of_unknown(table, row, columns, ids))
         else:
             rows[student].append(row)
-            complaints += _find_other_codes(table, row, columns, ids, student)
+            if columns.codes:
+                complaints += _find_other_codes(table, row, columns, ids, student)
     return rows, complaints
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import shutil
 from collections.abc import Callable
 from fractions import Fraction
@@ -13,7 +14,7 @@ import numpy as np
 import pytest
 
 from benchmarks.large_class import write_class
-from kinegrade.exam.folder.columns import reading, writing
+from kinegrade.exam.folder.columns import reading, record, writing
 from kinegrade.exam.folder.columns.gathering import (
     read_centres,
     read_mistakes,
@@ -80,7 +81,10 @@ def test_keys_gathered_from_columns_are_those_of_the_lines(folder: Path) -> None
         assert list(map(read_rules, keys)) == list(map(read_rules, theirs))
         found, expected = (read_mistakes(each, places, 10) for each in (keys, theirs))
         assert found.counts.tolist() == expected.counts.tolist()
-        assert found.names.tolist() == expected.names.tolist()
+        named, meant = (
+            [each.known[number] for number in each.names.tolist()] for each in (found, expected)
+        )
+        assert named == meant
         assert found.values.tolist() == expected.values.tolist()
 
 
@@ -141,6 +145,46 @@ def test_a_key_that_was_changed_counts_at_once(folder: Path) -> None:
     papers = list(open_exam(folder).papers())
     assert not any(are_columns(papers))
     assert read_values(papers[0].keys)[0] == value
+
+
+def age_columns(folder: Path, seconds: float) -> None:
+    """As if the columns had been written that long after the key."""
+    written = (folder / KEY).stat().st_mtime_ns + int(seconds * 10**9)
+    os.utime(folder / KEY_COLUMNS, ns=(written, written))
+
+
+def refuse_to_digest(*_: object) -> None:
+    raise AssertionError
+
+
+def test_a_key_that_was_left_alone_is_not_read_again(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    age_columns(folder, 3)
+    monkeypatch.setattr(record, "file_digest", refuse_to_digest)
+    assert all(are_columns(list(open_exam(folder).papers())))
+
+
+def change_in_place(folder: Path) -> None:
+    """One digit of the key, so that its file has the same size and time."""
+    times = (folder / KEY).stat()
+    text = (folder / KEY).read_text(encoding="utf-8")
+    (folder / KEY).write_text(text.replace('"points": 3', '"points": 4', 1), encoding="utf-8")
+    os.utime(folder / KEY, ns=(times.st_mtime_ns, times.st_mtime_ns))
+
+
+def test_columns_as_young_as_the_key_are_held_against_its_digest(folder: Path) -> None:
+    age_columns(folder, 1)
+    change_in_place(folder)
+    assert reading.find_columns(folder / KEY_COLUMNS, folder / KEY, open_exam(folder).head) is None
+
+
+def test_a_copied_folder_is_held_against_its_digest(folder: Path) -> None:
+    copy = folder.with_name("COPY")
+    shutil.copytree(folder, copy, copy_function=shutil.copyfile)
+    assert all(are_columns(list(open_exam(copy).papers())))
+    flip_a_byte(copy / KEY)
+    assert reading.find_columns(copy / KEY_COLUMNS, copy / KEY, open_exam(copy).head) is None
 
 
 @pytest.mark.parametrize(

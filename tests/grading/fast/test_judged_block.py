@@ -3,18 +3,27 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from math import nan
 
 import numpy as np
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from kinegrade.grading.fast.bounds import tabulate_rules
+from kinegrade.grading.fast.comparison import compare
 from kinegrade.grading.fast.judged_block import JudgedBlock
+from kinegrade.grading.fast.reasons import read_reasons
 from kinegrade.grading.fast.typed_cells import CellReader, TypedCells
 from kinegrade.grading.judging.decision import Decision
 from kinegrade.grading.judging.judge import Verdict
 from kinegrade.grading.typed.decimal_style import find_file_style
+from kinegrade.language import ENGLISH, Language
+from kinegrade.language.known import known_languages
+from kinegrade.numbers.tolerance import Tolerance
 
 SIZE = 5
+WITHIN = Tolerance(Fraction(1, 100))
 SHARES = st.sampled_from([Fraction(0), Fraction(1, 3), Fraction(1, 2), Fraction(1)])
 VERDICTS = st.builds(
     Verdict,
@@ -27,31 +36,51 @@ COMPARED = st.lists(st.booleans(), max_size=SIZE)
 PUT = st.lists(st.tuples(st.integers(0, SIZE - 1), st.tuples(VERDICTS, SHARES)), max_size=12)
 
 
-@given(COMPARED, PUT)
+def begin(right: list[bool], size: int) -> JudgedBlock:
+    """A block in whose first places these answers are compared with 2, the others are blank."""
+    nothing = [""] * size
+    typed = np.array([2.0 if each else 9.0 for each in right] + [nan] * (size - len(right)))
+    cells = TypedCells(CellReader((), find_file_style([])), nothing, typed, nothing, {}, {})
+    comparison = compare(typed, np.full(size, 2.0), tabulate_rules([(WITHIN,) * size]))
+    return JudgedBlock.begin([], cells, comparison, ENGLISH)
+
+
+@given(COMPARED, PUT, st.booleans())
 def test_the_last_decision_that_was_put_stands(
-    compared: list[bool], put: list[tuple[int, Decision]]
+    compared: list[bool], put: list[tuple[int, Decision]], by_policy: bool
 ) -> None:
-    cells = TypedCells(
-        CellReader((), find_file_style([])), [""] * SIZE, np.zeros(SIZE), [""] * SIZE, {}, {}
-    )
-    block = JudgedBlock([], cells, ["blank"] * SIZE, [""] * SIZE, [0] * SIZE)
+    block = begin(compared, SIZE)
     expected: list[Decision] = [(Verdict("blank", ""), Fraction(0))] * SIZE
     places = np.arange(len(compared))
-    block.put_compared(places, np.array(compared, dtype=np.bool_), ["key 2"] * len(compared))
+    block.put_compared(places, np.full(len(compared), by_policy))
     for place, right in enumerate(compared):
+        reason = f"key 2, difference {0 if right else 7}, allowed 0.02"
+        reason += " by the policy" if by_policy else ""
         kind = "right" if right else "wrong"
-        expected[place] = Verdict(kind, "key 2"), Fraction(right)
+        expected[place] = Verdict(kind, reason, by_policy=by_policy), Fraction(right)
     for place, decision in put:
         block.put(place, decision)
         expected[place] = decision
     assert [block.decision(place) for place in range(SIZE)] == expected
+    cells = [f'"{expected[place][0].reason}"' for place in np.flatnonzero(block.compared)]
+    assert block.write_compared() == cells
 
 
 @given(st.sampled_from([None, Fraction(0), Fraction(1, 3), Fraction(1)]), st.booleans())
 def test_mistakes_that_are_put_are_a_decision(share: Fraction | None, by_policy: bool) -> None:
-    cells = TypedCells(CellReader((), find_file_style([])), [""], np.zeros(1), [""], {}, {})
-    block = JudgedBlock([], cells, ["wrong"], ["key 2"], [0])
-    block.by_policy.update({0} if by_policy else ())
-    block.put_mistakes(0, ("wrong-pole",), "leads to 1", share)
+    block = begin([False], 1)
+    block.put_compared(np.array([0]), np.array([by_policy]))
+    block.put_mistakes([0], [("wrong-pole",)], ["leads to 1"])
+    if share is not None:
+        block.put_share(0, share)
     verdict = Verdict("mistake", "leads to 1", mistakes=("wrong-pole",))
     assert block.decision(0) == (verdict, share or Fraction(0))
+
+
+@pytest.mark.parametrize("language", known_languages())
+@pytest.mark.parametrize("by_policy", [False, True])
+def test_reasons_begin_with_words(language: Language, by_policy: bool) -> None:
+    # Else a number at the beginning would decide whether a spreadsheet takes it for a formula
+    forms = read_reasons(language, by_policy=by_policy)
+    assert forms.within.text[0].isalpha()
+    assert forms.to_figures.text[0].isalpha()

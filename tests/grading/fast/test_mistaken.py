@@ -13,7 +13,7 @@ from kinegrade.exam.folder.columns.gathering import LedTo
 from kinegrade.exam.folder.keys import Key
 from kinegrade.grading.fast.bounds import tabulate_rules
 from kinegrade.grading.fast.mistaken import Mistakes, find_best
-from kinegrade.grading.fast.reasons import write_mistakes
+from kinegrade.grading.fast.reasons import surround_comparison
 from kinegrade.grading.judging.decision import find_mistaken, name_mistakes
 from kinegrade.grading.policy.policy import Ruling
 from kinegrade.grading.typed.answers import read
@@ -49,8 +49,17 @@ def test_the_best_mistake_is_the_one_that_deciding_exactly_finds(
     expected = find_mistaken(read(typed, "1"), key, Ruling(mistakes=credits))
     mistakes = Mistakes.of(np.array([0]), LedTo.of([key.mistakes]))
     rules = tabulate_rules([(key.rule,)])
-    found = dict(mistakes.leading(np.array([float(typed)]), rules, ENGLISH))
-    ways = found.get(0, [])
+    leading = mistakes.leading(np.array([float(typed)]), rules, ENGLISH)
+    single = list(leading.list_single())
+    ways = dict(leading.group_others()).get(0, [])
+    if single:
+        ((_, names, comparison),) = single
+        assert not ways
+        assert expected is not None
+        assert expected[0].mistakes == names
+        before, after = surround_comparison(expected[0].mistakes, ENGLISH)
+        assert f"{before}{comparison}{after}" == said(expected[0].reason)
+        return
     if expected is not None:
         assert set(expected[0].mistakes) <= {find_identifier(way.name) for way in ways}
     best = find_best(ways, credits) if ways else None
@@ -58,15 +67,16 @@ def test_the_best_mistake_is_the_one_that_deciding_exactly_finds(
         names = name_mistakes(best.name, [way.name for way in ways])
         assert expected is not None
         assert (names, credits.get(names[0], 0)) == (expected[0].mistakes, expected[1])
-        assert write_mistakes(names, best.comparison, ENGLISH) == said(expected[0].reason)
+        before, after = surround_comparison(names, ENGLISH)
+        assert f"{before}{best.comparison}{after}" == said(expected[0].reason)
 
 
 def test_a_single_mistake_is_certain() -> None:
     mistakes = Mistakes.of(np.array([1]), LedTo.of([{"wrong-pole": 2.5}]))
     rules = tabulate_rules([(Tolerance(), Tolerance(Fraction(1, 100)))])
-    ((place, ways),) = mistakes.leading(np.array([9.0, 2.51]), rules, ENGLISH)
-    best = find_best(ways, {})
-    assert (place, best and best.name) == (1, "wrong-pole")
+    leading = mistakes.leading(np.array([9.0, 2.51]), rules, ENGLISH)
+    assert [each[:2] for each in leading.list_single()] == [(1, ("wrong-pole",))]
+    assert list(leading.group_others()) == []
 
 
 def test_a_mistake_that_leads_there_by_two_givens_is_named_once() -> None:

@@ -24,21 +24,26 @@ Places = NDArray[np.intp]
 
 @dataclass(frozen=True, slots=True)
 class LedTo:
-    """What mistakes lead to in some asks, one after the other: so many in each ask, their names and
-    the wrong values.
+    """What mistakes lead to in some asks, one after the other: so many in each ask, which of those
+    that are `known`, and the wrong values.
     """
 
     counts: Places
-    names: NDArray[np.object_]
+    names: Places
     values: Numbers
+    known: Sequence[str]
 
     @classmethod
     def of(cls, mistakes: Sequence[Mapping[str, float | Fraction]]) -> LedTo:
         """The same from the mistakes of each ask."""
+        numbers: dict[str, int] = {}
+        names = [numbers.setdefault(name, len(numbers)) for each in mistakes for name in each]
+        values = [*chain.from_iterable(each.values() for each in mistakes)]
         return cls(
             np.array([len(each) for each in mistakes], dtype=np.intp),
-            np.array([*chain.from_iterable(mistakes)], dtype=object),
-            np.array([*chain.from_iterable(each.values() for each in mistakes)], dtype=np.float64),
+            np.array(names, dtype=np.intp),
+            np.array(values, dtype=np.float64),
+            tuple(numbers),
         )
 
 
@@ -118,7 +123,7 @@ def _gather_mistakes(part: KeyPart, places: Places) -> LedTo:
     counts = part.ends[places + 1] - begins
     before = np.cumsum(counts) - counts
     chosen = np.arange(counts.sum()) + np.repeat(begins - before, counts)
-    return LedTo(counts, part.names[chosen], part.wrong[chosen])
+    return LedTo(counts, part.names[chosen], part.wrong[chosen], part.known)
 
 
 def _find_rows(papers: Sequence[Keys]) -> tuple[KeyPart, Places] | None:

@@ -25,8 +25,8 @@ class KeyPart:
     `centres` are the right answers rightly rounded to doubles, NaN where a number of turns is right
     too; `values` are those of all asks, nearly rounded; `exact` are their digits or fractions.
     Mistakes stand one after the other: those of the ask with the number n, counted through all
-    papers, end at `ends[n + 1]` and begin at `ends[n]`; `names` and `wrong` say which they are and
-    what they lead to.
+    papers, end at `ends[n + 1]` and begin at `ends[n]`; `names`, numbers of those that are `known`,
+    and `wrong` say which they are and what they lead to.
     """
 
     centres: NDArray[np.float64]
@@ -34,14 +34,16 @@ class KeyPart:
     exact: NDArray[np.bytes_]
     terms: Sequence[Terms]
     ends: NDArray[np.int64]
-    names: NDArray[np.object_]
+    names: NDArray[np.intp]
+    known: Sequence[str]
     wrong: NDArray[np.float64]
 
     def key(self, row: int, ask: int) -> StatedKey:
         """The key of an ask on the paper of that row."""
         terms, place = self.terms[row], row * self.centres.shape[1] + ask
         mistakes = slice(self.ends[place], self.ends[place + 1])
-        led_to = zip(self.names[mistakes].tolist(), self.wrong[mistakes].tolist(), strict=True)
+        names = [self.known[number] for number in self.names[mistakes].tolist()]
+        led_to = zip(names, self.wrong[mistakes].tolist(), strict=True)
         return StatedKey(
             self.exact[row, ask].decode(), terms.rules[ask], dict(led_to), terms.periods[ask]
         )

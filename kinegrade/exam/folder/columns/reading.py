@@ -22,7 +22,7 @@ from kinegrade.exam.folder.columns.record import (
     ARRAYS,
     PART,
     About,
-    find_origin,
+    is_current,
     read_terms,
 )
 from kinegrade.exam.folder.keys import Paper
@@ -47,11 +47,10 @@ class KeyColumns:
     def papers(self) -> Iterator[Paper]:
         """The papers. Raises one of `DAMAGED` at the first that cannot be read."""
         terms = [read_terms(stated, self.head) for stated in self.about.terms]
-        known = np.array(self.about.mistakes, dtype=object)
         candidates = iter(self.head.students)
         with ZipFile(self.path) as archive:
             for number in range(-(-self.about.papers // PART)):
-                part = _make_part(_read_arrays(archive, number), terms, known)
+                part = _make_part(_read_arrays(archive, number), terms, self.about)
                 for row in range(len(part.terms)):
                     owner = next(candidates)
                     yield Paper(owner.student, owner.name, PartKeys(part, row))
@@ -64,7 +63,7 @@ def find_columns(path: Path, key: Path, head: ExamHead) -> KeyColumns | None:
     try:
         with ZipFile(path) as archive:
             about = _read_about(archive.read(ABOUT))
-        current = about.origin == find_origin(key, head) and about.papers == len(head.students)
+        current = is_current(about, path, key, head) and about.papers == len(head.students)
     except DAMAGED:
         return None
     return KeyColumns(path, head, about) if current else None
@@ -78,13 +77,17 @@ def _read_arrays(archive: ZipFile, number: int) -> _Arrays:
     return found
 
 
-def _make_part(arrays: _Arrays, terms: list[Terms], known: NDArray[np.object_]) -> KeyPart:
+def _make_part(arrays: _Arrays, terms: list[Terms], about: About) -> KeyPart:
+    names = arrays["names"].astype(np.intp)
+    if names.max(initial=0) >= max(1, len(about.mistakes)):
+        raise IndexError
     return KeyPart(
         arrays["centres"].astype(np.float64, copy=False),
         arrays["values"].astype(np.float64, copy=False),
         arrays["exact"].astype(np.bytes_, copy=False),
         [terms[number] for number in arrays["terms"].tolist()],
         arrays["ends"].astype(np.int64, copy=False),
-        known[arrays["names"].astype(np.intp)],
+        names,
+        about.mistakes,
         arrays["wrong"].astype(np.float64, copy=False),
     )

@@ -3,6 +3,11 @@ stand for.
 
 The file is an archive of arrays as numpy writes it, a few for every thousand papers, so that a
 class of any size takes the memory of one part; the archive's checksums find damage.
+
+That the key is the one that the arrays were made of is known by its digest. Reading a large key for
+that takes longer than marking by it, so a key of the size and the time that it had then is believed
+to be the same, as version control does; but not where the arrays were written so soon after it that
+a change might bear the same time.
 """
 
 from __future__ import annotations
@@ -21,6 +26,8 @@ FORMAT = 1
 ABOUT = "about.json"
 #: Papers whose arrays stand together.
 PART = 1000
+# No file system counts time in coarser steps than two seconds
+_SETTLED = 2 * 10**9
 ARRAYS = ("centres", "values", "exact", "terms", "ends", "names", "wrong")
 
 
@@ -41,23 +48,49 @@ class AskTerms(msgspec.Struct, frozen=True, array_like=True):
     period: str | None
 
 
+class KeyFile(msgspec.Struct, frozen=True):
+    """The file of a key as its folder lists it: bytes, and the time of the last change in ns."""
+
+    size: int
+    changed: int
+
+
 class About(msgspec.Struct, frozen=True):
     """The origin of the arrays, the names of mistakes by their numbers, and by theirs the terms
-    that papers have.
+    that papers have; `key_file` is the key's, None in arrays of earlier versions.
     """
 
     origin: Origin
     papers: int
     mistakes: tuple[str, ...]
     terms: tuple[tuple[AskTerms, ...], ...]
+    key_file: KeyFile | None = None
 
 
 def find_origin(key: Path, head: ExamHead) -> Origin:
     """What arrays would be made of now. Raises OSError where the key cannot be read."""
-    asks = [(ask.question, ask.ask, ask.unit, str(ask.points)) for ask in head.asks]
-    stated = msgspec.json.encode((asks, list(head.candidates)))
     with key.open("rb") as stream:
-        return Origin(FORMAT, file_digest(stream, "sha256").hexdigest(), sha256(stated).hexdigest())
+        return Origin(FORMAT, file_digest(stream, "sha256").hexdigest(), _digest_head(head))
+
+
+def describe_key_file(key: Path) -> KeyFile:
+    """The key's file as it now is. Raises OSError where there is none."""
+    found = key.stat()
+    return KeyFile(found.st_size, found.st_mtime_ns)
+
+
+def is_current(about: About, columns: Path, key: Path, head: ExamHead) -> bool:
+    """Whether arrays in the file `columns` were made of this key and this head. Raises OSError."""
+    now = describe_key_file(key)
+    settled = columns.stat().st_mtime_ns - now.changed > _SETTLED
+    if settled and about.key_file == now:
+        return about.origin == Origin(FORMAT, about.origin.key, _digest_head(head))
+    return about.origin == find_origin(key, head)
+
+
+def _digest_head(head: ExamHead) -> str:
+    asks = [(ask.question, ask.ask, ask.unit, str(ask.points)) for ask in head.asks]
+    return sha256(msgspec.json.encode((asks, list(head.candidates)))).hexdigest()
 
 
 def state_terms(terms: Terms) -> tuple[AskTerms, ...]:

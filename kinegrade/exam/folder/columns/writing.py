@@ -17,7 +17,14 @@ from numpy.lib.format import write_array
 from numpy.typing import NDArray
 
 from kinegrade.errors import ExamError
-from kinegrade.exam.folder.columns.record import ABOUT, PART, About, find_origin, state_terms
+from kinegrade.exam.folder.columns.record import (
+    ABOUT,
+    PART,
+    About,
+    describe_key_file,
+    find_origin,
+    state_terms,
+)
 from kinegrade.exam.folder.key_stream import stream_papers
 from kinegrade.exam.folder.keys import Paper
 from kinegrade.exam.folder.records import ExamHead
@@ -55,7 +62,7 @@ def _write_parts(archive: ZipFile, key: Path, head: ExamHead) -> None:
                 write_array(stream, array, allow_pickle=False)
         count += len(part)
     stated = tuple(map(state_terms, terms.values()))
-    about = About(find_origin(key, head), count, tuple(numbers), stated)
+    about = About(find_origin(key, head), count, tuple(numbers), stated, describe_key_file(key))
     with archive.open(ABOUT, "w") as stream:
         stream.write(msgspec.json.encode(about))
 
