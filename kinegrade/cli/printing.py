@@ -95,6 +95,7 @@ def papers(
     is_flag=True,
 )
 @click.option("--large-print", is_flag=True)
+@click.option("--tactile", is_flag=True)
 @OPTIONAL_OUTPUT
 @FORCE
 @refusing
@@ -105,6 +106,7 @@ def paper(
     *,
     solution: bool,
     large_print: bool,
+    tactile: bool,
     force: bool,
 ) -> None:
     """Print the paper of one STUDENT again, by id, as EXAM keeps it: byte for byte the one that
@@ -117,12 +119,17 @@ def paper(
         raise refuse_usage(Message("terminal.pdf"))
     if solution and large_print:
         raise refuse_usage(Message("terminal.large-solution"))
+    if tactile and (solution or large_print):
+        raise refuse_usage(Message("terminal.tactile-alone"))
     again = reprint(kinegrade.open_exam(exam), student)
-    pages = again.solution() if solution else again.pages(large=large_print)
+    if tactile:
+        pages = again.tactile()
+    else:
+        pages = again.solution() if solution else again.pages(large=large_print)
     if output is None:
         click.echo(pages, nl=False)
     else:
-        write_file(output, pages, "pdf", force=force)
+        write_file(output, pages, "zip" if tactile else "pdf", force=force)
     finish_with_complaints(again.complaints())
 
 

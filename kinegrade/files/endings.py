@@ -9,7 +9,7 @@ from typing import Literal
 from kinegrade.errors import OutputError
 from kinegrade.language.message import Fault, Message, list_choices
 
-Kind = Literal["pdf", "html", "csv", "xlsx", "toml", "jsonl", "svg", "grades"]
+Kind = Literal["pdf", "html", "csv", "xlsx", "toml", "jsonl", "svg", "zip", "grades"]
 
 _ENDINGS: Mapping[Kind, tuple[str, ...]] = {
     "pdf": (".pdf",),
@@ -19,10 +19,11 @@ _ENDINGS: Mapping[Kind, tuple[str, ...]] = {
     "toml": (".toml",),
     "jsonl": (".jsonl",),
     "svg": (".svg",),
+    "zip": (".zip",),
     "grades": (".csv", ".txt", ".tsv", ".xls"),  # text, as systems name it
 }
 # Kinds that nothing here writes, but that people ask for
-_OTHERS = (".docx", ".tex", ".md", ".txt", ".json", ".zip", ".xml", ".png", ".xls", ".ods")
+_OTHERS = (".docx", ".tex", ".md", ".txt", ".json", ".xml", ".png", ".xls", ".ods")
 
 
 def require_ending(path: Path, kind: Kind) -> None:

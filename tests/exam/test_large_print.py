@@ -113,9 +113,9 @@ def test_what_the_column_says_is_told_or_must_be_known(tmp_path: Path) -> None:
     roster = tmp_path / "roster.csv"
     roster.write_text("id,name,Druckformat\n1,Ann,Großdruck\n2,Ben,大字\n3,Cy,nein\n", "utf-8")
     assert "format: large-print (2)" in kinegrade("roster", roster).stdout
-    roster.write_text("id,name,format\n1,Ann,Braille\n", encoding="utf-8")
+    roster.write_text("id,name,format\n1,Ann,Sepia\n", encoding="utf-8")
     (line,) = kinegrade("roster", roster).stderr.splitlines()
     assert line == (
-        'error: roster.csv:2: the format "Braille" is not known - expected large print, or '
+        'error: roster.csv:2: the format "Sepia" is not known - expected large print, tactile, or '
         "nothing - correct it, or do without the column: --column format="
     )

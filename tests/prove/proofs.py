@@ -25,6 +25,7 @@ from tests.prove import (
     solution_pages,
     sound_templates,
     sufficient_descriptions,
+    tactile_sheets,
     whole_papers,
 )
 from tests.prove.proof import Proof
@@ -43,6 +44,7 @@ PROOFS = (
         batch=51,
         sample=17,
     ),
+    Proof("tactile sheets", tactile_sheets.hold, cases=310, batch=31, sample=6),
     Proof("printed figures", printed_figures.hold, cases=1_020, batch=51, sample=17),
     Proof("printed mathematics", printed_mathematics.hold, cases=1_020, batch=51, sample=9),
     Proof("solution pages", solution_pages.hold, cases=510, batch=51, sample=0),

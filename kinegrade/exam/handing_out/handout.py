@@ -18,7 +18,8 @@ from kinegrade.files.output import output_file, output_folder
 from kinegrade.language.message import Fault, Message, Quoted
 
 SEND_COLUMNS = ("student", "name", "email", "file")
-KINDS = (".pdf", ".docx", ".html")  # every student has the first
+# Every student has the first, and those who read by touch the last
+KINDS = (".pdf", ".docx", ".html", ".tactile.zip")
 _IN_PAPERS = re.compile(rf"{PAPERS}/([0-9]+/)?(?!\.\.?/)[^/\\]+{re.escape(KINDS[0])}")
 
 

@@ -140,7 +140,7 @@ def print_papers(
     }
     printouts, counts = _print_alike(press, pages, run.pages)
     solutions = print_solutions(run, press, papers) if run.extras.solutions else {}
-    also = _print_also(pages, run) if run.extras.also else {}
+    also = _print_also(pages, run, papers) if run.extras.papers else {}
     return [
         Printed(
             run.bind(printouts[name]) if name in printouts else None,
@@ -181,14 +181,21 @@ def print_solutions(run: PrintRun, press: Press, papers: Sequence[SetPaper]) -> 
     )
 
 
-def _print_also(pages: Mapping[str, Paper], run: PrintRun) -> dict[str, dict[str, bytes]]:
-    """Each paper, by its file name, in the other kinds of files that are wanted. Raises
-    TypesetError as `kinegrade.press.word.press` does.
+def _print_also(
+    pages: Mapping[str, Paper], run: PrintRun, papers: Sequence[SetPaper]
+) -> dict[str, dict[str, bytes]]:
+    """Each paper, by its file name, in the other kinds of files that are wanted, and the figures of
+    those who read by touch. Raises TypesetError as `kinegrade.press.word.press` does.
     """
-    from kinegrade.press.word.press import PandocPress  # few exams need it
+    also: dict[str, dict[str, bytes]] = {name: {} for name in pages}
+    if run.extras.also:
+        from kinegrade.press.word.press import PandocPress  # few exams need it
 
-    press = PandocPress(run.press_order.paper_size)
-    return {
-        name: {kind: press.also(paper, kind) for kind in run.extras.also}
-        for name, paper in pages.items()
-    }
+        press = PandocPress(run.press_order.paper_size)
+        for name, paper in pages.items():
+            also[name] |= {kind: press.also(paper, kind) for kind in run.extras.also}
+    for touched in (paper for paper in papers if paper.student.reads_by_touch):
+        from kinegrade.exam.printing.tactile_sheets import KIND, make_tactile_sheets
+
+        also[touched.student.file_name][KIND] = make_tactile_sheets(touched, run.language)
+    return also

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import TypeVar
+from typing import TypeVar, get_args
 
 import msgspec
 
@@ -19,7 +19,6 @@ from kinegrade.exam.folder.contents import PAPERS, SOLUTIONS
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.faults import describe_damage, explain_broken
 from kinegrade.exam.folder.records import Candidate
-from kinegrade.exam.handing_out.handout import KINDS
 from kinegrade.exam.printing.pages import lay_out_paper
 from kinegrade.exam.printing.printing import Extras, PressOrder, PrintRun
 from kinegrade.exam.roster.complaints import roster_complaints
@@ -30,6 +29,7 @@ from kinegrade.exam.setting.kept_exam import KeptExam
 from kinegrade.exam.setting.setting import SetPaper
 from kinegrade.language.message import Fault, Message, Quoted
 from kinegrade.press.protocol import Press
+from kinegrade.press.word.pandoc import Kind
 
 _Kind = TypeVar("_Kind")
 
@@ -63,6 +63,13 @@ class Reprint:
         writer = SolutionWriter(self.run.language, wanted.method, cycle=wanted.cycle)
         sheet = write_solution_sheet(self.run.bank, self.paper, writer)
         return self._press.solutions({self._name: sheet})[self._name].pdf
+
+    def tactile(self) -> bytes:
+        """Its figures for swell paper as a ZIP file. Raises TypesetError."""
+        # Few papers need it
+        from kinegrade.exam.printing.tactile_sheets import make_tactile_sheets  # noqa: PLC0415
+
+        return make_tactile_sheets(self.paper, self.run.language)
 
     def complaints(self) -> tuple[Problem, ...]:
         """What a person should look at before it is handed out."""
@@ -130,9 +137,9 @@ def find_kinds(exam: ExamFolder) -> tuple[str, ...]:
     """The kinds of files, besides PDF, in which the folder has papers."""
     places = [read_place(each.file) for each in exam.head.students]
     return tuple(
-        kind.removeprefix(".")
-        for kind in KINDS[1:]
-        if any((exam.path / PAPERS / f"{place}{kind}").is_file() for place in places)
+        kind
+        for kind in get_args(Kind)
+        if any((exam.path / PAPERS / f"{place}.{kind}").is_file() for place in places)
     )
 
 

@@ -21,6 +21,7 @@ _EXTRA_TIME = re.compile(r"\+?\s*([0-9]{1,3}(?:[.,][0-9]{1,2})?)\s*(\D*?)\.?")
 _MINUTES = Message("roster.minutes")
 _NONE = Message("roster.no-extra-time")
 _LARGE_PRINT, _USUAL_PRINT = Message("roster.large-print"), Message("roster.usual-print")
+_TACTILE = Message("roster.tactile")
 _PERCENT = "%"
 _Unit: TypeAlias = Literal["percent", "minutes"]
 
@@ -94,14 +95,16 @@ def read_extra_time(cell: str, title: str) -> ExtraTime | None:
 def read_print_format(cell: str) -> PrintFormat:
     """The format of a paper in a cell; "" for the usual one. Raises FieldError.
 
-    >>> read_print_format("Großdruck"), read_print_format("no")
-    ('large-print', '')
+    >>> read_print_format("Großdruck"), read_print_format("tactile"), read_print_format("no")
+    ('large-print', 'tactile', '')
     """
     key = make_header_key(cell)
     if not is_answered(cell) or key in list_spellings(_USUAL_PRINT):
         return ""
     if key in list_spellings(_LARGE_PRINT):
         return "large-print"
+    if key in list_spellings(_TACTILE):
+        return "tactile"
     what = Message("roster.unknown-format", cell=Quoted(cell))
     raise FieldError(what, Message("roster.format-expected"))
 

@@ -20,8 +20,9 @@ from urllib.parse import quote
 
 from kinegrade.files.cell_text import trim
 
-#: How a paper is printed: as usual, or in letters of 18 points, a question a page.
-PrintFormat: TypeAlias = Literal["", "large-print"]
+#: How a paper is printed: as usual, in letters of 18 points, a question a page, or as usual with
+#: its figures for swell paper beside it.
+PrintFormat: TypeAlias = Literal["", "large-print", "tactile"]
 MOST_TOGETHER = 1000  # files in one folder
 _LONGEST_STEM = 100
 _LONGEST_ROOM = 50  # characters of up to four bytes
@@ -57,6 +58,11 @@ class Student:
     def reads_large_print(self) -> bool:
         """Whether the paper is printed in large letters, on as many pages as that takes."""
         return self.print_format == "large-print"
+
+    @property
+    def reads_by_touch(self) -> bool:
+        """Whether the figures of the paper are made for swell paper as well."""
+        return self.print_format == "tactile"
 
 
 def make_student_key(student: str) -> str:

@@ -65,7 +65,9 @@ def add_frames(
     ground runs on beyond it, as does one to a block; along a long bar or the edge of a plate it has
     its head there; one that is the leg of an angle reaches beyond its arc.
     """
-    axes = [axis for frame in hints.frames for axis in _name_axes(*_find_place(at, frame), frame)]
+    axes = [
+        axis for frame in hints.frames for axis in _name_axes(*find_frame_place(at, frame), frame)
+    ]
     if hints.axes == "origin":
         axes += [("x", _ORIGIN, _RIGHT, _LENGTHS), ("y", _ORIGIN, _RIGHT.turned(), _LENGTHS)]
     for axis in axes:
@@ -170,7 +172,7 @@ def _find_free_corner(layout: Layout) -> Vector:
     return Vector(box.left - (_ROOM + _CLEAR / 2 if taken else _ASIDE), box.bottom)
 
 
-def _find_place(at: Mapping[str, Vector], frame: BodyFrame) -> tuple[Vector, Vector]:
+def find_frame_place(at: Mapping[str, Vector], frame: BodyFrame) -> tuple[Vector, Vector]:
     """Where the origin of a body's frame is, and the direction of its x axis."""
     along = unit(direction(at, at[frame.start], frame.end))
     match frame.along:

@@ -111,7 +111,9 @@ def list_arrows(marks: Iterable[Mark]) -> tuple[TurningArrow | MovingArrow, ...]
 
 def list_likely_motions(mechanism: Mechanism, hints: Iterable[Moving]) -> list[Segment]:
     """Where arrows will be, if nothing is in the way, from their points to their tips."""
-    starts = [(mechanism.points[hint.point], _find_direction(mechanism, hint)) for hint in hints]
+    starts = [
+        (mechanism.points[hint.point], find_motion_direction(mechanism, hint)) for hint in hints
+    ]
     return [(at, at + toward * (_AT_PIN + ARROW)) for at, toward in starts]
 
 
@@ -174,7 +176,7 @@ def _list_arrows(mechanism: Mechanism, hint: Moving, rails: Sequence[Rail]) -> l
     slides, then beside it, first those clear of the mechanism; never behind something.
     """
     point = mechanism.points[hint.point]
-    toward = _find_direction(mechanism, hint)
+    toward = find_motion_direction(mechanism, hint)
     across = toward.turned()
     beyond = (point - mean(mechanism.points.values())).dot(across)
     across = across if beyond > _FREER else -across
@@ -197,7 +199,7 @@ def _list_arrows(mechanism: Mechanism, hint: Moving, rails: Sequence[Rail]) -> l
     return [*ahead, *beside]
 
 
-def _find_direction(mechanism: Mechanism, hint: Moving) -> Vector:
+def find_motion_direction(mechanism: Mechanism, hint: Moving) -> Vector:
     """The unit vector of a motion."""
     if hint.along:
         return unit(direction(mechanism.points, mechanism.points[hint.point], hint.along))

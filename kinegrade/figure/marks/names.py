@@ -59,9 +59,9 @@ def write_point_symbol(name: str) -> str:
 
 def label_points(mechanism: Mechanism, hints: FigureHints, drawing: Drawing) -> Iterator[Wish]:
     """The labels of points, then of free ends: each has to stand close to its point."""
-    ends = list(_find_free_ends(mechanism, drawing))
+    ends = list(find_free_ends(mechanism, drawing))
     places = [*mechanism.points.values(), *(end for _, end in ends)]
-    for name in _find_named_points(mechanism, hints, drawing):
+    for name in find_named_points(mechanism, hints, drawing):
         symbol = hints.labels.get(name, write_point_symbol(name))
         if symbol:
             angles = [angle for angle in hints.angles if angle.at == name]
@@ -180,7 +180,7 @@ def _find_free_direction(at: Vector, drawing: Drawing) -> Vector | None:
     return -toward if length(toward) > 0.2 else None
 
 
-def _find_named_points(mechanism: Mechanism, hints: FigureHints, drawing: Drawing) -> list[str]:
+def find_named_points(mechanism: Mechanism, hints: FigureHints, drawing: Drawing) -> list[str]:
     """Points that belong to a body, to a circle or to the ground, or are labelled; all others serve
     only for construction.
     """
@@ -191,7 +191,7 @@ def _find_named_points(mechanism: Mechanism, hints: FigureHints, drawing: Drawin
     return [name for name in mechanism.points if name in used or hints.labels.get(name)]
 
 
-def _find_free_ends(mechanism: Mechanism, drawing: Drawing) -> Iterator[tuple[str, Vector]]:
+def find_free_ends(mechanism: Mechanism, drawing: Drawing) -> Iterator[tuple[str, Vector]]:
     """The letters of free ends: a bar called AB on which only A is marked ends in B; of two free
     letters the rod takes the later.
     """

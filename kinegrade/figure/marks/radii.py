@@ -55,7 +55,8 @@ def add_radii(
     Raises TemplateError when no circle of the mechanism has one of those centres.
     """
     pairs = [
-        (_find_rim(found, hint, at[hint.through] if hint.through else None), hint) for hint in hints
+        (find_marked_rim(found, hint, at[hint.through] if hint.through else None), hint)
+        for hint in hints
     ]
     for rim, hint in sorted(pairs, key=lambda pair: pair[0].radius >= _SMALL_RADIUS):
         layout = _add_radius(layout, at, found, rim, hint.symbol)
@@ -172,7 +173,7 @@ def _list_lines_from(centre: Vector, drawn: Obstacles) -> list[Vector]:
     return [unit(line) for line in found if length(line) > _SEEN]
 
 
-def _find_rim(found: tuple[Rim, ...], hint: Radius, through: Vector | None) -> Rim:
+def find_marked_rim(found: tuple[Rim, ...], hint: Radius, through: Vector | None) -> Rim:
     """The circle that a hint means; circles that joints have come first."""
     for rim in sorted(found, key=lambda rim: rim.kind == "edge"):
         on_it = through is None or abs(length(through - rim.at) - rim.radius) < NEAR * (

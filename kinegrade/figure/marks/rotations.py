@@ -51,7 +51,7 @@ def add_rotations(
     arrows: list[TurningArrow] = []
     spared: list[Sequence[Primitive]] = []
     for hint in hints:
-        centre = _find_centre(mechanism, hint, drawing)
+        centre = find_turning_centre(mechanism, hint, drawing)
         lines = find_extension_angles(mechanism.points, lengths, centre, layout.obstacles)
         company = _find_company(layout, hint, drawing, centre, lines)
         close = [wish for wish in named if length(Vector(*wish.spots[0]) - centre) < _LETTERED]
@@ -68,7 +68,7 @@ def add_rotations(
     return layout
 
 
-def _find_centre(mechanism: Mechanism, hint: Turning, drawing: Drawing) -> Vector:
+def find_turning_centre(mechanism: Mechanism, hint: Turning, drawing: Drawing) -> Vector:
     """Where a rotation is marked."""
     if hint.of == GROUND:
         return _find_pivot(mechanism, hint.body, drawing)

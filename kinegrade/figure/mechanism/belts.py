@@ -20,7 +20,7 @@ def draw_belts(anatomy: Anatomy) -> tuple[Primitive, ...]:
     return tuple(Strokes(symbol.strands, THIN) for symbol in anatomy.symbols if symbol.strands)
 
 
-def draw_ropes(anatomy: Anatomy) -> Iterator[Primitive]:
+def draw_ropes(anatomy: Anatomy) -> Iterator[Strokes | Outline]:
     """The ropes, as thin as belts, to their ends or to the farthest other wheel on them, each with
     its load if it has one.
     """

@@ -91,13 +91,13 @@ def _draw_edge(anatomy: Anatomy, rim: Rim) -> tuple[Primitive, ...]:
     first, *_ = edges = [
         each for each in anatomy.rims if each.kind == "edge" and each.body == rim.body
     ]
-    outline = Outline(_trace_around(edges), FIRM, "grey") if rim is first else None
+    outline = Outline(trace_around(edges), FIRM, "grey") if rim is first else None
     is_base = rim.centre == find_fixed_pin(anatomy.symbols, rim.body)
     base = Disc(rim.at, rim.radius, PITCH) if is_base else None
     return tuple(drawn for drawn in (outline, base) if drawn)
 
 
-def _trace_around(rims: Sequence[Rim]) -> tuple[Vector, ...]:
+def trace_around(rims: Sequence[Rim]) -> tuple[Vector, ...]:
     """The outline around circles, as a taut belt would lie about them."""
     turns = [2 * pi * number / _STEPS for number in range(_STEPS)]
     return hull(rim.at + polar(turn, rim.radius) for rim in rims for turn in turns)
