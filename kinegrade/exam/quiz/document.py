@@ -13,6 +13,7 @@ from fractions import Fraction
 
 from kinegrade.language import Language
 from kinegrade.numbers.tolerance import USUAL_CARRY
+from kinegrade.press.html.solution import NOT_SHOWN, Illustrated
 from kinegrade.press.sheet import AnswerRow, QuestionSheet
 
 
@@ -62,7 +63,7 @@ class QuizQuestion:
     identifier: str  # stable and without blanks: of the exam, the paper and the question
     sheet: QuestionSheet
     asks: tuple[QuizAsk, ...]
-    solution: str = ""  # HTML of the worked solution, "" where it is not to be shown
+    solution: Illustrated = NOT_SHOWN  # the worked one, empty where it is not to be shown
     rule: str = ""  # prose: when an answer is right
     digits: int = USUAL_CARRY  # the fewest significant digits to be carried and typed
 

@@ -33,7 +33,7 @@ from kinegrade.exam.quiz.source import QuizSource
 from kinegrade.exam.quiz.words import write_marking_rules
 from kinegrade.language import Language
 from kinegrade.language.message import Fault, Message
-from kinegrade.press.html.solution import write_blocks
+from kinegrade.press.html.solution import NOT_SHOWN, Illustrated, illustrate
 from kinegrade.problem.assemble import assemble
 from kinegrade.problem.given_values import find_certain_values, find_parameter_values, read_values
 from kinegrade.problem.quantity import express_in_unit
@@ -127,7 +127,7 @@ def _make_question(
             asks,
             _write_solution(solution, tuple(entry.asks), language, wishes.method)
             if solution
-            else "",
+            else NOT_SHOWN,
             write_marking_rules(rules, language),
             count_digits(source.kept.bank.carry, (rule.tolerance for rule in rules.values())),
         )
@@ -140,9 +140,9 @@ def _make_question(
 
 def _write_solution(
     solution: Solution, asks: Sequence[str], language: Language, method: Method | None
-) -> str:
+) -> Illustrated:
     """The worked solution as HTML. Raises TypesetError for texts that cannot be shown."""
-    return write_blocks(write_worked_solution(solution, asks, language, method).blocks, language)
+    return illustrate(write_worked_solution(solution, asks, language, method).blocks, language)
 
 
 def show_instance(

@@ -1,13 +1,15 @@
 r"""A worked solution as HTML: with math between `\(` and `\)` for a learning management system to
 show after the quiz, with MathML for pages of our own.
 
-It has the texts, equations and tables of the printed one; pictures where the page has room.
+It has the texts, equations and tables of the printed one; pictures stand inside a page of our own,
+and are files beside what a learning management system shows.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
+from itertools import count
 from typing import assert_never
 
 from kinegrade.figure.back_ends.svg import to_svg
@@ -21,6 +23,7 @@ from kinegrade.language.html_text import (
 from kinegrade.language.math.mathml import write_mathml_row
 from kinegrade.language.math.tree import Environment, Group, LineBreak, Mark, Row, Sign
 from kinegrade.language.message import Location, Message
+from kinegrade.language.prose import plain
 from kinegrade.language.prose.html import (
     write_line,
     write_page_line,
@@ -60,6 +63,43 @@ IN_MATHML = MathSetting(
     write_mathml_row, write_mathml_row, write_page_line, write_page_prose, ("h3", "h4")
 )
 WITH_PICTURES = replace(IN_MATHML, pictures=True)
+
+
+@dataclass(frozen=True)
+class Illustrated:
+    """HTML whose pictures are files: the texts with the pictures between them, in order."""
+
+    parts: tuple[str | Picture, ...] = ()
+
+    @property
+    def pictures(self) -> tuple[Picture, ...]:
+        """The pictures, which are counted from 1."""
+        return tuple(part for part in self.parts if isinstance(part, Picture))
+
+    def write(self, address: Callable[[int], str]) -> str:
+        """The HTML with the address of each picture by its number. Raises TypesetError."""
+        numbers = count(1)
+        return "".join(
+            _show(part, address(next(numbers))) if isinstance(part, Picture) else part
+            for part in self.parts
+        )
+
+
+NOT_SHOWN = Illustrated()
+
+
+def illustrate(blocks: Sequence[Block], language: Language) -> Illustrated:
+    """The blocks of a worked solution for a learning management system. Raises TypesetError."""
+    words = open_catalogue(language)
+    return Illustrated(tuple(_list_parts(blocks, words)))
+
+
+def _list_parts(blocks: Sequence[Block], words: Catalogue) -> Iterator[str | Picture]:
+    for block in blocks:
+        if isinstance(block, Pictures):
+            yield from block.pictures
+        else:
+            yield _write_block(block, words, FOR_MATHJAX)
 
 
 def write_blocks(
@@ -126,6 +166,14 @@ def _write_head(head: str) -> str:
 
 def _write_entry(cell: str) -> str:
     return f'<td style="padding:0 .5em;text-align:center">{cell}</td>'
+
+
+def _show(picture: Picture, address: str) -> str:
+    """A picture that is a file, over its caption."""
+    caption = write_line(picture.caption, _WHERE)
+    told = write_plain_html(plain.write_line(picture.caption, _WHERE))
+    image = f'<img src="{write_plain_html(address)}" alt="{told}"/>'
+    return f"<p>{image}</p>\n<p>{caption}</p>\n"
 
 
 def _draw(picture: Picture) -> str:

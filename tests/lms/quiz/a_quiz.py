@@ -14,8 +14,9 @@ from kinegrade.description.said import Description
 from kinegrade.exam.quiz.document import Quiz, QuizAsk, QuizMistake, QuizPaper, QuizQuestion
 from kinegrade.figure.scene import FIRM, Scene, Strokes
 from kinegrade.mechanics.vector import Vector
+from kinegrade.press.html.solution import NOT_SHOWN, Illustrated
 from kinegrade.press.sheet import AnswerRow, QuestionSheet
-from kinegrade.worked.document import Prose
+from kinegrade.worked.document import Picture, Prose
 
 ROOT = Fraction("1.732050807568877293527446341505872366943")  # sqrt(3)
 CORNERS = (Vector(5.0, 45.0), Vector(30.0, 10.0), Vector(75.0, 45.0))
@@ -91,12 +92,14 @@ STATEMENT = {
 }
 TITLE = {"en": "Slider-crank $OAB$ & co.", "zh": "曲柄滑块机构 $OAB$"}
 RULE = {"en": "Right within 2 %.", "zh": "误差不超过 2% 为正确。"}
-SOLUTION = (
+PICTURE = Picture(FIGURE, "velocity polygon of $AB$ & co.")
+SOLUTION_TEXT = (
     "<h4>Solution</h4>\n<p>\\(v_B = v_A &lt; 1\\)</p>\n<table><tbody>\n"
     '<tr><th scope="row">magnitude</th><td style="padding:0 '
     '.5em">\\(r\\)</td></tr>\n</tbody></table>\n'
     '<ol start="3"><li>so <em>it</em> is</li></ol>\n'
 )
+SOLUTION = Illustrated((SOLUTION_TEXT, PICTURE, "<p>Hence it is so.</p>\n"))
 
 
 def question(
@@ -110,7 +113,7 @@ def question(
     sheet = make_sheet(name, TITLE[language], STATEMENT[language], asks, FIGURE)
     printed = {part: more.pop(part) for part in ("statement", "figure") if part in more}
     sheet = replace(sheet, **printed)  # type: ignore[arg-type]
-    made = QuizQuestion(f"exam-{paper}-{name}", sheet, asks, "", RULE[language])
+    made = QuizQuestion(f"exam-{paper}-{name}", sheet, asks, NOT_SHOWN, RULE[language])
     return replace(made, **more)  # type: ignore[arg-type]
 
 

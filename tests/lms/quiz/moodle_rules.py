@@ -99,7 +99,8 @@ class Question:
     identifier: str
     feedback: str
     tags: tuple[str, ...]
-    files: dict[str, bytes]
+    files: dict[str, bytes]  # of the text; Moodle keeps those of the feedback apart
+    feedback_files: dict[str, bytes]
     boxes: tuple[tuple[Fraction, tuple[Answer, ...]], ...]  # marks and answers
 
 
@@ -122,10 +123,6 @@ def question(element: ElementTree.Element, category: str) -> Question:
         if kind == "cloze"
         else ((Fraction(text_of(element, "defaultgrade")), answers(element)),)
     )
-    files = {
-        file.get("name", ""): b64decode(file.text or "", validate=True)
-        for file in element.iter("file")
-    }
     tags = tuple(tag.text or "" for tag in element.findall("tags/tag/text"))
     return Question(
         kind,
@@ -135,9 +132,17 @@ def question(element: ElementTree.Element, category: str) -> Question:
         text_of(element, "idnumber"),
         text_of(element, "generalfeedback/text"),
         tags,
-        files,
+        files_of(element, "questiontext"),
+        files_of(element, "generalfeedback"),
         boxes,
     )
+
+
+def files_of(element: ElementTree.Element, text: str) -> dict[str, bytes]:
+    return {
+        file.get("name", ""): b64decode(file.text or "", validate=True)
+        for file in element.findall(f"{text}/file")
+    }
 
 
 def text_of(element: ElementTree.Element, path: str) -> str:
@@ -216,11 +221,12 @@ def faults_of(one: Question) -> Iterator[str]:
         yield f"category {one.category}"
     if not 0 < len(one.name) < 250 or not 0 < len(one.identifier) <= 100:
         yield "name or idnumber empty or cut"
-    addresses = {unquote(address) for address in ADDRESS.findall(one.text)}
-    if addresses != set(one.files) or one.text.count("@@PLUGINFILE@@") != len(addresses):
-        yield f"files {set(one.files)} for {addresses}"
-    for content in one.files.values():
-        ElementTree.fromstring(content)
+    for text, files in ((one.text, one.files), (one.feedback, one.feedback_files)):
+        addresses = {unquote(address) for address in ADDRESS.findall(text)}
+        if addresses != set(files) or text.count("@@PLUGINFILE@@") != len(addresses):
+            yield f"files {set(files)} for {addresses}"
+        for content in files.values():
+            ElementTree.fromstring(content)
     ElementTree.fromstring(f"<div>{BOX.sub('', one.text)}</div>")
     if one.kind == "cloze" and len(ANYTHING_LIKE_A_BOX.findall(one.text)) != len(one.boxes):
         yield "something else looks like a box"

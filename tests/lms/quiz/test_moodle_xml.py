@@ -299,6 +299,11 @@ def test_figures_and_solutions_travel(small_class: Path, target: Path) -> None:
     questions = read(written(put, target))
     assert all(question.files["figure.svg"].startswith(b"<svg") for question in questions)
     assert all(r"\begin{aligned}" in question.feedback for question in questions)
+    for question in questions:
+        shown = re.findall(r'src="@@PLUGINFILE@@/([^"]*)"', question.feedback)
+        assert shown == [f"solution-{number}.svg" for number in range(1, len(shown) + 1)]
+        assert {*shown} == {*question.feedback_files}
+    assert any(question.feedback_files for question in questions)
     assert all(", drawn to scale: points " in question.text for question in questions)
 
 

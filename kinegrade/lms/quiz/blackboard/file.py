@@ -97,7 +97,7 @@ class _Writer:
         for question in paper.questions:
             if question.sheet.figure is not None:
                 self._remarks.complain(Message("quiz-file.no-figures"))
-            if question.solution or any(ask.mistakes for ask in question.asks):
+            if question.solution.parts or any(ask.mistakes for ask in question.asks):
                 self._remarks.complain(Message("quiz-file.left-out"))
             for ask in question.asks:
                 column = f"{question.sheet.identifier}.{ask.identifier}"

@@ -169,8 +169,7 @@ def _write_head(name: str, text: str, question: QuizQuestion) -> str:
         f"<name><text>{_cut(name)}</text></name>\n"
         f'<questiontext format="html"><text>{_write_data(text)}</text>'
         f"{_write_file(question)}</questiontext>\n"
-        "<generalfeedback "
-        f'format="html"><text>{_write_data(question.solution)}</text></generalfeedback>\n'
+        f'<generalfeedback format="html">{_write_solution(question)}</generalfeedback>\n'
         "<penalty>0.3333333</penalty>\n<hidden>0</hidden>\n"
     )
 
@@ -192,12 +191,27 @@ def _write_statement(question: QuizQuestion, language: Language) -> str:
 
 
 def _write_file(question: QuizQuestion) -> str:
-    if question.sheet.figure is None:
-        return ""
-    return (
-        f'<file name="{_FIGURE}" path="/" '
-        f'encoding="base64">{b64encode(draw_picture(question.sheet.figure)).decode()}</file>'
+    figure = question.sheet.figure
+    return "" if figure is None else _embed(_FIGURE, draw_picture(figure))
+
+
+def _write_solution(question: QuizQuestion) -> str:
+    """The text of the worked solution, and its pictures."""
+    solution = question.solution
+    text = _write_data(solution.write(lambda number: f"@@PLUGINFILE@@/{_name_picture(number)}"))
+    pictures = enumerate(solution.pictures, start=1)
+    files = (
+        _embed(_name_picture(number), draw_picture(picture.scene)) for number, picture in pictures
     )
+    return f"<text>{text}</text>{''.join(files)}"
+
+
+def _name_picture(number: int) -> str:
+    return f"solution-{number}.svg"
+
+
+def _embed(name: str, content: bytes) -> str:
+    return f'<file name="{name}" path="/" encoding="base64">{b64encode(content).decode()}</file>'
 
 
 def _write_answer(answer: MoodleAnswer) -> str:

@@ -24,7 +24,12 @@ from kinegrade.lms.quiz.packaging import make_pool_name, make_stable_name
 from kinegrade.lms.quiz.qti12 import manifest as qti12_manifest
 from kinegrade.lms.quiz.qti12.groups import Groups
 from kinegrade.lms.quiz.qti12.item import NumericalItem, write_item_element
-from kinegrade.lms.quiz.qti12.questions import Asking, make_numerical_items, name_picture
+from kinegrade.lms.quiz.qti12.questions import (
+    Asking,
+    make_numerical_items,
+    name_picture,
+    name_solution_picture,
+)
 from kinegrade.lms.quiz.qti12.units import choose_class_units
 from kinegrade.lms.quiz.remarks import Remarks
 from kinegrade.press.html.question import draw_picture
@@ -106,14 +111,24 @@ class _Writer:
     def _items(
         self, question: QuizQuestion, *, pooled: bool
     ) -> Iterator[tuple[QuizAsk, NumericalItem]]:
-        """The items of a question; its figure is written into the package first."""
+        """The items of a question; its figure, and the pictures of its solution, are written into
+        the package first.
+        """
         found = make_numerical_items(question, self._asking, solution_with_each=pooled)
+        name = make_stable_name(question.identifier)
         if question.sheet.figure is not None and found:
-            place = name_picture(question)
-            self._parts.add(place, draw_picture(question.sheet.figure))
-            name = make_stable_name(question.identifier)
-            self._manifest.add(qti12_manifest.write_picture_resource(f"{name}-figure", place))
+            self._picture(
+                f"{name}-figure", name_picture(question), draw_picture(question.sheet.figure)
+            )
+        for number, picture in enumerate(question.solution.pictures if found else (), start=1):
+            place = name_solution_picture(question, number)
+            self._picture(f"{name}-solution-{number}", place, draw_picture(picture.scene))
         yield from found
+
+    def _picture(self, identifier: str, place: str, content: bytes) -> None:
+        """A picture, and its entry in the manifest."""
+        self._parts.add(place, content)
+        self._manifest.add(qti12_manifest.write_picture_resource(identifier, place))
 
     def _pool(self) -> None:
         identifier, title = (

@@ -69,6 +69,11 @@ def name_picture(question: QuizQuestion) -> str:
     return f"images/{make_stable_name(question.identifier)}.svg"
 
 
+def name_solution_picture(question: QuizQuestion, number: int) -> str:
+    """The name of a picture of the question's solution in the package."""
+    return f"images/{make_stable_name(question.identifier)}-solution-{number}.svg"
+
+
 def _make_item(
     question: QuizQuestion, ask: QuizAsk, text: str, asking: Asking
 ) -> NumericalItem | None:
@@ -97,7 +102,7 @@ def _make_item(
         f"{text}{asked}<p>{column}</p>\n",
         ask.row.points,
         find_right_intervals(now),
-        question.solution,
+        question.solution.write(lambda number: name_solution_picture(question, number)),
     )
 
 

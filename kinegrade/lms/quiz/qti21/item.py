@@ -36,15 +36,16 @@ NAMES = {
 _BOX = '<textEntryInteraction responseIdentifier="{}" expectedLength="16"/>'
 
 
-def write_item_document(question: QuizQuestion, language: Language, picture: str) -> bytes:
-    """The item's file; `picture` is the address of the figure. Raises TypesetError."""
+def write_item_document(question: QuizQuestion, language: Language, folder: str) -> bytes:
+    """The item's file; `folder` is where pictures are from it. Raises TypesetError."""
+    picture = f"{folder}{name_picture(question)}"
     title = write_line(question.sheet.title, question.sheet.identifier)
     parts = write_on_lines(
         (
             *write_declarations(question.asks),
             write_element("itemBody", write_flow(_write_body(question, language, picture))),
-            write_processing(question.asks, solved=bool(question.solution)),
-            *_write_feedback(question),
+            write_processing(question.asks, solved=bool(question.solution.parts)),
+            *_write_feedback(question, folder),
         )
     )
     return write_document(
@@ -61,6 +62,12 @@ def write_item_document(question: QuizQuestion, language: Language, picture: str
     )
 
 
+def name_picture(question: QuizQuestion, number: int | None = None) -> str:
+    """The name of the question's figure in the package, or of a picture of its solution."""
+    name = make_stable_name(question.identifier)
+    return f"images/{name}.svg" if number is None else f"images/{name}-solution-{number}.svg"
+
+
 def _write_body(question: QuizQuestion, language: Language, picture: str) -> str:
     """Statement and figure, then the asks, each with its box before the unit."""
     statement = write_statement(question.sheet, picture)
@@ -72,14 +79,17 @@ def _write_asked(place: int, ask: QuizAsk, language: Language) -> str:
     return write_asked_html(ask, ask, language, _BOX.format(name_response(place)))
 
 
-def _write_feedback(question: QuizQuestion) -> Iterator[Xml]:
+def _write_feedback(question: QuizQuestion, folder: str) -> Iterator[Xml]:
     for place, ask in enumerate(question.asks, start=1):
         for number, mistake in enumerate(ask.mistakes, start=1):
             yield _write_shown(
                 name_mistake(place, number), f"<p>{write_plain_html(mistake.sentence)}</p>"
             )
-    if question.solution:
-        yield _write_shown(SOLUTION, question.solution)
+    if question.solution.parts:
+        solution = question.solution.write(
+            lambda number: f"{folder}{name_picture(question, number)}"
+        )
+        yield _write_shown(SOLUTION, solution)
 
 
 def _write_shown(name: str, html: str) -> Xml:

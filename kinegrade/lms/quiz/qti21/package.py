@@ -14,7 +14,7 @@ from kinegrade.language.message import Message
 from kinegrade.language.prose.plain import write_one_plain_line
 from kinegrade.lms.quiz.manifest import Manifest
 from kinegrade.lms.quiz.packaging import make_pool_name, make_stable_name
-from kinegrade.lms.quiz.qti21.item import NAMES, write_item_document
+from kinegrade.lms.quiz.qti21.item import NAMES, name_picture, write_item_document
 from kinegrade.lms.quiz.remarks import Remarks
 from kinegrade.lms.quiz.xml_text import Xml, write_document, write_element, write_on_lines
 from kinegrade.press.html.question import draw_picture
@@ -75,19 +75,26 @@ class _Writer:
             )
 
     def _item(self, question: QuizQuestion) -> bool:
-        """Writes the question and its figure; gives whether its texts could be shown."""
+        """Writes the question, its figure and the pictures of its solution; gives whether its texts
+        could be shown.
+        """
         name = make_stable_name(question.identifier)
-        picture = f"images/{name}.svg"
         try:
-            content = write_item_document(question, self._quiz.language, f"../{picture}")
+            content = write_item_document(question, self._quiz.language, "../")
         except TypesetError as fault:
             self._remarks.refuse_texts(fault)
             return False
         files = [f"items/{name}.xml"]
         self._parts.add(files[0], content)
-        if question.sheet.figure is not None:
-            self._parts.add(picture, draw_picture(question.sheet.figure))
-            files.append(picture)
+        figure, drawn = question.sheet.figure, question.solution.pictures
+        pictures = {name_picture(question): figure} if figure is not None else {}
+        pictures |= {
+            name_picture(question, number): picture.scene
+            for number, picture in enumerate(drawn, start=1)
+        }
+        for place, scene in pictures.items():
+            self._parts.add(place, draw_picture(scene))
+        files += pictures
         self._manifest.add(_write_resource(name, "imsqti_item_xmlv2p1", files))
         return True
 
