@@ -80,7 +80,7 @@ def test_where_both_axes_are_used_the_direction_of_a_vector_is_left() -> None:
         r"the projection on the direction of $\boldsymbol{v}_{\mathrm{a}}$, "
         "which has not been used",
         r"0.2\,\unit{m/s}",
-        r"0.1414\,\unit{m/s} \cdot \cos 45^\circ + 0.1414\,\unit{m/s} \cdot \sin 45^\circ"
+        r"0.1732\,\unit{m/s} \cdot \sin 120^\circ - 0.1\,\unit{m/s} \cdot \cos 120^\circ"
         r" \approx 0.2\,\unit{m/s}",
     )
 
@@ -148,14 +148,14 @@ def test_a_wheel_between_tracks_is_checked_from_contact_to_contact() -> None:
     assert read_checks("pinion-between-two-racks") == [
         Check(
             "the velocities of both contact points of the pinion, which differ by its rotation",
-            r"0.25\,\unit{m/s} - (-0.1\,\unit{m/s}) = 0.35\,\unit{m/s}",
-            r"2.5\,\unit{rad/s} \cdot 0.14\,\unit{m} = 0.35\,\unit{m/s}",
+            r"250\,\unit{mm/s} - (-100\,\unit{mm/s}) = 350\,\unit{mm/s}",
+            r"2.5\,\unit{rad/s} \cdot 140\,\unit{mm} = 350\,\unit{mm/s}",
         ),
         Check(
             "the tangential accelerations of both contact points of the pinion, "
             "which differ by its angular acceleration",
-            r"-0.4\,\unit{m/s^2}",
-            r"-2.857\,\unit{rad/s^2} \cdot 0.14\,\unit{m} \approx -0.4\,\unit{m/s^2}",
+            r"-400\,\unit{mm/s^2}",
+            r"-2.857\,\unit{rad/s^2} \cdot 140\,\unit{mm} \approx -400\,\unit{mm/s^2}",
         ),
     ]
 

@@ -6,7 +6,7 @@ import pytest
 
 from kinegrade.expressions.reading import read_expression
 from kinegrade.worked.positions.algebra import ZERO
-from kinegrade.worked.positions.right_angles import make_unit, split_right_angles
+from kinegrade.worked.positions.right_angles import make_unit, split_right_angles, turn_back
 from tests.worked.draws import kept
 from tests.worked.telling import lines
 
@@ -99,3 +99,17 @@ def test_the_angle_between_two_velocities_goes_by_directions_that_are_found() ->
 
 def test_right_angles_alone_leave_nothing() -> None:
     assert split_right_angles(read_expression("pi/2 + pi"))[1] == ZERO
+
+
+@pytest.mark.parametrize(
+    ("given", "told"),
+    [
+        ("e*sin(-theta)", "-(e*sin(theta))"),
+        ("R + e*cos(-theta)", "R + e*cos(theta)"),
+        ("d + e*sin(-theta)", "d - e*sin(theta)"),
+        ("-sin(-theta)", "sin(theta)"),
+        ("2*l*cos(phi)", "2*l*cos(phi)"),
+    ],
+)
+def test_no_angle_of_a_sine_or_cosine_is_negative(given: str, told: str) -> None:
+    assert turn_back(read_expression(given)) == read_expression(told)

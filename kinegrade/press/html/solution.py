@@ -96,10 +96,13 @@ def illustrate(blocks: Sequence[Block], language: Language) -> Illustrated:
 
 def _list_parts(blocks: Sequence[Block], words: Catalogue) -> Iterator[str | Picture]:
     for block in blocks:
-        if isinstance(block, Pictures):
-            yield from block.pictures
-        else:
-            yield _write_block(block, words, FOR_MATHJAX)
+        match block:
+            case Pictures():
+                yield from block.pictures
+            case Heading() | Prose() | Display() | TermTable():
+                yield _write_block(block, words, FOR_MATHJAX)
+            case _:
+                assert_never(block)
 
 
 def write_blocks(

@@ -26,7 +26,7 @@ from kinegrade.worked.positions.algebra import (
     times,
 )
 from kinegrade.worked.positions.construction_steps import PLACED, Step
-from kinegrade.worked.positions.right_angles import make_unit
+from kinegrade.worked.positions.right_angles import make_unit, turn_back
 
 
 @dataclass(frozen=True)
@@ -73,7 +73,7 @@ class Axes:
             case Name():
                 return (self.x(tree.name), self.y(tree.name)) if tree.name in self.points else None
             case Call(function="", arguments=(x, y)):
-                return x, y
+                return turn_back(x), turn_back(y)
             case Call(function="turned", arguments=(vector,)):
                 return _turn_left(self.pair(vector))
             case Call(function="polar", arguments=(centre, radius, angle)):

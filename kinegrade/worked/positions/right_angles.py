@@ -2,11 +2,29 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
 from typing import assert_never
 
-from kinegrade.expressions.tree import Call, Expression, Name, Number, Operation
+from kinegrade.expressions.tree import Call, Expression, Name, Number, Operation, Operator
 from kinegrade.worked.formulas.leaves import count_quarter_turns
-from kinegrade.worked.positions.algebra import ONE, ZERO, Pair, is_negated, minus
+from kinegrade.worked.positions.algebra import (
+    ONE,
+    ZERO,
+    Pair,
+    is_negated,
+    minus,
+    over,
+    plus,
+    times,
+)
+
+_COMBINED: Mapping[Operator, Callable[[Expression, Expression], Expression]] = {
+    "+": plus,
+    "-": minus,
+    "*": times,
+    "/": over,
+    "**": lambda base, exponent: Operation("**", base, exponent),
+}
 
 
 def split_right_angles(angle: Expression) -> tuple[int, Expression, int]:
@@ -49,3 +67,21 @@ def make_unit(angle: Expression) -> Pair:
     for _ in range(quarters):
         x, y = minus(ZERO, y), x
     return x, y
+
+
+def turn_back(tree: Expression) -> Expression:
+    """An expression whose sines and cosines have no negative angle: -sin(phi) for sin(-phi)."""
+    match tree:
+        case Call("sin" | "cos" as function, (angle,)) if is_negated(angle):
+            cosine, sine = make_unit(angle)
+            return {"sin": sine, "cos": cosine}[function]
+        case Operation(sign, left, right) if not is_negated(tree):
+            before, after = turn_back(left), turn_back(right)
+            unchanged = (before, after) == (left, right)
+            return tree if unchanged else _COMBINED[sign](before, after)
+        case Operation(_, _, right):
+            return minus(ZERO, turn_back(right))
+        case Number() | Name() | Call():
+            return tree
+        case _:
+            assert_never(tree)
