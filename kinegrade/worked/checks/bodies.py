@@ -17,12 +17,14 @@ from kinegrade.mechanics.vector_equation import Level
 from kinegrade.worked.case import Case
 from kinegrade.worked.checks.check import Check, Side, compare
 from kinegrade.worked.checks.components import Turned, list_component_checks
-from kinegrade.worked.findings import Fact
+from kinegrade.worked.findings import Fact, Piece
 from kinegrade.worked.formulas.atoms import TWO, ZERO, add_terms
 from kinegrade.worked.formulas.formula import Formula
-from kinegrade.worked.formulas.measures import double, length
+from kinegrade.worked.formulas.measures import bearing, double, length
 from kinegrade.worked.formulas.numbers import measure
+from kinegrade.worked.vectors.components import find_heading
 from kinegrade.worked.vectors.facts import make_key
+from kinegrade.worked.vectors.inclinations import find_cosine, is_line_found, name_along
 from kinegrade.worked.vectors.vectors import UNITS
 
 _UNITS: Mapping[Level, str] = {"velocity": "m^2/s", "acceleration": "m^2/s^2"}
@@ -78,7 +80,7 @@ def _check_pair(pair: _Pair, level: Level, case: Case) -> Iterator[Check]:
     """
     start, end = (case.motion.points[point] for point in pair.points)
     first, second = map(case.naming.point, pair.points)
-    arm = _Arm(end - start, measure(length(end - start, case.arithmetic), "m"))
+    arm = _Arm(pair.points, end - start, case)
     for way, across in (("along", False), ("across", True)):
         turning = _state_turning(pair, arm, level, case, across=across)
         before, after = (arm.multiply(fact, across=across) for fact in pair.facts)
@@ -93,30 +95,43 @@ def _check_pair(pair: _Pair, level: Level, case: Case) -> Iterator[Check]:
 
 @dataclass(frozen=True)
 class _Arm:
-    """From the first point to the second one; `number` is its length."""
+    """From the first point to the second one."""
 
+    ends: tuple[str, str]
     vector: Vector
-    number: Formula
+    case: Case
+
+    @property
+    def number(self) -> Formula:
+        """Its length."""
+        return measure(length(self.vector, self.case.arithmetic), "m")
 
     def multiply(self, fact: Fact, *, across: bool) -> Side | None:
         """The product of a vector with the arm, with the arm turned by 90 degrees where `across`:
         by components, else its length times what lies along it; None where a part is slanting to
-        it.
+        it by no angle that is known.
         """
         line = self.vector.turned() if across else self.vector
         value = double(line.map(float).dot(fact.value.map(float)))
         if fact.by_components:
             return Side(self._multiply_components(line, fact), value)
-        terms: list[Formula] = []
-        for piece in fact.parts:
-            along = double(line.dot(piece.value))
-            if along and double(line.cross(piece.value)):
-                return None
-            if along:
-                size = abs(along) / float(line.map(float).squared()) ** 0.5
-                number = measure(size, fact.symbol.unit)
-                terms.append(self.number.dot(number).signed(_sign(along)))
-        return Side(add_terms(terms), value)
+        telling = (piece for piece in fact.parts if double(line.dot(piece.value)))
+        terms = [self._multiply_piece(line, piece) for piece in telling]
+        return None if None in terms else Side(add_terms(filter(None, terms)), value)
+
+    def _multiply_piece(self, line: Vector, piece: Piece) -> Formula | None:
+        size = measure(length(piece.value, self.case.arithmetic), piece.symbol.unit)
+        product = self.number.dot(size)
+        if not double(line.cross(piece.value)):
+            return product.signed(_sign(line.dot(piece.value)))
+        heading = find_heading(piece, self.case)
+        along = name_along(bearing(line), self.ends, self.case)
+        cosine = find_cosine(heading, along) if heading and along else None
+        if cosine is None or not is_line_found(cosine.value, self.case):
+            return None
+        return product.dot(cosine.state(True)).signed(
+            cosine.sign * _sign(piece.value.dot(piece.positive))
+        )
 
     def _multiply_components(self, line: Vector, fact: Fact) -> Formula:
         pairs = zip(line, fact.value, strict=True)
