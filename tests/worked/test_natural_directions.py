@@ -113,3 +113,10 @@ def test_right_angles_alone_leave_nothing() -> None:
 )
 def test_no_angle_of_a_sine_or_cosine_is_negative(given: str, told: str) -> None:
     assert turn_back(read_expression(given)) == read_expression(told)
+
+
+def test_a_known_vector_along_an_axis_has_the_axis_for_its_direction() -> None:
+    # it had 180 degrees
+    assert r"\boldsymbol{v}_{\mathrm{a}} | $0.9\,\unit{m/s}$ | $-x$" in _page(
+        "extended-rod-driving-rocker"
+    )

@@ -123,11 +123,12 @@ def _find_omega(case: Case, body: str) -> Any:
 
 
 def describe_direction(equation: VectorEquation, part: Part, case: Case) -> str:
-    """The direction of a part in prose: how it lies; where no line is named, its angle from +x, of
-    an unknown part that of its positive sense.
+    """The direction of a part in prose: how it lies; where no line is named, its axis or its angle
+    from +x, of an unknown part that of its positive sense.
     """
-    how = _find_orientation(equation, part, case)
-    angle = case.text(state_angle(bearing(find_heading(part))))
+    heading = find_heading(part)
+    how = _find_orientation(equation, part, case) or _find_axis(heading)
+    angle = case.text(state_angle(bearing(heading)))
     return f"${write_row(how)}$" if how else f"${angle}$"
 
 
@@ -195,7 +196,12 @@ def _find_assumed_direction(part: Part, positive: Vector, case: Case) -> Row:
     if ends:
         start, end = map(case.naming.letter, ends)
         return (*start.row, Sign(r"\to"), *end.row)
-    x, y = float(positive.x), float(positive.y)
+    return _find_axis(positive)
+
+
+def _find_axis(heading: Vector) -> Row:
+    """The axis along which a vector points, with its sign; nothing for a slanting one."""
+    x, y = float(heading.x), float(heading.y)
     if min(abs(x), abs(y)) > NEGLIGIBLE:
         return ()
     axis = Letter("x") if abs(y) < NEGLIGIBLE else Letter("y")
