@@ -90,7 +90,8 @@ def pace(noun: str) -> str:
 SENSE = "(?P<sense>clockwise|counter-clockwise)"
 RELATIVE = "(?:relative to {body:frame}, )?"
 SEEN_FROM = "(?: relative to {body:frame})?"
-TURNS = "(?:with the|at the|with the constant|at the constant) angular velocity {quantity:rate}"
+RATE = "(?:angular velocity|rotational speed)"
+TURNS = f"(?:with the|at the|with the constant|at the constant) {RATE} {{quantity:rate}}"
 SPEED = "(?:at|with) the (?:constant )?speed {quantity:rate}"
 GIVEN = "(?:given|lengths that follow|angles that follow|numbers that follow)"
 DRIVE_PATTERNS = [
