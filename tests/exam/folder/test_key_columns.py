@@ -147,10 +147,11 @@ def test_a_key_that_was_changed_counts_at_once(folder: Path) -> None:
     assert read_values(papers[0].keys)[0] == value
 
 
-def age_columns(folder: Path, seconds: float) -> None:
-    """As if the columns had been written that long after the key."""
-    written = (folder / KEY).stat().st_mtime_ns + int(seconds * 10**9)
-    os.utime(folder / KEY_COLUMNS, ns=(written, written))
+def write_later(folder: Path, seconds: float) -> None:
+    """The columns, written so long after the key."""
+    before = (folder / KEY_COLUMNS).stat().st_mtime_ns - int(seconds * 10**9)
+    os.utime(folder / KEY, ns=(before, before))
+    writing.write_columns(folder / KEY_COLUMNS, folder / KEY, open_exam(folder).head)
 
 
 def refuse_to_digest(*_: object) -> None:
@@ -160,9 +161,15 @@ def refuse_to_digest(*_: object) -> None:
 def test_a_key_that_was_left_alone_is_not_read_again(
     folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    age_columns(folder, 3)
+    write_later(folder, 60)
     monkeypatch.setattr(record, "file_digest", refuse_to_digest)
     assert all(are_columns(list(open_exam(folder).papers())))
+
+
+def test_columns_are_the_same_whenever_they_are_written(folder: Path) -> None:
+    first = (folder / KEY_COLUMNS).read_bytes()
+    write_later(folder, 60)
+    assert (folder / KEY_COLUMNS).read_bytes() == first
 
 
 def change_in_place(folder: Path) -> None:
@@ -174,7 +181,16 @@ def change_in_place(folder: Path) -> None:
 
 
 def test_columns_as_young_as_the_key_are_held_against_its_digest(folder: Path) -> None:
-    age_columns(folder, 1)
+    os.utime(folder / KEY)
+    write_later(folder, 0)
+    change_in_place(folder)
+    assert reading.find_columns(folder / KEY_COLUMNS, folder / KEY, open_exam(folder).head) is None
+
+
+def test_files_of_one_time_are_held_against_the_digest(folder: Path) -> None:
+    write_later(folder, 60)
+    for file in (folder / KEY, folder / KEY_COLUMNS):
+        os.utime(file, ns=(10**18, 10**18))
     change_in_place(folder)
     assert reading.find_columns(folder / KEY_COLUMNS, folder / KEY, open_exam(folder).head) is None
 

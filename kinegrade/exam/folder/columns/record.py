@@ -6,12 +6,14 @@ class of any size takes the memory of one part; the archive's checksums find dam
 
 That the key is the one that the arrays were made of is known by its digest. Reading a large key for
 that takes longer than marking by it, so a key of the size and the time that it had then is believed
-to be the same, as version control does; but not where the arrays were written so soon after it that
-a change might bear the same time.
+to be the same, as version control does. The time is kept as that of the arrays' own file, a certain
+moment later, as the content of two like exams is the same; it is not kept where the arrays were
+written so soon after the key that a change might bear the same time.
 """
 
 from __future__ import annotations
 
+import os
 from fractions import Fraction
 from hashlib import file_digest, sha256
 from pathlib import Path
@@ -28,6 +30,8 @@ ABOUT = "about.json"
 PART = 1000
 # No file system counts time in coarser steps than two seconds
 _SETTLED = 2 * 10**9
+# In ns: a moment that no copy, and no tool that gives all files one time, gives by chance
+_LATER = 123_456_789
 ARRAYS = ("centres", "values", "exact", "terms", "ends", "names", "wrong")
 
 
@@ -48,23 +52,16 @@ class AskTerms(msgspec.Struct, frozen=True, array_like=True):
     period: str | None
 
 
-class KeyFile(msgspec.Struct, frozen=True):
-    """The file of a key as its folder lists it: bytes, and the time of the last change in ns."""
-
-    size: int
-    changed: int
-
-
 class About(msgspec.Struct, frozen=True):
     """The origin of the arrays, the names of mistakes by their numbers, and by theirs the terms
-    that papers have; `key_file` is the key's, None in arrays of earlier versions.
+    that papers have; the key's file has so many bytes, -1 in arrays of earlier versions.
     """
 
     origin: Origin
     papers: int
     mistakes: tuple[str, ...]
     terms: tuple[tuple[AskTerms, ...], ...]
-    key_file: KeyFile | None = None
+    key_size: int = -1
 
 
 def find_origin(key: Path, head: ExamHead) -> Origin:
@@ -73,17 +70,16 @@ def find_origin(key: Path, head: ExamHead) -> Origin:
         return Origin(FORMAT, file_digest(stream, "sha256").hexdigest(), _digest_head(head))
 
 
-def describe_key_file(key: Path) -> KeyFile:
-    """The key's file as it now is. Raises OSError where there is none."""
-    found = key.stat()
-    return KeyFile(found.st_size, found.st_mtime_ns)
+def keep_time(columns: Path, changed: int) -> None:
+    """Keeps with arrays that have just been written when their key was last changed, in ns."""
+    if columns.stat().st_mtime_ns - changed > _SETTLED:
+        os.utime(columns, ns=(changed + _LATER, changed + _LATER))
 
 
 def is_current(about: About, columns: Path, key: Path, head: ExamHead) -> bool:
     """Whether arrays in the file `columns` were made of this key and this head. Raises OSError."""
-    now = describe_key_file(key)
-    settled = columns.stat().st_mtime_ns - now.changed > _SETTLED
-    if settled and about.key_file == now:
+    now, kept = key.stat(), columns.stat().st_mtime_ns
+    if now.st_size == about.key_size and kept == now.st_mtime_ns + _LATER:
         return about.origin == Origin(FORMAT, about.origin.key, _digest_head(head))
     return about.origin == find_origin(key, head)
 

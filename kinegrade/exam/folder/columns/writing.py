@@ -21,8 +21,8 @@ from kinegrade.exam.folder.columns.record import (
     ABOUT,
     PART,
     About,
-    describe_key_file,
     find_origin,
+    keep_time,
     state_terms,
 )
 from kinegrade.exam.folder.key_stream import stream_papers
@@ -43,8 +43,10 @@ def write_columns(target: Path, key: Path, head: ExamHead) -> None:
     """
     partial = target.with_name(f".{target.name}.partial")
     try:
+        changed = key.stat().st_mtime_ns
         with ZipFile(partial, "w") as archive:
             _write_parts(archive, key, head)
+        keep_time(partial, changed)
         partial.replace(target)
     except (_UnusualError, ExamError, ValueError, OverflowError):
         target.unlink(missing_ok=True)
@@ -62,7 +64,7 @@ def _write_parts(archive: ZipFile, key: Path, head: ExamHead) -> None:
                 write_array(stream, array, allow_pickle=False)
         count += len(part)
     stated = tuple(map(state_terms, terms.values()))
-    about = About(find_origin(key, head), count, tuple(numbers), stated, describe_key_file(key))
+    about = About(find_origin(key, head), count, tuple(numbers), stated, key.stat().st_size)
     with archive.open(ABOUT, "w") as stream:
         stream.write(msgspec.json.encode(about))
 
