@@ -54,10 +54,10 @@ def test_lines_of_code_are_lines_without_docstrings_comments_and_blanks(tmp_path
 # did when fairness came to be bounded (mistakes, follow-through, papers alike hard) and when
 # mechanisms came to move (cycles)
 FAR = {
-    "syntax nodes": 651_570,
-    "lines of code": 68_792,
-    "syntax nodes a line": 9.48,
-    "modules of more than 250 lines": 16,
+    "syntax nodes": 681_330,
+    "lines of code": 71_450,
+    "syntax nodes a line": 9.54,
+    "modules of more than 250 lines": 21,
 }
 COPIED = """
 def total(rows, key):

@@ -24,4 +24,4 @@ BETWEEN_RIMS = 6.0  # from the circle of a ring to its outer edge
 MOTOR = 7.0  # radius of the housing of a motor
 HEAD, HALF_HEAD = 6.0, 2.5  # length of an arrowhead and half its width
 DASH, GAP = 7.0, CLEAR + 0.5  # of a pitch circle, from the end of one dash to the next
-CELL, LINE, CELL_DOT, CELL_RADIUS = 6.0, 10.0, 2.5, 0.75  # Braille: from cell to cell, to dot
+CELL, CELL_DOT, CELL_RADIUS = 6.0, 2.5, 0.75  # Braille: from cell to cell, to dot
