@@ -44,6 +44,7 @@ HEAD = ExamHead(
     engine="latex",
     pages=4,
     method="pole",
+    cycle=True,
     secret="00" * 32,
     label="spring",
     codes="11" * 32,
