@@ -135,10 +135,10 @@ def test_a_template_that_cannot_be_read_or_printed_spoils_nothing(tmp_path: Path
     status, complaints, (page,) = gallery(tmp_path, *files, "slider-crank")
     assert status == 1
     for reason in (
-        "unread.toml:71: wheels: unknown table or key",
+        "unread.toml:72: wheels: unknown table or key",
         "formula, title: formula $\\nosuch$: unknown command",
         "glyph: no font prints [U+1F600]",
-        "key.toml:8: [U+1F600]: unknown table or key",
+        "key.toml:9: [U+1F600]: unknown table or key",
     ):
         assert f"complaint: {reason}" in complaints
         assert reason in page
