@@ -17,6 +17,7 @@ from types import FrameType
 from typing import TypeVar
 
 from kinegrade.processes.garbage_collection import NEW_OBJECTS
+from kinegrade.processes.loading import is_loading
 
 DEFERRED = (signal.SIGINT, signal.SIGTERM)  # while a process starts, until it is set up
 _PATIENCE = 1.0  # seconds to stop a typesetter and to remove files
@@ -69,5 +70,8 @@ def _end_with_parent() -> None:
 
 
 def _leave(number: int, frame: FrameType | None) -> None:
-    """Clear away on the way out what was begun."""
-    raise _LeaveError
+    """Clear away on the way out what was begun. A process that is loading code is soon ended by the
+    one that it works for, which removes what it leaves.
+    """
+    if not is_loading(frame):
+        raise _LeaveError

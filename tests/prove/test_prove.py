@@ -53,6 +53,7 @@ def test_every_proof_has_a_sample() -> None:
         "whole papers",
         "printed pages",
         "practice sheets",
+        "practice sheet size",
     ]
     assert "tests/laws/test_laws.py" in properties.files()
 

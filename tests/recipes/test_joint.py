@@ -5,11 +5,14 @@ name.
 
 from __future__ import annotations
 
+import re
 import shutil
 from pathlib import Path
 
 import pytest
 
+from kinegrade.language import ENGLISH
+from kinegrade.language.known import known_languages
 from tests.laws import position
 from tests.recipes.recipe import Step, edit, follow_steps, read_titles, run, run_python
 
@@ -100,6 +103,8 @@ WORDS = {
     "solution": '\nmsgctxt "title-doubling"\nmsgid "<body> turns with <other>"\nmsgstr ""\n'
     '\nmsgctxt "doubling"\nmsgid "Twice as fast at all times:"\nmsgstr ""\n',
 }
+UNTRANSLATED = re.compile(r'msgid "(.*)"\nmsgstr ""')
+TRANSLATED = r'msgid "\1"\nmsgstr "\1"'  # into English: any words will do
 PROOF = """
 import sys
 from flint import fmpq
@@ -246,9 +251,11 @@ def add_sentence(room: Path) -> None:
 
 
 def add_words(room: Path) -> None:
-    for domain, entries in WORDS.items():
-        file = package(room, f"language/catalogues/en/{domain}.po")
-        file.write_text(file.read_text(encoding="utf-8") + entries, encoding="utf-8")
+    for language in known_languages():
+        for domain, entries in WORDS.items():
+            file = package(room, f"language/catalogues/{language}/{domain}.po")
+            said = entries if language == ENGLISH else UNTRANSLATED.sub(TRANSLATED, entries)
+            file.write_text(file.read_text(encoding="utf-8") + said, encoding="utf-8")
 
 
 def add_proof(room: Path) -> None:

@@ -55,7 +55,8 @@ BACK = Arrow("v_W", Vector(0.5, -0.5))
 
 
 def _draw(left: list[Arrow], right: list[Arrow]) -> Pictures:
-    return Pictures((Picture(draw_polygon(left, right), "velocity polygon"),))
+    caption = "velocity polygon, 1 mm corresponds to 1 m/s"
+    return Pictures((Picture(draw_polygon(left, right), caption),))
 
 
 WRONG: dict[Law, tuple[Block, ...]] = {

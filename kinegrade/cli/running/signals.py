@@ -7,10 +7,14 @@ from __future__ import annotations
 import signal
 from collections.abc import Iterator
 from contextlib import contextmanager
+from functools import partial
 from types import FrameType
+
+from kinegrade.processes.loading import is_loading
 
 BY_SIGNAL = 128  # and the signal's number is the exit status, as shells count
 _ENDING = ("SIGINT", "SIGTERM", "SIGHUP")  # Windows has no SIGHUP
+_SOON = 0.02  # seconds until it is asked again whether code is being loaded
 
 
 class Signalled(BaseException):
@@ -47,5 +51,17 @@ def _known(names: tuple[str, ...]) -> list[signal.Signals]:
 
 
 def _end(number: int, frame: FrameType | None) -> None:
+    """End the run, when what is being loaded is loaded."""
     signal.signal(number, signal.SIG_DFL)
-    raise Signalled(number)
+    if is_loading(frame) and hasattr(signal, "setitimer"):
+        signal.signal(signal.SIGALRM, partial(_end_later, number))
+        signal.setitimer(signal.ITIMER_REAL, _SOON, _SOON)
+    else:
+        raise Signalled(number)
+
+
+def _end_later(ended_by: int, number: int, frame: FrameType | None) -> None:
+    """End the run by the signal that came earlier, unless something is still being loaded."""
+    if not is_loading(frame):
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        raise Signalled(ended_by)
