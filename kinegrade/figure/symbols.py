@@ -86,12 +86,12 @@ def draw_knife_edge(at: Vector, toward: Vector) -> tuple[Primitive, ...]:
 
 
 def draw_rack(
-    start: Vector, end: Vector, back: Vector, contact: Vector, eyes: tuple[Vector, ...] = ()
+    start: Vector, end: Vector, back: Vector, gap: Vector, eyes: tuple[Vector, ...] = ()
 ) -> tuple[Primitive, ...]:
-    """A toothed bar with its pitch line, its material in the direction `back`, and an eye about
-    the pin at each of those ends.
+    """A toothed bar with its pitch line, on which there is a gap at that point, its material in the
+    direction `back`, and an eye about the pin at each of those ends.
     """
-    teeth = find_teeth_of_rack(start, end, contact, eyes)
+    teeth = find_teeth_of_rack(start, end, gap, eyes)
     contour = trace_rack((start, end), back, teeth, RACK_DEPTH, eyes)
     rack = (Outline(contour, TOOTHED, "grey"), Strokes(((teeth[0], teeth[-1]),), PITCH))
     return (*rack, *(Disc(at, BAR_WIDTH / 2, FIRM, "grey") for at in eyes))

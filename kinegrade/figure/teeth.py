@@ -13,6 +13,7 @@ from kinegrade.mechanics.vector import Vector
 _PITCH = 4.0  # from tooth to tooth
 _LEAST = 8  # teeth of a gear
 _BESIDE_EYE = 3.4  # from the pin at the end of a rack to its first tooth
+_LAND = 0.9  # of the pitch line at an end without an eye, up to which the rack is solid
 _TAPER = 4.2  # of the back of a rack that narrows towards such a pin
 TOOTH_TIP, TOOTH_ROOT = 0.7, 1.05  # from the pitch line, into the partner and into the material
 # Corners of a tooth: along the pitch line in parts of the pitch, and outward from it; narrow, so
@@ -41,16 +42,14 @@ def trace_gear(centre: Vector, tooth: Vector, inward: bool) -> tuple[Vector, ...
 
 
 def find_teeth_of_rack(
-    start: Vector, end: Vector, contact: Vector, eyes: Sequence[Vector]
+    start: Vector, end: Vector, gap: Vector, eyes: Sequence[Vector]
 ) -> list[Vector]:
-    """The middles of a rack's teeth on its pitch line, with a gap at the contact and none in the
-    way of an eye.
+    """The middles of a rack's teeth on its pitch line, with the middle of a gap at that point and
+    none in the way of an eye.
     """
     along = unit(end - start)
-    near, far = (start - contact).dot(along) / _PITCH, (end - contact).dot(along) / _PITCH
-    middles = [
-        contact + along * ((number + 0.5) * _PITCH) for number in range(ceil(near), floor(far))
-    ]
+    near, far = (start - gap).dot(along) / _PITCH, (end - gap).dot(along) / _PITCH
+    middles = [gap + along * ((number + 0.5) * _PITCH) for number in range(ceil(near), floor(far))]
     return [at for at in middles if all(length(at - eye) > _BESIDE_EYE for eye in eyes)]
 
 
@@ -62,12 +61,23 @@ def trace_rack(
     eyes: Sequence[Vector],
 ) -> tuple[Vector, ...]:
     """The contour of a rack with its pitch line between the ends and teeth there, its back at
-    that depth in the direction `back`; it narrows towards the ends that have an eye.
+    that depth in the direction `back`; it narrows towards the ends that have an eye, and is solid
+    up to the others, so that a point marked there lies on it.
     """
     start, end = ends
     along, root, base = unit(end - start), back * TOOTH_ROOT, back * depth
     near, far = (along * (_TAPER if at in eyes else 0.0) for at in ends)
+    first = _trace_end(start, along, root, start in eyes)
+    last = _trace_end(end, -along, root, end in eyes)[::-1]
     profile = [
         at + along * (share * _PITCH) - back * height for at in teeth for share, height in _CORNERS
     ]
-    return (start + near + base, start + root, *profile, end + root, end - far + base)
+    return (start + near + base, *first, *profile, *last, end - far + base)
+
+
+def _trace_end(at: Vector, inward: Vector, root: Vector, eye: bool) -> tuple[Vector, ...]:
+    """The contour from an end of the pitch line to the root of the first tooth."""
+    if eye:
+        return (at + root,)
+    land = at + inward * _LAND
+    return at, land, land + root

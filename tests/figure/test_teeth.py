@@ -9,7 +9,7 @@ import pytest
 from kinegrade.figure.joints.symbol import Rim, Symbol
 from kinegrade.figure.mechanism.layers import draw
 from kinegrade.figure.mechanism.paper import scale_to_paper
-from kinegrade.figure.mechanism.rims import find_rims
+from kinegrade.figure.mechanism.rims import find_gap_of_rack, find_rims
 from kinegrade.figure.mechanism.straight_parts import Bar
 from kinegrade.figure.placing.obstacles import Obstacles
 from kinegrade.figure.plane import length, polar
@@ -99,8 +99,14 @@ def test_a_rack_has_a_gap_at_its_contact_and_its_back_away_from_the_gear() -> No
     assert near == []
     beside = [corner for corner in contour if abs(corner.x - 13.0) < 1.9]
     assert {corner.y for corner in beside} == {-TOOTH_ROOT, TOOTH_TIP}
-    assert {corner.y for corner in contour} == {TOOTH_TIP, -TOOTH_ROOT, -2.0}
+    amid = {corner.y for corner in contour if 1.0 < corner.x < 29.0}
+    assert amid == {TOOTH_TIP, -TOOTH_ROOT}
     assert all(-1e-9 <= corner.x <= 30.0 + 1e-9 for corner in contour)
+
+
+def test_a_rack_is_solid_up_to_the_point_at_an_end_without_an_eye() -> None:
+    assert {ORIGIN, Vector(30.0, 0.0)} <= set(contour_of_rack())
+    assert ORIGIN not in contour_of_rack(ORIGIN)
 
 
 def test_a_rack_narrows_towards_the_eye_about_its_pin_and_has_no_tooth_there() -> None:
@@ -148,3 +154,13 @@ def test_no_letter_finds_a_place_on_the_back_of_a_rack() -> None:
     for share in (0.1, 0.5, 0.9):
         x, y = start + (end - start) * share
         assert obstacles.under_box(x, y, 0.1, 0.1) > 0
+
+
+@pytest.mark.parametrize("teeth", [15, 16, 17, 18])
+def test_a_rack_has_a_gap_where_its_gear_has_a_tooth_nearest_to_their_contact(teeth: int) -> None:
+    radius = 4.0 * teeth / (2 * pi)
+    contact = Vector(0.0, radius)
+    gap = find_gap_of_rack([gear("I", ORIGIN, radius, Vector(0.0, -radius))], contact)
+    aside = 0.0 if teeth % 2 == 0 else 2.0  # half a pitch where a gap is opposite to the tooth
+    assert gap.y == radius
+    assert abs(gap.x) == pytest.approx(aside, abs=1e-9)

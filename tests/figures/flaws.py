@@ -7,7 +7,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from itertools import combinations, permutations
 
-from shapely import Point, Polygon, STRtree
+from shapely import Point, STRtree
+from shapely.geometry.base import BaseGeometry
 
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.problem.template.hints import FigureHints
@@ -19,12 +20,14 @@ APART = 0.3  # millimetres of paper between two labels
 EDGE = 0.25  # millimetres by which the estimated ink of a letter may reach over the edge
 LEAST = 4.0  # millimetres, the smallest part
 FAR = 6.5  # millimetres from a letter to its point at most
+BITE = 0.05  # square millimetres that two meshing teeth cover in common, of rounding
 OWN = 0.1  # millimetres by which a letter is nearer to its own point than to any other
 
 
 def find_flaws(picture: Picture) -> list[str]:
     """What is wrong on paper, in words; nothing as a rule."""
-    return [*_find_touched(picture), *_find_close_labels(picture), *_find_outside(picture)]
+    letters = [*_find_touched(picture), *_find_close_labels(picture)]
+    return [*letters, *_find_outside(picture), *_find_tooth_on_tooth(picture)]
 
 
 def find_part_flaws(
@@ -65,6 +68,16 @@ def _find_outside(picture: Picture) -> Iterator[str]:
             yield f"{each.text} beyond the paper"
 
 
+def _find_tooth_on_tooth(picture: Picture) -> Iterator[str]:
+    """Gears and racks that bite into each other; one that lies within another is in another plane,
+    or in a ring.
+    """
+    for one, other in combinations(picture.toothed, 2):
+        common = one.intersection(other)
+        if BITE < common.area < min(one.area, other.area) - BITE:
+            yield f"tooth on tooth {_write_place(common)}"
+
+
 def _find_disowned(picture: Picture, points: Mapping[str, Point]) -> Iterator[str]:
     """Letters of points that stand nearer to another marked point."""
     lettered = [each for each in picture.letters if each.text in points]
@@ -82,6 +95,6 @@ def _find_far(picture: Picture, points: Mapping[str, Point]) -> Iterator[str]:
             yield f"{each.text} far from its point {_write_place(each.box)}"
 
 
-def _write_place(shape: Polygon) -> str:
+def _write_place(shape: BaseGeometry) -> str:
     x, y = shape.centroid.coords[0]
     return f"at ({x:.1f}, {y:.1f})"

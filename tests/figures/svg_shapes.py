@@ -19,6 +19,7 @@ from tests.figures.letters import measure_letters
 SVG = "{http://www.w3.org/2000/svg}"
 STEP = pi / 36  # radians between two points of an arc that is read as a polyline
 THIN = 0.185  # millimetres, the pen of leaders, dimensions and arcs of angles
+TOOTHED = "0.2"  # millimetres, the pen of contours with teeth
 HATCHING = 2.5  # millimetres: shorter thin lines are hatching, or the arms of crosses
 PIN = 1.5  # millimetres: smaller circles are pins and dots
 NUMBER = r"-?\d*\.?\d+(?:e-?\d+)?"
@@ -40,7 +41,7 @@ class Picture:
 
     `ink` is what is seen of each shape, `heads` the black triangles of arrows, `pins` the centres of
     small circles; `arcs` are the thin arcs as lines, `lines` the thin straight ones longer than
-    hatching.
+    hatching, `toothed` what gears and racks cover, teeth and all.
     """
 
     paper: Polygon
@@ -50,6 +51,7 @@ class Picture:
     letters: tuple[Letters, ...]
     arcs: tuple[LineString, ...] = ()
     lines: tuple[LineString, ...] = ()
+    toothed: tuple[Polygon, ...] = ()
 
 
 def read_picture(text: str) -> Picture:
@@ -65,6 +67,7 @@ def read_picture(text: str) -> Picture:
     pins: list[Point] = []
     letters: list[Letters] = []
     thin: list[LineString] = []
+    toothed: list[Polygon] = []
     for element in drawing:
         if element.tag == f"{SVG}text":
             letters.append(read_letters(element, size))
@@ -73,6 +76,7 @@ def read_picture(text: str) -> Picture:
         pins += [area.centroid] if float(element.attrib.get("r", PIN)) < PIN else []
         thin += read_thin_lines(element)
         fill = element.attrib.get("fill")
+        toothed += [area] if fill and element.attrib.get("stroke-width") == TOOTHED else []
         if fill is not None:
             ink = [seen for each in ink if not (seen := cover(each, area)).is_empty]
         if fill == "#000":
@@ -83,7 +87,7 @@ def read_picture(text: str) -> Picture:
     arcs = tuple(line for line in thin if len(line.coords) > 2)
     lines = tuple(line for line in thin if len(line.coords) == 2 and line.length > HATCHING)
     shapes = tuple(ink), tuple(heads), tuple(pins), tuple(letters)
-    return Picture(box(0, 0, width, height), *shapes, arcs, lines)
+    return Picture(box(0, 0, width, height), *shapes, arcs, lines, tuple(toothed))
 
 
 def read_thin_lines(element: ElementTree.Element) -> list[LineString]:

@@ -14,6 +14,8 @@ from tests.figures.svg_shapes import Picture, read_picture
 LINE = '<path d="M2 10L38 10" stroke-width="0.4"/>'
 COVER = '<circle cx="20" cy="10" r="4" fill="#fff" stroke-width="0.4"/>'
 ARC = '<path d="M20 5A5 5 0 0 1 25 10" stroke-width="0.2"/>'
+RACK = '<path d="M2 8L38 8L38 12L2 12Z" fill="#ddd" stroke-width="0.2"/>'
+PINION = '<path d="M10 2L16 2L13 8.5Z" fill="#ddd" stroke-width="0.2"/>'
 HEAD = '<path d="M39 5L41 5L40 7Z" fill="#000" stroke="none"/>'
 
 
@@ -48,10 +50,16 @@ def test_a_letter_on_its_own_has_no_flaw() -> None:
         ((write("A", 10, 8), write("B", 11, 8)), "A touches B"),
         ((write("A", 0.5, 8),), "A beyond the paper"),
         ((HEAD,), "an arrow beyond the paper"),
+        ((RACK, PINION), "tooth on tooth"),
     ],
 )
 def test_a_flaw_is_found(elements: tuple[str, ...], flaw: str) -> None:
     assert find(*elements) == [flaw]
+
+
+def test_gears_that_touch_or_lie_within_another_have_no_flaw() -> None:
+    assert find(RACK, PINION.replace("8.5", "8")) == []
+    assert find(RACK, '<path d="M9 9L13 9L11 11Z" fill="#ddd" stroke-width="0.2"/>') == []
 
 
 def test_what_a_filled_shape_covers_is_not_seen() -> None:

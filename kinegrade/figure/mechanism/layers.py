@@ -68,26 +68,26 @@ def _draw_layers(
     yield from sliders
     for part in anatomy.parts:
         if isinstance(part, Plate | SlottedDisc | GenevaWheel):
-            yield from draw_straight_part(part)
+            yield from draw_straight_part(part, anatomy.rims)
     yield from _draw_reference_lines(anatomy)
     yield from stands
     for part in anatomy.parts:
         if isinstance(part, Bar) and not is_slender(part):
-            yield from draw_straight_part(part)
+            yield from draw_straight_part(part, anatomy.rims)
     yield from draw_blocks(anatomy)
     arms = [arm for arm, _ in find_welded_arms(anatomy.parts, anatomy.symbols)]
     for arm in arms:
-        yield from draw_straight_part(arm)
+        yield from draw_straight_part(arm, anatomy.rims)
     yield from draw_sleeves(anatomy)
     yield from draw_motors(anatomy)
     bars = [part for part in anatomy.parts if is_slender(part) and part not in arms]
     sliding = [bar for bar in bars if isinstance(bar, Bar) and bar.use == "bar"]
     for bar in bars:
         if bar not in sliding:
-            yield from draw_straight_part(bar)
+            yield from draw_straight_part(bar, anatomy.rims)
     yield from draw_swivels(anatomy)
     for bar in sliding:
-        yield from draw_straight_part(bar)
+        yield from draw_straight_part(bar, anatomy.rims)
     yield from draw_gussets(anatomy.corners)
     yield from draw_heads(anatomy)
     yield from draw_points(anatomy)

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import replace
 
 from kinegrade.figure.joints.symbol import Rim, Symbol
-from kinegrade.figure.plane import angle_of, length, polar
+from kinegrade.figure.plane import NEAR, angle_of, length, polar
 from kinegrade.figure.teeth import find_tooth_angle
 from kinegrade.mechanics.joints import GROUND
 from kinegrade.mechanics.mechanism import Mechanism
@@ -57,6 +57,20 @@ def _find_next_tooth(one: Rim, other: Rim) -> Vector:
     along = ahead * one.radius / other.radius * (1.0 if one.ring != other.ring else -1.0)
     turn = angle_of(other.touch - other.at) + along + find_tooth_angle(other.radius) / 2
     return other.at + polar(turn, other.radius)
+
+
+def find_gap_of_rack(rims: Iterable[Rim], contact: Vector) -> Vector:
+    """Where a rack has a gap on its pitch line: at the tooth of its gear that is nearest to their
+    contact, rolled out from there.
+    """
+    gear = next(rim for rim in rims if _touches(rim, contact))
+    step, outward = find_tooth_angle(gear.radius), contact - gear.at
+    behind = (angle_of(gear.tooth - gear.at) - angle_of(outward) + step / 2) % step
+    return contact + outward.turned() * (behind - step / 2)
+
+
+def _touches(rim: Rim, contact: Vector) -> bool:
+    return rim.kind == "gear" and abs(length(contact - rim.at) - rim.radius) < NEAR
 
 
 def _find_edge(mechanism: Mechanism, circle: Rimmed) -> Rim:

@@ -4,11 +4,14 @@ wheels.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import assert_never
 
 from kinegrade.figure import symbols
+from kinegrade.figure.joints.symbol import Rim
 from kinegrade.figure.mechanism.geneva_wheels import trace_geneva_wheel
 from kinegrade.figure.mechanism.plates import Plate
+from kinegrade.figure.mechanism.rims import find_gap_of_rack
 from kinegrade.figure.mechanism.slotted_discs import draw_slotted_disc
 from kinegrade.figure.mechanism.straight_parts import Bar, GenevaWheel, Part, Rod, SlottedDisc
 from kinegrade.figure.plane import length, unit
@@ -18,8 +21,8 @@ from kinegrade.mechanics.vector import Vector
 _PLATE_EDGE = 1.9  # millimetres of a plate beyond the pins at its corners
 
 
-def draw_straight_part(part: Part) -> tuple[Primitive, ...]:
-    """The primitives of one straight part."""
+def draw_straight_part(part: Part, rims: Sequence[Rim]) -> tuple[Primitive, ...]:
+    """The primitives of one straight part of a mechanism with those circles."""
     match part:
         case Plate():
             return (Outline(_trace_plate(part), FIRM, "grey"),)
@@ -34,7 +37,7 @@ def draw_straight_part(part: Part) -> tuple[Primitive, ...]:
                 Strokes(((part.start, part.end),), BOLD),
             )
         case Bar():
-            return _draw_bar(part)
+            return _draw_bar(part, rims)
         case _:
             assert_never(part)
 
@@ -46,11 +49,12 @@ def _trace_plate(plate: Plate) -> tuple[Vector, ...]:
     return symbols.trace_round(plate.corners, _PLATE_EDGE) if plate.rounded else plate.corners
 
 
-def _draw_bar(bar: Bar) -> tuple[Primitive, ...]:
+def _draw_bar(bar: Bar, rims: Sequence[Rim]) -> tuple[Primitive, ...]:
     match bar.use:
         case "rack":
             eyes = tuple(at for at in (bar.start, bar.end) if at not in bar.free)
-            return symbols.draw_rack(bar.start, bar.end, bar.back, bar.actions[0], eyes)
+            gap = find_gap_of_rack(rims, bar.actions[0])
+            return symbols.draw_rack(bar.start, bar.end, bar.back, gap, eyes)
         case "slot":
             return symbols.draw_slotted_bar(bar.start, bar.end, _find_slot(bar), bar.fill)
         case "jaw":

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 from kinegrade.figure.joints.symbol import Foot, Rim, find_fixed_pins
 from kinegrade.figure.mechanism.anatomy import Anatomy
+from kinegrade.figure.mechanism.rims import find_gap_of_rack
 from kinegrade.figure.plane import NEAR, length, on_line, same_line
 from kinegrade.figure.scene import Primitive
 from kinegrade.figure.symbols import RACK_DEPTH, draw_ground, draw_rack
@@ -50,7 +51,8 @@ def _draw_surface(
     if not first.toothed:
         return draw_ground(start, end, first.away)
     depth = first.away * RACK_DEPTH
-    rack = draw_rack(start, end, first.away, first.contact)
+    gap = find_gap_of_rack(rims, first.contact)
+    rack = draw_rack(start, end, first.away, gap)
     return (*rack, *draw_ground(start + depth, end + depth, first.away))
 
 
