@@ -33,8 +33,23 @@ class Sheet:
         sheet = self
         for piece in pieces:
             if piece not in sheet.pieces:
-                sheet = sheet._with_piece(piece)
+                sheet = sheet.with_piece(piece)
         return sheet
+
+    def with_piece(self, piece: Piece, letters: Sequence[Piece] = ()) -> Sheet:
+        """The sheet with a piece and letters of its points, in the first way in which all of them
+        keep clear, or as it is; letters come before labels, which have more places.
+        """
+        for way in piece.ways:
+            new = tuple(each for each in way.primitives if each not in self.lines)
+            drawn = self._with_lines(new, piece.is_mark)
+            lettered = drawn and drawn.with_pieces(letters)
+            if lettered and set(letters) <= set(lettered.pieces):
+                for place in way.places:
+                    grown = lettered._with_labels(zip(piece.cells, place, strict=True))
+                    if grown:
+                        return replace(grown, pieces=(*grown.pieces, piece))
+        return self
 
     def draw(self) -> Scene:
         """The page as a drawing."""
@@ -42,17 +57,6 @@ class Sheet:
         home = Vector(-self.page.left, -self.page.bottom)
         drawn = tuple(move(primitive, home) for primitive in (*self.lines, *dots))
         return Scene(self.page.width, self.page.height, 1.0, drawn)
-
-    def _with_piece(self, piece: Piece) -> Sheet:
-        """The sheet with a piece in its first way that keeps clear, or as it is."""
-        for way in piece.ways:
-            new = tuple(each for each in way.primitives if each not in self.lines)
-            drawn = self._with_lines(new, piece.is_mark)
-            for place in way.places if drawn else ():
-                grown = drawn and drawn._with_labels(zip(piece.cells, place, strict=True))
-                if grown:
-                    return replace(grown, pieces=(*self.pieces, piece))
-        return self
 
     def _with_lines(self, lines: Sequence[Primitive], is_mark: bool) -> Sheet | None:
         """The sheet with more lines; None where one neither meets what is there nor keeps clear."""

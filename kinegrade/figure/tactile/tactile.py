@@ -1,7 +1,8 @@
 """A figure for the fingers: sheets for swell paper, on each of which everything keeps its distance.
 
 The first sheets show bodies, joints and points, the next ones what is given, with the mechanism as
-far as there is room for both. What has no room on a sheet goes to the next one.
+far as there is room for both. What has no room on a sheet goes to the next one; where something has
+none on any, the whole figure is drawn smaller, upright or across.
 """
 
 from __future__ import annotations
@@ -34,7 +35,7 @@ from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import FigureHints
 
 _BESIDE = 36.0  # millimetres beside a mechanism in which labels stand
-_SMALLER, _ATTEMPTS = 0.9, 12
+_SMALLER, _TRIALS, _ATTEMPTS = 0.9, 12, 5
 
 
 @dataclass(frozen=True)
@@ -54,6 +55,11 @@ class TactileFigure:
     missing: tuple[Named, ...]
     missing_parts: int = 0
 
+    @property
+    def is_whole(self) -> bool:
+        """Whether everything has room."""
+        return not self.missing and self.missing_parts == 0
+
 
 def draw_tactile(
     mechanism: Mechanism, hints: FigureHints, cells: Cells, number: Callable[[int], str]
@@ -63,17 +69,34 @@ def draw_tactile(
 
     Raises TemplateError as `sketch` does.
     """
-    skeleton, page = _fit(mechanism, hints)
+    figures = (
+        _fill(skeleton, page, cells, number) for skeleton, page in _list_layouts(mechanism, hints)
+    )
+    tried: list[TactileFigure] = []
+    for figure in figures:
+        if figure.is_whole:
+            return figure
+        tried.append(figure)
+    return min(tried, key=_count_missing)
+
+
+def _count_missing(figure: TactileFigure) -> tuple[int, int]:
+    return figure.missing_parts, len(figure.missing)
+
+
+def _fill(
+    skeleton: Skeleton, page: Box, cells: Cells, number: Callable[[int], str]
+) -> TactileFigure:
+    """The sheets of a mechanism that is as large as this."""
     parts = [*list_parts(skeleton), *list_right_angles(skeleton)]
     letters = list(list_letters(skeleton, cells))
     names = list(list_body_names(skeleton, cells))
+    givens = list(list_given_pieces(skeleton, page, cells))
     filling = _Filling(page, number, parts, letters)
     shown, lost_parts, lost_names = filling.fill_parts(names)
-    given, lost = filling.fill_givens(list(list_given_pieces(skeleton, page, cells)), len(shown))
-    everything = [*letters, *names]
-    sheets = [_finish(sheet, False, everything) for sheet in shown]
-    everything += list_given_pieces(skeleton, page, cells)
-    sheets += [_finish(sheet, True, everything) for sheet in given]
+    given, lost = filling.fill_givens(givens, len(shown))
+    sheets = [_finish(sheet, False, [*letters, *names]) for sheet in shown]
+    sheets += [_finish(sheet, True, [*letters, *names, *givens]) for sheet in given]
     return TactileFigure(tuple(sheets), (*lost_names, *lost), len(lost_parts))
 
 
@@ -157,20 +180,13 @@ class _Filling:
         shared = {at for piece in pieces for at in piece.at}
         return [part for part in self.parts if not shared or shared & set(part.at)]
 
-    def _with_givens(self, base: Sheet, givens: Sequence[Named]) -> Sheet:
+    def _with_givens(self, sheet: Sheet, givens: Sequence[Named]) -> Sheet:
         """The sheet with letters and those of the givens whose points have dots and letters."""
-        wanted = [each.piece for each in givens if _has_dots(base, each.piece)]
-        while True:
-            sheet = self._with_letters(base.with_pieces(wanted))
-            named = [piece for piece in wanted if self._has_letters(sheet, piece)]
-            if named == wanted:
-                return sheet
-            wanted = named
-
-    def _has_letters(self, sheet: Sheet, piece: Piece) -> bool:
-        """Whether the points of a piece have their letters."""
-        own = [each.piece for each in self.letters if each.piece.at[0] in piece.at]
-        return all(letter in sheet.pieces for letter in own)
+        for piece in (each.piece for each in givens):
+            if _has_dots(sheet, piece):
+                own = [each.piece for each in self.letters if each.piece.at[0] in piece.at]
+                sheet = sheet.with_piece(piece, own)
+        return self._with_letters(sheet)
 
 
 def _holds_any(sheet: Sheet, named: Sequence[Named]) -> bool:
@@ -183,24 +199,44 @@ def _has_dots(sheet: Sheet, piece: Piece) -> bool:
     return set(piece.at) <= dots
 
 
-def _fit(mechanism: Mechanism, hints: FigureHints) -> tuple[Skeleton, Box]:
-    """The mechanism in millimetres, as large as a page has room for, and the page about it."""
+def _list_layouts(mechanism: Mechanism, hints: FigureHints) -> Iterator[tuple[Skeleton, Box]]:
+    """The mechanism in millimetres and the page about it: as large as a page has room for, then
+    smaller, each time on the better side of the page before the other.
+    """
     shown = crop_to_view(mechanism, hints)
     marked = drop_still(shown, hints)
     across, upward = measure_span(shown, marked)
-    upright = across * PAGE_HEIGHT <= upward * PAGE_WIDTH * 1.2
-    width, height = (PAGE_WIDTH, PAGE_HEIGHT) if upright else (PAGE_HEIGHT, PAGE_WIDTH)
-    room = width - 2 * _BESIDE, height - 2 * _BESIDE
-    scale = min(room[0] / max(across, 1e-9), room[1] / max(upward, 1e-9))
-    for _ in range(_ATTEMPTS):
-        skeleton = _make_skeleton(shown, marked, scale)
-        box = find_common_box(_list_lines(skeleton))
-        if box.width <= width - 2 * EDGE_OF_PAGE and box.height <= height - 2 * EDGE_OF_PAGE:
+    pages = [(PAGE_WIDTH, PAGE_HEIGHT), (PAGE_HEIGHT, PAGE_WIDTH)]
+    if across * PAGE_HEIGHT > upward * PAGE_WIDTH * 1.2:
+        pages.reverse()
+    largest = [_fit(shown, marked, page, (across, upward)) for page in pages]
+    for number in range(_ATTEMPTS):
+        for page, scale in zip(pages, largest, strict=True):
+            skeleton = _make_skeleton(shown, marked, scale * _SMALLER**number)
+            yield skeleton, _centre(skeleton, page)
+
+
+def _fit(
+    shown: Mechanism, marked: FigureHints, page: tuple[float, float], span: tuple[float, float]
+) -> float:
+    """The scale at which the lines of a mechanism of that span lie within the page."""
+    rooms = [(side - 2 * _BESIDE) / max(size, 1e-9) for side, size in zip(page, span, strict=True)]
+    scale = min(rooms)
+    for _ in range(_TRIALS):
+        box = find_common_box(_list_lines(_make_skeleton(shown, marked, scale)))
+        if max(box.width - page[0], box.height - page[1]) <= -2 * EDGE_OF_PAGE:
             break
         scale *= _SMALLER
-    middle = Vector((box.left + box.right) / 2, (box.bottom + box.top) / 2)
-    corner = middle - Vector(width, height) / 2
-    return skeleton, Box(corner.x, corner.y, corner.x + width, corner.y + height)
+    return scale
+
+
+def _centre(skeleton: Skeleton, page: tuple[float, float]) -> Box:
+    """A page with the lines of a mechanism in its middle."""
+    width, height = page
+    box = find_common_box(_list_lines(skeleton))
+    left = (box.left + box.right - width) / 2
+    bottom = (box.bottom + box.top - height) / 2
+    return Box(left, bottom, left + width, bottom + height)
 
 
 def _make_skeleton(mechanism: Mechanism, hints: FigureHints, scale: float) -> Skeleton:
