@@ -12,7 +12,9 @@ from kinegrade.problem.template.hints import Shape
 
 
 def say_bodies(subject: Subject) -> Iterator[Message]:
-    """The points of each body with its form, then the circles that no joint knows of."""
+    """The points of each body with its form, then the circles that no joint knows of,
+    about points that the description names.
+    """
     for body in subject.template.scheme.bodies:
         shape = subject.marks.shapes.get(body.name)
         form = None if shape is None else _say_form(body, shape, subject)
@@ -23,7 +25,7 @@ def say_bodies(subject: Subject) -> Iterator[Message]:
             points = subject.list_points(told)
             yield Message("description.points", body=subject.body(body.name), points=points)
     for circle in subject.marks.circles:
-        if {circle.centre, circle.through} <= subject.points:
+        if {circle.centre, circle.through} <= subject.points & subject.named_points:
             yield Message(
                 "description.rim",
                 body=subject.body(circle.body),

@@ -17,6 +17,7 @@ from kinegrade.description.determined import (
     mark_condition,
     place_condition,
 )
+from kinegrade.description.directions import say_direction
 from kinegrade.description.marks import Mark, list_ends, list_marks, say_frame, say_mark, say_side
 from kinegrade.description.places import say_place
 from kinegrade.description.subject import Subject
@@ -32,7 +33,9 @@ def say_positions(subject: Subject) -> Iterator[Message]:
     far as they are needed; then the frames of axes on bodies.
     """
     told = choose_told(subject)
-    yield from (say_place(step, subject.instance) for step in told.steps)
+    for step in told.steps:
+        direction = say_direction(step, told.find_named(step), subject)
+        yield direction or say_place(step, subject.instance)
     yield from (say_mark(mark, subject) for mark in told.marks)
     for point in told.placed:
         side = say_side(point, _find_neighbour(point, told.marks, subject), subject)
@@ -49,6 +52,11 @@ class Told:
     steps: tuple[Step, ...]
     marks: tuple[Mark, ...]
     placed: tuple[str, ...]
+
+    def find_named(self, step: Step) -> set[str]:
+        """The points that marks and the other constructions name."""
+        named = {name for other in self.steps for name in find_names(other.tree) if other != step}
+        return named | {end for mark in self.marks for end in list_ends(mark)}
 
 
 def choose_told(subject: Subject) -> Told:

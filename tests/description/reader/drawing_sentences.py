@@ -21,6 +21,7 @@ from tests.description.reader.sentences import Parts, Pattern
 from tests.description.reader.vocabulary import Vocabulary
 
 Items = list[Any]
+ANYWHERE = 1.0  # m
 SIDES = {"right-hand": "right", "left-hand": "left", "upper": "upper", "lower": "lower"}
 
 
@@ -42,6 +43,11 @@ def at_coordinates(part: Parts, words: Vocabulary) -> Items:
 def in_direction(part: Parts, words: Vocabulary) -> Items:
     """A point at a distance in a direction."""
     return drawn(part, combined(polar, part["point"], part["length"], part["angle"]))
+
+
+def seen_in_direction(part: Parts, words: Vocabulary) -> Items:
+    """A point in a direction; how far away it is makes no difference."""
+    return drawn(part, combined(polar, part["point"], known(ANYWHERE), part["angle"]))
 
 
 def against_direction(part: Parts, words: Vocabulary) -> Items:
@@ -153,6 +159,7 @@ DRAWING_PATTERNS = [
     Pattern("{name} is the origin", origin),
     Pattern("{name} has the coordinates {number:x} and {number:y}", at_coordinates),
     Pattern(f"{FAR} in the direction {{bearing:angle}}", in_direction),
+    Pattern("seen from {point}, {name} lies in the direction {bearing:angle}", seen_in_direction),
     Pattern(f"{FAR}, opposite to the direction {{bearing:angle}}", against_direction),
     Pattern(f"{FAR} in the direction of the vector {{vector}}{PERHAPS_TURNED}", along_vector),
     Pattern(f"{FAR},? towards {{point:goal}}", towards),
