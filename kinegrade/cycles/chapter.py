@@ -8,6 +8,7 @@ from collections.abc import Iterator, Sequence
 
 from kinegrade.cycles.curves import find_followed
 from kinegrade.cycles.cycle import Cycle, make_cycle
+from kinegrade.cycles.facts import describe_gaps
 from kinegrade.cycles.graph import Panel, choose_across, choose_upward, draw_graph
 from kinegrade.cycles.wording import name_input
 from kinegrade.figure.scene import Box, Scene, find_common_box, move
@@ -52,6 +53,9 @@ def _write_blocks(cycle: Cycle, language: Language) -> Iterator[Block]:
     yield say(Message("solution.cycle-axis", axis=axis), language)
     if any(curve.is_steep for curve in cycle.curves):
         yield say(Message("solution.cycle-cut-off"), language)
+    for curve in cycle.curves:
+        for gap in describe_gaps(curve, f"${curve.ask.symbol}$", cycle.path.input.is_angle):
+            yield say(gap, language)
     graphs = (
         Picture(_draw(cycle, number, language), _name_curve(curve.ask))
         for number, curve in enumerate(cycle.curves)

@@ -8,11 +8,12 @@ from typing import assert_never
 
 import numpy as np
 
-from kinegrade.cycles.curves import Curve, find_followed, trace_curves
+from kinegrade.cycles.curves import Curve, find_followed
 from kinegrade.cycles.swings import Swing, find_swings
+from kinegrade.cycles.tracing import CurveTracer
 from kinegrade.errors import MechanismError, TemplateError
 from kinegrade.language.message import Fault, Message, list_plainly
-from kinegrade.motion.path import MotionPath, Still, find_path
+from kinegrade.motion.path import Array, MotionPath, Still, find_path
 from kinegrade.problem.solution import Solution
 
 _POSITIONS = 721
@@ -22,21 +23,18 @@ _POSITIONS = 721
 class Cycle:
     """The cycle of an instance through its instant.
 
-    `curves` are over the whole cycle, `instant` has their values at the instant; with `centrodes`
+    `curves` are over the whole cycle, at the displacements `moved`, `instant` has their values at
+    the instant; with `centrodes`
     its figure shows velocity poles and the curves that they describe.
     """
 
     solution: Solution
     path: MotionPath
+    moved: Array
     curves: tuple[Curve, ...]
     instant: tuple[float, ...]
     swings: tuple[Swing, ...]
     centrodes: bool = False
-
-    @property
-    def count(self) -> int:
-        """Of how many positions the curves are."""
-        return _POSITIONS
 
 
 def make_cycle(
@@ -49,11 +47,12 @@ def make_cycle(
     """
     path = _require_path(solution)
     asked = _choose_asks(solution, names)
-    placement = path.place(path.spread(_POSITIONS))
-    curves = trace_curves(solution, placement, asked)
-    now = trace_curves(solution, path.place(np.zeros(1)), asked)
+    tracer = CurveTracer(solution, path, asked)
+    moved = tracer.add_gaps(path.spread(_POSITIONS))
+    curves = tuple(tracer.trace(path.place(moved)))
+    now = tracer.trace(path.place(np.zeros(1)))
     instant = tuple(float(curve.values[0]) for curve in now)
-    return Cycle(solution, path, tuple(curves), instant, find_swings(path), centrodes)
+    return Cycle(solution, path, moved, curves, instant, find_swings(path), centrodes)
 
 
 def _require_path(solution: Solution) -> MotionPath:

@@ -13,7 +13,7 @@ from kinegrade.cycles.swings import Swing
 from kinegrade.cycles.wording import name_point
 from kinegrade.language import Language
 from kinegrade.language.math.units import write_unit
-from kinegrade.language.message import Message, Text
+from kinegrade.language.message import Message, Text, list_all
 from kinegrade.mechanics.geometry import round_short
 from kinegrade.motion.ends import Blocked, ChangePoint, Closed, End, Limit, Open, Receding
 from kinegrade.problem.template.template import Ask
@@ -38,6 +38,22 @@ def list_facts(
     for curve in cycle.curves:
         if not curve.is_steep:
             yield _describe_extremes(curve, name_ask(curve.ask), is_angle)
+        yield from describe_gaps(curve, name_ask(curve.ask), is_angle)
+
+
+def describe_gaps(curve: Curve, name: str, is_angle: bool) -> Iterator[Message]:
+    """Where a curve breaks off, a sentence for each reason."""
+    for together in dict.fromkeys(gap.together for gap in curve.gaps):
+        places = list_all(
+            _write_place(gap.displacement, is_angle)
+            for gap in curve.gaps
+            if gap.together == together
+        )
+        if together:
+            points = list_all(map(name_point, together))
+            yield Message("motion.gap-together", ask=name, places=places, points=points)
+        else:
+            yield Message("motion.gap", ask=name, places=places)
 
 
 def _describe_end(end: End, is_angle: bool) -> Message:

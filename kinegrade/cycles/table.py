@@ -18,10 +18,10 @@ _DIGITS = 12
 def write_table(cycle: Cycle) -> str:
     """The input's displacement in degrees or m, the coordinates of moving points in m, those of
     velocity poles in the plane and, by where the body is at the instant, in the body, and the asks
-    in their units; a cell is empty where a value is beyond all bounds.
+    in their units; a cell is empty where there is no value, or one beyond all bounds.
     """
     path = cycle.path
-    placement = path.place(path.spread(cycle.count))
+    placement = path.place(cycle.moved)
     unit = "deg" if path.input.is_angle else "m"
     columns = [(f"input ({unit})", convert_displacements(path, placement.moved))]
     mechanism = placement.frames.mechanism

@@ -9,8 +9,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from kinegrade.cycles.curves import trace_curves
+from kinegrade.cycles.curves import Curve
 from kinegrade.cycles.graph import convert_displacements
+from kinegrade.cycles.tracing import CurveTracer
 from kinegrade.motion.path import Array, MotionPath
 from kinegrade.practice.sampling import PoseTable, choose_poses
 from kinegrade.practice.skeleton import list_circles
@@ -33,8 +34,8 @@ class PracticeMotion:
 
     `moved` is how far the input has gone, in parts of `low` to `high`, `speed` and `acceleration`
     those given; `radii` are in mm; `poles` is false where positions are
-    too few to tell velocity poles. `curves` are for some asks the least and greatest value and the
-    parts between, "" where there is none.
+    too few to tell velocity poles. `curves` are for some asks the least and greatest value, the
+    parts between, and after how many positions there is no value.
     """
 
     closed: bool
@@ -48,7 +49,7 @@ class PracticeMotion:
     acceleration: float
     radii: tuple[float, ...]
     coordinates: tuple[str, ...]
-    curves: tuple[tuple[float, float, str], ...]
+    curves: tuple[tuple[float, float, str, tuple[float, ...]], ...]
 
 
 @dataclass(frozen=True)
@@ -127,12 +128,14 @@ def _find_given_rates(path: MotionPath) -> tuple[float, float]:
 
 def _write_curves(
     solution: Solution, table: PoseTable, asks: tuple[str, ...]
-) -> Iterator[tuple[float, float, str]]:
+) -> Iterator[tuple[float, float, str, tuple[float, ...]]]:
     """The curves at the positions, between extremes of positions that lie much closer; what grows
     beyond bounds is cut off.
     """
-    coarse = trace_curves(solution, table.placement, asks)
-    fine = trace_curves(solution, table.placement.path.place(_spread_finely(table)), asks)
+    path = table.placement.path
+    tracer = CurveTracer(solution, path, asks)
+    coarse = tracer.trace(table.placement)
+    fine = tracer.trace(path.place(tracer.add_gaps(_spread_finely(table))))
     for curve, dense in zip(coarse, fine, strict=True):
         low, high = dense.usual
         bounds = 2 * low - high, 2 * high - low
@@ -142,7 +145,19 @@ def _write_curves(
         width, size = most - least, max(abs(least), abs(most))
         steps = (values - least) / width if width > _NOTHING * size else np.zeros(len(values))
         low, high = (0.0 if abs(end) <= _NOTHING * size else end for end in (least, most))
-        yield float(f"{low:.4g}"), float(f"{high:.4g}"), _write_differences(steps * CURVE_STEPS)
+        written = _write_differences(steps * CURVE_STEPS)
+        gaps = tuple(_place_gaps(curve, path))
+        yield float(f"{low:.4g}"), float(f"{high:.4g}"), written, gaps
+
+
+def _place_gaps(curve: Curve, path: MotionPath) -> Iterator[float]:
+    """After how many positions each gap is; that of a position which has no value itself."""
+    moved = np.append(curve.moved, path.bounds[1]) if path.is_closed else curve.moved
+    for gap in curve.gaps:
+        if moved[0] < gap.displacement < moved[-1]:
+            place = float(np.interp(gap.displacement, moved, np.arange(len(moved))))
+            nearest = min(round(place), len(curve.values) - 1)
+            yield float(nearest) if np.isnan(curve.values[nearest]) else round(place, 3)
 
 
 def _spread_finely(table: PoseTable) -> Array:

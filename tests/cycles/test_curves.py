@@ -14,6 +14,7 @@ from kinegrade.language import ENGLISH
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.library.library import find_template_names, load_template
 from kinegrade.public.cycles import describe_cycle
+from tests.cycles.test_gaps import GAPS
 
 TEMPLATES = [name for name in find_template_names() if load_template(name).scheme.drivers]
 
@@ -23,6 +24,7 @@ def test_every_curve_goes_through_the_exact_value_at_the_instant(name: str) -> N
     template = load_template(name)
     solution = solve_template(template, {})
     cycle = make_cycle(solution, find_followed(template))
+    assert {curve.ask.name for curve in cycle.curves if curve.gaps} == set(GAPS.get(name, {}))
     for curve, instant in zip(cycle.curves, cycle.instant, strict=True):
         quantity = solution[curve.ask.name]
         if quantity.at_infinity:

@@ -53,6 +53,16 @@ const shown = motions.map((motion) => {
 });
 process.stdout.write(JSON.stringify({ shown, instants: motions.map((each) => new Poses(each).instant) }));
 """
+_TRACE = """
+const { motion } = JSON.parse(require("fs").readFileSync(0, "utf8"));
+const poses = new Poses(motion);
+const traced = motion.curves.map((curve) => {
+  const values = sumUp(curve[2]).map((value) => value / CURVE_STEPS);
+  const graph = Object.assign(Object.create(Graph.prototype), { poses, values, gaps: poses.repeat(curve[3]) });
+  return graph.parts(curve[3]).map((part) => part.map((place) => [poses.inputAt(place), graph.valueAt(place)]));
+});
+process.stdout.write(JSON.stringify(traced));
+"""
 Typed = Sequence[Sequence[Sequence[str]]]  # of a question, of a draw, for an ask
 
 
@@ -86,6 +96,13 @@ def move_in_node(
     that have these points, and the place of its instant.
     """
     return dict(_run(_MOVE, {"motions": motions, "shares": shares, "poles": poles}))
+
+
+def trace_in_node(motion: PracticeMotion) -> list[list[list[list[float]]]]:
+    """For each curve of a motion its parts: places of the input, as it is shown, each with the part
+    of the way from the least to the greatest value.
+    """
+    return list(_run(_TRACE, {"motion": motion}))
 
 
 def _run(driver: str, given: Mapping[str, Any]) -> Any:

@@ -113,7 +113,7 @@ def test_graphs_have_the_extremes_of_the_whole_cycle_not_of_the_positions_baked(
     solution = solve_template(load_template(name), {})
     asks = find_followed(solution.template)
     motion = write_motion(find_motion(name), solution, asks)
-    for (least, greatest, _), curve in zip(
+    for (least, greatest, *_), curve in zip(
         motion.curves, make_cycle(solution, asks).curves, strict=True
     ):
         if curve.is_steep:  # it is cut off

@@ -14,7 +14,7 @@
  * @property {number} acceleration
  * @property {number[]} radii
  * @property {string[]} coordinates
- * @property {[least: number, greatest: number, steps: string][]} curves
+ * @property {[least: number, greatest: number, steps: string, gaps: number[]][]} curves
  */
 
 const ORDER = 4; // of the differences by which positions are written
@@ -139,9 +139,15 @@ class Poses {
    * @returns {number}
    */
   entry(row, whole, turns) {
-    if (!this.motion.closed) return row[whole];
+    if (!this.motion.closed) return row[clamp(whole, 0, this.count - 1)];
     const wrapped = modulo(whole, this.count);
     return row[wrapped] + (turns ? (whole - wrapped) / this.count : 0);
+  }
+
+  /** @param {number[]} places @returns {number[]} those of the turns before and after as well */
+  repeat(places) {
+    if (!this.motion.closed) return places;
+    return places.flatMap((place) => [place - this.count, place, place + this.count]);
   }
 
   /**

@@ -1,0 +1,149 @@
+"""What has no value at some position breaks off there, and says so: a component along a direction
+that has no length, a pole of a body at rest, an angle to a velocity that vanishes.
+"""
+
+from __future__ import annotations
+
+import csv
+import math
+
+import numpy as np
+import pytest
+
+from kinegrade.cycles.curves import find_followed
+from kinegrade.cycles.cycle import Cycle, make_cycle
+from kinegrade.cycles.graphs import draw_graphs
+from kinegrade.cycles.table import write_table
+from kinegrade.language import ENGLISH, Language
+from kinegrade.motion.path import Array, MotionPath, find_path
+from kinegrade.practice.poses import write_motion
+from kinegrade.problem.solving import solve_template
+from kinegrade.problem.template.library.library import load_template
+from kinegrade.public.cycles import describe_cycle
+from tests.practice.node import trace_in_node
+
+RODS, SLEEVES, TUBE = (
+    "two-rods-driven-ends",
+    "bent-rod-two-sleeves",
+    "guide-tube-rod-fixed-centrode",
+)
+GEAR, LINK = "planetary-gear-external-rim-velocities", "slotted-rocker-and-slider-two-drivers"
+UPRIGHT, FLAT = [75, 255], [206.8103, 303.1897]  # degrees: M is at E, or at B
+CHANGE = [-0.3]  # m: the rods are in line
+GAPS: dict[str, dict[str, list[float]]] = {
+    SLEEVES: {
+        "v_rel_A": UPRIGHT,
+        "v_rel_B": FLAT,
+        "v_M_2": UPRIGHT,
+        "a_rel_A": UPRIGHT[:1],  # at the other one it is zero whichever way it is counted
+        "a_rel_B": FLAT,
+        "a_M_2": UPRIGHT,
+    },
+    TUBE: {
+        "x_S": [300, 660],
+        "S_bis": [300, 660],
+        "S_perp": [120, 480],
+        "omega_ratio": [300, 660],
+    },
+    GEAR: {"angle_vB_vA": [72, 360, 648, 936, 1224]},
+    "rod-ground-and-incline": {"v_B_down": [0.8453], "a_B_down": [0.8453]},  # m
+    LINK: {"v_rel": [-96.2238, 6.9086], "a_rel": [6.9086]},
+    RODS: {
+        "omega_AC": CHANGE,
+        "omega_BC": CHANGE,
+        "v_C_x": CHANGE,
+        "v_C_y": CHANGE,
+        "v_C": CHANGE,
+        "alpha_AC": CHANGE,
+        "alpha_BC": CHANGE,
+        "a_C_x": CHANGE,
+        "a_C_y": CHANGE,
+        "a_C": CHANGE,
+    },
+}
+
+
+def follow(name: str, *asks: str) -> Cycle:
+    template = load_template(name)
+    return make_cycle(solve_template(template, {}), asks or find_followed(template))
+
+
+@pytest.mark.parametrize("name", GAPS)
+def test_values_break_off_where_there_is_none(name: str) -> None:
+    cycle = follow(name)
+    found = {curve.ask.name: [gap.displacement for gap in curve.gaps] for curve in cycle.curves}
+    unit = math.degrees(1) if cycle.path.input.is_angle else 1.0
+    places = {ask: [gap * unit for gap in gaps] for ask, gaps in found.items() if gaps}
+    expected = GAPS[name]
+    assert places.keys() == expected.keys()
+    for ask, gaps in places.items():
+        assert gaps == pytest.approx(expected[ask], abs=1e-3), ask
+    for curve in cycle.curves:
+        for gap in curve.gaps:
+            (place,) = np.flatnonzero(curve.moved == gap.displacement)
+            assert np.isfinite(curve.values[place - 1 : place + 2]).tolist() == [True, False, True]
+
+
+def find_components(moved: Array) -> Array:
+    """By hand: of the velocity of the corner along MC, which points the other way behind E."""
+    phi = np.radians(15) + moved
+    given = {"d": 0.5, "e": 0.4, "omega": 2.0}
+    return np.sign(np.cos(phi)) * (given["e"] + given["d"] * np.sin(phi)) * given["omega"]
+
+
+def test_values_on_both_sides_are_those_of_the_formula() -> None:
+    given = {"d": "1/2", "e": "2/5", "phi": "15", "omega": "2", "alpha": "3"}
+    cycle = make_cycle(solve_template(load_template(SLEEVES), given), ("v_M_2", "x_M"))
+    curve, other = cycle.curves
+    known = np.isfinite(curve.values)
+    assert np.count_nonzero(~known) == 2
+    np.testing.assert_allclose(curve.values[known], find_components(curve.moved)[known], atol=1e-9)
+    assert np.isfinite(other.values).all()
+
+
+@pytest.mark.parametrize(
+    ("tag", "name", "said"),
+    [
+        ("en", SLEEVES, "v_M_2: no value at 75° and 255°, where M and E coincide"),
+        ("de", SLEEVES, "v_M_2: kein Wert bei 75° und 255°, dort fallen M und E zusammen"),
+        ("zh", SLEEVES, "v_M_2：在 75°和255° 处无值，此时 M和E 重合"),
+        ("en", RODS, "v_C: no value at -0.3 m, where it is undetermined"),
+        ("de", RODS, "v_C: kein Wert bei -0,3 m, dort ist die Größe unbestimmt"),
+        ("zh", RODS, "v_C：在 -0.3 m 处不确定，无值"),
+    ],
+)
+def test_it_is_said(tag: str, name: str, said: str) -> None:
+    ask = said.partition(":")[0].partition("：")[0]
+    assert said in describe_cycle(follow(name, ask), Language(tag))
+
+
+def test_a_table_has_an_empty_cell_there() -> None:
+    rows = csv.DictReader(write_table(follow(SLEEVES, "a_M_2")).splitlines())
+    empty = [row["input (deg)"] for row in rows if not row["a_M_2 (m/s^2)"]]
+    assert empty == ["75", "255"]
+
+
+def test_a_graph_is_in_parts() -> None:
+    def count(*asks: str) -> int:
+        return draw_graphs(follow(SLEEVES, *asks), ENGLISH).count('stroke-width="0.4"')
+
+    assert [count("x_M"), count("v_M_2"), count("v_rel_B")] == [1, 3, 3]
+
+
+@pytest.mark.parametrize(("name", "ask"), [(SLEEVES, "v_M_2"), (SLEEVES, "v_rel_B"), (TUBE, "x_S")])
+def test_graphs_of_practice_sheets_break_off_too(name: str, ask: str) -> None:
+    solution = solve_template(load_template(name), {})
+    path = find_path(solution.motion)
+    assert isinstance(path, MotionPath)
+    motion = write_motion(path, solution, (ask,))
+    (least, greatest, _, _), *_ = motion.curves
+    curve = follow(name, ask).curves[0]
+    (parts,) = trace_in_node(motion)
+    ends = [-np.inf, *(gap.displacement for gap in curve.gaps), np.inf]
+    assert len(parts) == len(ends) - 1
+    for part, start, end in zip(parts, ends, ends[1:], strict=False):
+        inputs, shares = np.array(part).T
+        beside = np.isfinite(curve.values) & (curve.moved > start) & (curve.moved < end)
+        expected = np.interp(np.radians(inputs), curve.moved[beside], curve.values[beside])
+        values = least + (greatest - least) * shares
+        assert np.abs(values - expected).max() < 0.02 * (greatest - least)
