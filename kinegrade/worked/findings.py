@@ -72,7 +72,8 @@ class Findings:
     that count in the question's sense, opposite to that of their step; `places_alone` whether all
     answers are places of poles that normals lead to, so that speeds are left out; `seen` the
     directions that triangles have given, each from one point to another; `poles_sought` the bodies
-    about whose poles answers are.
+    about whose poles answers are; `distances` the printed symbols of the distances of poles that
+    have been worked out.
     """
 
     facts: dict[Key, Fact] = field(default_factory=dict)
@@ -89,3 +90,4 @@ class Findings:
     coriolis: Literal["C", "Cor"] = "C"
     places_alone: bool = False
     poles_sought: frozenset[str] = frozenset()
+    distances: set[Row] = field(default_factory=set)

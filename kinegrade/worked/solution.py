@@ -108,7 +108,8 @@ def _write_blocks(case: Case, asked: Sequence[Ask], boxes: AnswerBoxes) -> Itera
         yield from check_places(still, case)
     if velocities:
         yield Heading(case.write(Message("solution.velocities")), 1)
-        yield case.say(Message("solution.positive"))
+        positive, rounded = Message("solution.positive"), Message("solution.rounded")
+        yield case.say(Message("solution.sentences", first=positive, next=rounded))
         wanted = [ask for ask in moving if _find_level(ask, case) == "velocity"]
         yield from _write_level_chapter(velocities, case, "velocity", _Answers(wanted, boxes))
     if accelerations:

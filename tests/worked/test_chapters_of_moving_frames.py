@@ -55,10 +55,11 @@ def test_a_composition_of_velocities() -> None:
     solution = solve_small(SLOT, omega="omega(OB) in rad/s")
     assert read_chapter("# Velocities", solution) == as_read(
         r"""
-        Rotations count positive counter-clockwise; so are directions in degrees counted, from the
-            $x$ axis. The letter of an unknown vector denotes its component in the direction assumed
-            for it, of a rotation the counter-clockwise one; that of a known vector denotes its
-            magnitude.
+        Rotations are positive counter-clockwise, and directions in degrees are counted so from the
+            $x$ axis. For an unknown vector the letter stands for its component in the direction
+            assumed for it (where a point turns about another, that of a counter-clockwise
+            rotation), for a known one for its magnitude. Printed values are rounded; the
+            calculation goes on with all their digits.
         Given: the angular velocity of the crank $O_{1}A$.
         \omega_{O_{1}A} &= 2\,\unit{rad/s}\quad\text{(counter-clockwise)}
         ## Composition of motions: moving point $A$, moving frame on $OB$
@@ -106,7 +107,7 @@ def test_a_composition_of_accelerations_with_coriolis() -> None:
         [+] \boldsymbol{a}_{\mathrm{r}} | ? | $O \to B$
         [+] \boldsymbol{a}_{\mathrm{C}} | $2\omega\,v_{\mathrm{r}} = 12.288\,\unit{m/s^2}$ | $\perp
             v_{\mathrm{r}}$
-        At this instant $a_{\mathrm{a}}^{\mathrm{t}} = 0$.
+        Here $a_{\mathrm{a}}^{\mathrm{t}} = 0$.
         Right-hand rule: $\boldsymbol{a}_{\mathrm{C}}$ has the direction of
             $\boldsymbol{v}_{\mathrm{r}}$ turned through $90^\circ$ counter-clockwise, with
             $\omega$.
@@ -177,7 +178,7 @@ def test_a_composition_of_accelerations_without_coriolis() -> None:
         Here $\boldsymbol{a}_{\mathrm{e}} = \boldsymbol{a}_{D}$.
         Block translates: all its points have the same acceleration, and there is no Coriolis
             acceleration.
-        At this instant $a_{\mathrm{a}}^{\mathrm{t}} = 0$.
+        Here $a_{\mathrm{a}}^{\mathrm{t}} = 0$.
         Projecting on the $x$ axis, which is perpendicular to $\boldsymbol{a}_{\mathrm{r}}$,
             eliminates $\boldsymbol{a}_{\mathrm{r}}$:
         a_{D} &= -a_{\mathrm{a}}^{\mathrm{n}}\cos\psi_{OC} = -20\,\unit{m/s^2} \cdot \cos

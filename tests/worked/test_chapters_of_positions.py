@@ -41,6 +41,8 @@ def test_circles_that_meet() -> None:
         \angle CAB &\approx 53.13^\circ
         From $A$ the point $B$ is seen in the direction of $AC$ turned through this angle
             counter-clockwise:
+        \tan\angle(x,\overrightarrow{AC}) &= -\frac{y_{A}}{x_{C}} =
+            -\frac{6\,\unit{m}}{8\,\unit{m}} = -0.75
         \angle(x,\overrightarrow{AC}) &\approx -36.87^\circ
         x_{B} &= 6\cos(\angle(x,\overrightarrow{AC}) + \angle CAB) = 6\cos 16.26^\circ =
             5.76\,\unit{m}

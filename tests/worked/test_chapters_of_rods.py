@@ -99,6 +99,7 @@ def test_velocities_by_the_instantaneous_centre() -> None:
         \psi_{BA} &\approx 36.87^\circ
         BA &= \sqrt{x_{B}^{2} + y_{A}^{2}} = \sqrt{(4\,\unit{m})^{2} + (3\,\unit{m})^{2}} =
             5\,\unit{m}
+        By the law of sines in the triangle $PBA$:
         PB &= BA\sin\psi_{BA} = 5\,\unit{m} \cdot \sin 36.87^\circ = 3\,\unit{m}
         PA &= BA\cos\psi_{BA} = 5\,\unit{m} \cdot \cos 36.87^\circ = 4\,\unit{m}
         \omega &= \frac{v_{B}}{PB} = \frac{2\,\unit{m/s}}{3\,\unit{m}} = \frac{2}{3}\,\unit{rad/s}
@@ -150,7 +151,7 @@ def test_a_rod_whose_end_stands_still() -> None:
         [=] \boldsymbol{v}_{AB} | ? $(BA \cdot \omega)$ | $\perp BA$
         Here $BA = \sqrt{x_{B}^{2} + y_{A}^{2}} = \sqrt{(4\,\unit{m})^{2} + (3\,\unit{m})^{2}} =
             5\,\unit{m}$.
-        At this instant $v_{B} = 0$.
+        Here $v_{B} = 0$.
         $BA$ makes the acute angle $\psi_{BA}$ with the $x$ axis:
         \tan\psi_{BA} &= \frac{y_{A}}{x_{B}} = \frac{3\,\unit{m}}{4\,\unit{m}} = 0.75
         \psi_{BA} &\approx 36.87^\circ
@@ -171,10 +172,11 @@ def test_a_rod_in_instantaneous_translation() -> None:
     solution = solve_small(CRANK_UP, v_B="x(velocity(B)) in m/s", omega="omega(AB) in rad/s")
     assert read_chapter("# Velocities", solution) == as_read(
         r"""
-        Rotations count positive counter-clockwise; so are directions in degrees counted, from the
-            $x$ axis. The letter of an unknown vector denotes its component in the direction assumed
-            for it, of a rotation the counter-clockwise one; that of a known vector denotes its
-            magnitude.
+        Rotations are positive counter-clockwise, and directions in degrees are counted so from the
+            $x$ axis. For an unknown vector the letter stands for its component in the direction
+            assumed for it (where a point turns about another, that of a counter-clockwise
+            rotation), for a known one for its magnitude. Printed values are rounded; the
+            calculation goes on with all their digits.
         Given: the angular velocity of $OA$.
         \omega_{OA} &= 2\,\unit{rad/s}\quad\text{(counter-clockwise)}
         ## $AB$: velocity pole
@@ -218,7 +220,7 @@ def test_accelerations_of_a_rod_that_does_not_turn_at_this_instant() -> None:
         [+] \boldsymbol{a}_{BA}^{\mathrm{t}} | ? $(AB \cdot \alpha)$ | $\perp AB$
         Here $OA = y_{A} = 3\,\unit{m}$, $AB = \sqrt{x_{B}^{2} + y_{A}^{2}} =
             \sqrt{(4\,\unit{m})^{2} + (3\,\unit{m})^{2}} = 5\,\unit{m}$.
-        At this instant $a_{A}^{\mathrm{t}} = 0$, $a_{BA}^{\mathrm{n}} = 0$.
+        Here $a_{A}^{\mathrm{t}} = 0$, $a_{BA}^{\mathrm{n}} = 0$.
         $AB$ makes the acute angle $\psi_{AB}$ with the $x$ axis:
         \tan\psi_{AB} &= \frac{y_{A}}{x_{B}} = \frac{3\,\unit{m}}{4\,\unit{m}} = 0.75
         \psi_{AB} &\approx 36.87^\circ

@@ -57,15 +57,16 @@ def test_rolling_on_a_line() -> None:
     solution = solve_small(ON_A_LINE, omega="omega(wheel) in rad/s")
     assert read_chapter("# Velocities", solution) == as_read(
         r"""
-        Rotations count positive counter-clockwise; so are directions in degrees counted, from the
-            $x$ axis. The letter of an unknown vector denotes its component in the direction assumed
-            for it, of a rotation the counter-clockwise one; that of a known vector denotes its
-            magnitude.
+        Rotations are positive counter-clockwise, and directions in degrees are counted so from the
+            $x$ axis. For an unknown vector the letter stands for its component in the direction
+            assumed for it (where a point turns about another, that of a counter-clockwise
+            rotation), for a known one for its magnitude. Printed values are rounded; the
+            calculation goes on with all their digits.
         Given: the velocity of $C$.
         v_{C} &= 6\,\unit{m/s}\quad\text{(to the right)}
         ## The wheel rolls without slipping on a fixed straight track
-        The point of contact is the velocity pole of the wheel, without slip, so the motion of $C$
-            ($v_{C}$ positive to the right) and the rotation of the wheel are linked:
+        As the wheel does not slip, its point of contact is its velocity pole, so the motion of
+            $C$ ($v_{C}$ positive to the right) and the rotation of the wheel are linked:
         \omega &= -\frac{v_{C}}{2\,\unit{m}} = -\frac{6\,\unit{m/s}}{2\,\unit{m}} =
             -3\,\unit{rad/s}\quad\text{(clockwise)}
         """
@@ -101,8 +102,9 @@ def test_rolling_on_a_circle() -> None:
         "## The wheel rolls without slipping on a fixed circle", solution
     ) == as_read(
         r"""
-        The point of contact is the velocity pole of the wheel, without slip, so the motion of $C$
-            ($v_{C}$ positive counter-clockwise about $O$) and the rotation of the wheel are linked:
+        As the wheel does not slip, its point of contact is its velocity pole, so the motion of
+            $C$ ($v_{C}$ positive counter-clockwise about $O$) and the rotation of the wheel
+            are linked:
         v_{C} &= 2\,\unit{m} \cdot \omega_{CD} = 2\,\unit{m} \cdot 3\,\unit{rad/s} =
             6\,\unit{m/s}\quad\text{(counter-clockwise)}
         """
@@ -118,15 +120,17 @@ def test_rolling_inside_a_circle() -> None:
     )
     assert read_chapter("# Velocities", solution) == as_read(
         r"""
-        Rotations count positive counter-clockwise; so are directions in degrees counted, from the
-            $x$ axis. The letter of an unknown vector denotes its component in the direction assumed
-            for it, of a rotation the counter-clockwise one; that of a known vector denotes its
-            magnitude.
+        Rotations are positive counter-clockwise, and directions in degrees are counted so from the
+            $x$ axis. For an unknown vector the letter stands for its component in the direction
+            assumed for it (where a point turns about another, that of a counter-clockwise
+            rotation), for a known one for its magnitude. Printed values are rounded; the
+            calculation goes on with all their digits.
         Given: the angular velocity of the wheel.
         \omega_{CD} &= 3\,\unit{rad/s}\quad\text{(counter-clockwise)}
         ## The wheel rolls without slipping on a fixed circle
-        The point of contact is the velocity pole of the wheel, without slip, so the motion of $C$
-            ($v_{C}$ positive counter-clockwise about $O$) and the rotation of the wheel are linked:
+        As the wheel does not slip, its point of contact is its velocity pole, so the motion of
+            $C$ ($v_{C}$ positive counter-clockwise about $O$) and the rotation of the wheel
+            are linked:
         v_{C} &= -2\,\unit{m} \cdot \omega_{CD} = -2\,\unit{m} \cdot 3\,\unit{rad/s} =
             -6\,\unit{m/s}\quad\text{(clockwise)}
         \left|v_{C}\right| &= 6\,\unit{m/s}
@@ -156,15 +160,17 @@ def test_a_centre_that_is_driven_on_its_circle() -> None:
     solution = solve_small(DRIVEN_ROUND, omega="omega(W) in rad/s", alpha="alpha(W) in rad/s^2")
     assert read_chapter("# Velocities", solution) == as_read(
         r"""
-        Rotations count positive counter-clockwise; so are directions in degrees counted, from the
-            $x$ axis. The letter of an unknown vector denotes its component in the direction assumed
-            for it, of a rotation the counter-clockwise one; that of a known vector denotes its
-            magnitude.
+        Rotations are positive counter-clockwise, and directions in degrees are counted so from the
+            $x$ axis. For an unknown vector the letter stands for its component in the direction
+            assumed for it (where a point turns about another, that of a counter-clockwise
+            rotation), for a known one for its magnitude. Printed values are rounded; the
+            calculation goes on with all their digits.
         Given: the velocity of $A$ on its circle about $O$.
         v_{A} &= 6\,\unit{m/s}\quad\text{(counter-clockwise)}
         ## The wheel rolls without slipping on a fixed circle
-        The point of contact is the velocity pole of the wheel, without slip, so the motion of $A$
-            ($v_{A}$ positive counter-clockwise about $O$) and the rotation of the wheel are linked:
+        As the wheel does not slip, its point of contact is its velocity pole, so the motion of
+            $A$ ($v_{A}$ positive counter-clockwise about $O$) and the rotation of the wheel
+            are linked:
         \omega &= -\frac{v_{A}}{1\,\unit{m}} = -\frac{6\,\unit{m/s}}{1\,\unit{m}} =
             -6\,\unit{rad/s}\quad\text{(clockwise)}
         """
@@ -192,10 +198,11 @@ def test_gears_with_fixed_axes() -> None:
     solution = solve_small(GEARS, omega="omega(pinion) in rad/s")
     assert read_chapter("# Velocities", solution) == as_read(
         r"""
-        Rotations count positive counter-clockwise; so are directions in degrees counted, from the
-            $x$ axis. The letter of an unknown vector denotes its component in the direction assumed
-            for it, of a rotation the counter-clockwise one; that of a known vector denotes its
-            magnitude.
+        Rotations are positive counter-clockwise, and directions in degrees are counted so from the
+            $x$ axis. For an unknown vector the letter stands for its component in the direction
+            assumed for it (where a point turns about another, that of a counter-clockwise
+            rotation), for a known one for its magnitude. Printed values are rounded; the
+            calculation goes on with all their digits.
         Given: the angular velocity of the gear.
         \omega_{O} &= 2\,\unit{rad/s}\quad\text{(counter-clockwise)}
         ## 1. Composition of motions: moving point $C$, moving frame on the gear

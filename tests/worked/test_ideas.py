@@ -90,7 +90,8 @@ def test_a_moving_frame_has_its_reason() -> None:
 
 def test_a_problem_of_positions_names_its_way() -> None:
     assert read_idea("pose-four-bar-coupler").endswith(
-        "First come the coordinates of the points; lengths and angles follow from them."
+        "First come the coordinates of the points; lengths and angles follow from them. "
+        "Printed values are rounded; the calculation goes on with all their digits."
     )
 
 

@@ -128,7 +128,7 @@ def test_a_table_says_in_which_direction_an_unknown_vector_is_assumed() -> None:
     (velocity, acceleration) = _lines_with("slider-crank", "_{B} | ?")
     assert velocity.endswith("| $+x$")
     assert acceleration.endswith("| $+x$")
-    assert _lines_with("slotted-bar-between-two-rods", r"_{\mathrm{r}} | ? | $A \to B$")
+    assert _lines_with("slotted-bar-between-two-rods", r"_{\mathrm{r}} | ? | $B \to A$")
 
 
 def test_a_component_along_an_axis_has_the_given_angle() -> None:

@@ -7,13 +7,13 @@ import pytest
 from kinegrade.language import Language
 from kinegrade.language.math.tree import Letter, Text, list_nodes
 from kinegrade.problem.solving import solve_template
-from kinegrade.problem.template.library.library import load_template
+from kinegrade.problem.template.library.library import find_template_names, load_template
 from kinegrade.worked.case import write_row
 from kinegrade.worked.document import Display
 from kinegrade.worked.solution import write_worked_solution
 from tests.worked.draws import kept, told
 from tests.worked.reader.laws import find_faults
-from tests.worked.telling import displayed, proses
+from tests.worked.telling import displayed, lines, proses
 
 
 @pytest.mark.parametrize("language", ["en", "zh"])
@@ -36,8 +36,8 @@ def test_a_value_against_its_positive_sense_says_which_way_the_vector_points() -
 @pytest.mark.parametrize(
     ("language", "convention"),
     [
-        ("en", "With the sign convention of the question (positive from $B$ towards $A$):"),
-        ("zh", "按题目的符号规定（由 $B$ 指向 $A$ 为正）："),
+        ("en", "With the sign convention of the question (positive clockwise about $C$):"),
+        ("zh", "按题目的符号规定（绕 $C$ 顺时针为正）："),
         # the author has no words in German
         ("de", "Mit der Vorzeichenfestlegung der Aufgabe:"),
     ],
@@ -46,10 +46,10 @@ def test_an_answer_in_the_opposite_sense_names_the_convention_of_the_question(
     language: Language, convention: str
 ) -> None:
     """One symbol is not set equal to its own size: v_r = -|v_r|."""
-    blocks = kept("slotted-bar-between-two-rods", language=language)
+    blocks = kept("eccentric-cam-offset-follower", language=language)
     place = next(number for number, block in enumerate(blocks) if convention in proses([block]))
     value = displayed([blocks[place + 1]])[0].replace("{,}", ".")
-    assert value.startswith(r"v_{\mathrm{r}} &= 10\,\unit{mm/s}")
+    assert value.startswith(r"v_{\mathrm{r}} &= 0.45\,\unit{m/s}")
 
 
 @pytest.mark.parametrize(
@@ -97,3 +97,18 @@ def test_a_point_about_a_fixed_axis_has_a_normal_and_a_tangential_acceleration_t
     assert starts.count(r"a_{O_{2}}^{\mathrm{n}}") == 1
     assert starts.count(r"a_{O_{2}}^{\mathrm{t}}") == 1
     assert not any(text.startswith("$O_{2}$ belongs to both bodies") for text in proses(blocks))
+
+
+#: Answers that count against the sense in which all circling counts positive, or along an axis
+COUNTED_AGAIN = {
+    "eccentric-cam-offset-follower",
+    "pin-in-disc-slot-and-rod",
+    "pin-in-two-rings",
+    "two-wheels-on-cylinder",
+}
+
+
+@pytest.mark.parametrize("name", find_template_names())
+def test_a_symbol_has_one_sense_on_a_page(name: str) -> None:
+    turned = any("sign convention of the question" in line for line in lines(kept(name, 1)))
+    assert turned == (name in COUNTED_AGAIN)

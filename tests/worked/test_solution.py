@@ -8,7 +8,7 @@ import re
 from collections.abc import Iterator
 from dataclasses import replace
 from functools import lru_cache
-from math import cos, hypot, radians, sin
+from math import cos, hypot, pi, radians, sin
 
 import numpy as np
 import pytest
@@ -99,9 +99,10 @@ def know_nothing(symbol: str) -> Amount:
 
 
 def measure_in_si(answer: Quantity) -> float:
-    """The value of an answer, angles in radians."""
+    """The value of an answer, angles in radians, rotational speeds in turns."""
     factor = radians(1) if answer.measure.degrees else Floats().scale(answer.measure.scale)
-    return float(answer.decimal(12)) * factor
+    turns = 2 * pi if answer.measure.counts_turns else 1.0
+    return float(answer.decimal(12)) * factor / turns
 
 
 @lru_cache(maxsize=2000)

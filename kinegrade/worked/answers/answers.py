@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from kinegrade.expressions.tree import Call, Name
 from kinegrade.language.math.tree import Row
 from kinegrade.language.message import Message
-from kinegrade.problem.kinds.dimension import find_dimension
+from kinegrade.problem.kinds.dimension import find_dimension, find_si_unit
 from kinegrade.problem.kinds.kinds import Scalar
 from kinegrade.problem.quantities.functions import find_motion_calls
 from kinegrade.problem.quantities.motion_functions import MOTION_FUNCTIONS
@@ -29,7 +29,8 @@ from kinegrade.worked.document import Block
 from kinegrade.worked.formulas.atoms import ZERO
 from kinegrade.worked.formulas.equation import Equation, Link, drop_repetition, equate
 from kinegrade.worked.formulas.measures import double
-from kinegrade.worked.formulas.numbers import state_number, state_quantity
+from kinegrade.worked.formulas.numbers import state_number, state_quantity, substitute
+from kinegrade.worked.formulas.rotational_speeds import FULL_TURN, is_rotational_speed
 from kinegrade.worked.formulas.symbols import read_symbol
 from kinegrade.worked.senses import state_rotation_sense, state_way
 from kinegrade.worked.steps.poles import explain_pole
@@ -54,6 +55,8 @@ def explain_answer(ask: Ask, case: Case) -> Iterator[Block]:
     if isinstance(ask.quantity, Call) and is_turn(ask.quantity):
         yield from explain_turn(ask.quantity, case)
     symbol, answer = read_symbol(ask.symbol), case.solution.answers[ask.name]
+    if symbol.print() in case.findings.distances:  # a step has given it
+        return
     working = work_out(ask.quantity, case)
     if working.symbols.looks_like(abs(symbol)):
         yield case.show(Equation(working.symbols, state_quantity(answer)))
@@ -99,6 +102,8 @@ def _name_convention(ask: Ask, case: Case) -> Message:
 def _state_last_line(ask: Ask, working: Working, case: Case) -> Equation:
     """The answer's symbol, its formula, its numbers and its value from the key."""
     answer, symbol = case.solution.answers[ask.name], read_symbol(ask.symbol)
+    if is_rotational_speed(symbol, ask.unit):
+        return _count_turns(ask, working, case)
     numbers = () if working.numbers is None else (working.numbers,)
     between = [
         one for one in (working.symbols, *numbers) if one != ZERO and not one.looks_like(symbol)
@@ -106,6 +111,14 @@ def _state_last_line(ask: Ask, working: Working, case: Case) -> Equation:
     values = state_value(ask, case) if between else state_quantity(answer)
     links = drop_repetition(equate(*between), values)
     return Equation(symbol, links, _state_sense(ask, case))
+
+
+def _count_turns(ask: Ask, working: Working, case: Case) -> Equation:
+    """A rotational speed from the angular velocity."""
+    number = substitute(find_value(ask.quantity, case), find_si_unit(ask.unit))
+    turns = equate(working.symbols / FULL_TURN, number / FULL_TURN)
+    links = (*turns, *state_quantity(case.solution.answers[ask.name]))
+    return Equation(read_symbol(ask.symbol), links, _state_sense(ask, case))
 
 
 def state_value(ask: Ask, case: Case) -> tuple[Link, ...]:

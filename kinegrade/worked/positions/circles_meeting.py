@@ -53,8 +53,6 @@ def explain_circles(
     instance.case.findings.seen[first, Name(point)] = seen
     placed = Call("polar", (first, radius, turned))
     sense = name_rotation_sense(left)
-    measured = isinstance(side.direction, Call)
-    directed = opened.formula(side.direction), side.direction, DEGREE
     return (
         instance.say(_describe_triangle(point, circles, left, instance)),
         Display(_solve_triangle(axis, side, cosine, (corner, opened))),
@@ -63,7 +61,7 @@ def explain_circles(
         ),
         Display(
             (
-                *(opened.equation(*directed) if measured else ()),
+                *_find_direction(side, opened),
                 *opened.coordinates(point, opened.axes.pair(placed) or _NOTHING),
             )
         ),
@@ -93,6 +91,17 @@ def _find_side(first: Expression, second: Expression, instance: Instance) -> _Si
     if vector[1] == ZERO:
         return _Side(size, ZERO if instance.sign(vector[0]) > 0 else STRAIGHT)
     return _Side(size, Call("direction", (first, second)))
+
+
+def _find_direction(side: _Side, instance: Instance) -> tuple[Row, ...]:
+    """The direction of the side from its coordinates, where it is not given."""
+    if not isinstance(side.direction, Call):
+        return ()
+    start, end = side.direction.arguments
+    x, y = instance.axes.pair(Operation("-", end, start)) or _NOTHING
+    angle = instance.formula(side.direction)
+    slope = () if x == ZERO else instance.equation(Function("tan", angle), over(y, x), PURE)
+    return (*slope, *instance.equation(angle, side.direction, DEGREE))
 
 
 def _find_given_side(start: Expression, end: Expression, instance: Instance) -> _Side | None:

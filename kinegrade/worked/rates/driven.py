@@ -17,10 +17,16 @@ from kinegrade.numbers.balls import PRECISIONS, Balls
 from kinegrade.problem.kinds.dimension import find_si_unit
 from kinegrade.problem.quantity import express_in_unit
 from kinegrade.worked.case import Case
+from kinegrade.worked.formulas.atoms import Measured
 from kinegrade.worked.formulas.equation import Equation, Link, drop_repetition, equate
 from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.measures import double
 from kinegrade.worked.formulas.numbers import state_number, state_quantity
+from kinegrade.worked.formulas.rotational_speeds import (
+    count_full_turns,
+    is_rotational_speed,
+    turn_into_angle,
+)
 from kinegrade.worked.formulas.symbols import collect_symbols
 from kinegrade.worked.rates.speeds import Statement, name_relative_rotation, state_expression
 from kinegrade.worked.senses import (
@@ -87,7 +93,9 @@ def _state_way(law: ImposedMotion, value: float, case: Case) -> Row:
 
 
 def _state_as_given(tree: Expression, value: Any, unit: str, case: Case) -> tuple[Link, ...]:
-    """The value in the unit of the parameter it comes from, where that is not of SI: 100 r/min."""
+    """The value in the unit of the parameter it comes from, where that is not of SI; 2 pi times
+    the turns in their time where this counts turns.
+    """
     parameters = case.template.parameters
     units = {parameters[name].unit for name in find_names(tree) if name in parameters}
     given = units.pop() if len(units) == 1 else None
@@ -96,8 +104,16 @@ def _state_as_given(tree: Expression, value: Any, unit: str, case: Case) -> tupl
     with Balls(PRECISIONS[0]).context():
         quantity = express_in_unit("", value, given)
         stated = state_quantity(quantity)
-    settled = [link.relation for link in stated] == ["="] and not quantity.is_zero
-    return stated if settled else ()
+    if [link.relation for link in stated] != ["="] or quantity.is_zero:
+        return ()
+    if any(_is_rotational_speed(name, case) for name in find_names(tree)):
+        return equate(turn_into_angle(_drop_unit(stated[0].right), given))
+    return stated
+
+
+def _drop_unit(formula: Formula) -> Formula:
+    """The number of what is measured."""
+    return formula.number if isinstance(formula, Measured) else formula
 
 
 def _find_driven_value(relation: Relation, level: Level) -> Any:
@@ -122,7 +138,17 @@ def _state_expression(
     letters = {_drop_upper(symbols[name].row) for name in find_names(tree) if name in symbols}
     if isinstance(tree, Number) or _drop_upper(left.print()) in letters:
         return ()
-    return equate(state_expression(tree, case).signed(sign))
+    expression = state_expression(tree, case).signed(sign)
+    turns = any(_is_rotational_speed(name, case) for name in find_names(tree))
+    return equate(count_full_turns(expression) if turns else expression)
+
+
+def _is_rotational_speed(name: str, case: Case) -> bool:
+    """Whether a parameter counts turns in a time."""
+    parameter = case.template.parameters.get(name)
+    return parameter is not None and is_rotational_speed(
+        collect_symbols(case.template)[name], parameter.unit
+    )
 
 
 def _find_tree(law: Imposed, case: Case, level: Level) -> Expression:

@@ -41,7 +41,7 @@ def explain_idea(
         reason for step, stage in stages for reason in _find_reasons(step, stage)
     )
     if not any(any(find_motion_calls(ask.quantity)) for ask in asked):
-        reasons[Message("solution.idea-pose")] = None
+        reasons |= dict.fromkeys((Message("solution.idea-pose"), Message("solution.rounded")))
     yield case.say(_join((_name_task(given, asked, case), *reasons)))
 
 

@@ -7,6 +7,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+from kinegrade.language.message import Message
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Part
 from kinegrade.worked.case import Case
@@ -46,8 +47,10 @@ class PoleTriangle:
         """The angles and the length that the distances take, and these."""
         base, point = self.coupler.base, self.coupler.point
         equations = tuple(self._state_distance(*pair) for pair in ((base, point), (point, base)))
+        self.case.findings.distances |= {equation.left.print() for equation in equations}
         if all(len(equation.links) > 1 for equation in equations):
             yield from self._introduce()
+            yield self.case.say(self._name_law())
         yield self.case.show(*equations)
 
     def explain_coordinates(self) -> Iterator[Block]:
@@ -71,6 +74,12 @@ class PoleTriangle:
         for part in (self.coupler.rotation, self.coupler.base, self.coupler.point):
             yield from introduce_angle(part, self.case)
         yield from map(self.case.show, introduce_lengths((self._ends,), self.case))
+
+    def _name_law(self) -> Message:
+        """By what the distances follow from the angles."""
+        first, second = map(self.case.naming.point, self._ends)
+        pole = self.case.text(self.letter)
+        return Message("solution.pole-triangle", pole=pole, first=first, second=second)
 
     @property
     def _ends(self) -> tuple[str, str]:

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from kinegrade.language.math.tree import Row
 from kinegrade.language.message import Message
 from kinegrade.mechanics.rates import make_turning
+from kinegrade.mechanics.relations import Term
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Part
 from kinegrade.worked.case import Case
@@ -15,7 +17,7 @@ from kinegrade.worked.formulas.equation import Equation, Link, equate
 from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.measures import double, length, size
 from kinegrade.worked.formulas.numbers import measure, state_number
-from kinegrade.worked.senses import state_way
+from kinegrade.worked.senses import state_way, state_way_about
 from kinegrade.worked.steps.couplers import Coupler, explain_base_speed
 from kinegrade.worked.steps.pole_distances import PoleTriangle
 from kinegrade.worked.steps.poles import name_pole
@@ -105,8 +107,16 @@ def _state_found_speed(coupler: Coupler, how: tuple[Link, ...], case: Case) -> I
     letters = name_part(coupler.equation, sought, case)
     speed: Formula = abs(letters) if negative else letters
     links = (*how, *state_number(length(sought.value, case.arithmetic), "m/s"))
-    yield Equation(speed, links, state_way(sought.value, case))
+    yield Equation(speed, links, _state_way_of(sought, term, case))
     if term.kind == "rotation":
         ratio = speed / name_length(sought.base, sought.point, case)
         signed = equate(-ratio if negative else ratio)
         yield state_rotation_result(term.rate, case, "velocity", signed)
+
+
+def _state_way_of(sought: Part, term: Term, case: Case) -> Row:
+    """The direction of the second point's velocity: on a circle, in which sense about its centre."""
+    if term.kind == "rotation":
+        arm = case.motion.points[sought.point] - case.motion.points[sought.base]
+        return state_way_about(sought.value, arm, sought.base, case)
+    return state_way(sought.value, case)

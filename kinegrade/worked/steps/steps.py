@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator, Set
 from dataclasses import replace
 from functools import reduce
 from typing import assert_never
@@ -74,6 +74,7 @@ def explain_step(step: Step, stage: Stage) -> Iterator[Block]:
     for equation in stage.equations:
         yield from _explain_contact(equation, case)
         yield case.say(introduce_equation(equation, case))
+        yield from _explain_mark(equation, case)
         yield make_term_table(equation, case)
         yield from explain_remarks(equation, case)
     yield from explain_directions(list_turned(stage), case)
@@ -190,16 +191,12 @@ def _make_term(equation: VectorEquation, part: Part, case: Case) -> Term:
 
 
 def explain_remarks(equation: VectorEquation, case: Case) -> Iterator[Block]:
-    """What a composition's vectors consist of, which parts vanish, and which points primed letters
-    denote.
-    """
+    """What a composition's vectors consist of, and which parts vanish."""
     arms = introduce_lengths(find_arms(equation.parts), case)
     listed = [*describe_meanings(equation, case), *map(case.tell, arms)]
     if listed:
         yield case.say(Message("solution.here", equations=_list_equations(listed)))
-    shifted = {
-        part.term.rate.body for part in equation.parts if part.coincident and part.term
-    } & case.motion.frames.mechanism.find_translating()
+    shifted = _find_shifted(equation, case)
     for name in sorted(shifted):
         yield case.say(Message(f"solution.shifted-{equation.level}", frame=case.naming.body(name)))
     zeros = [
@@ -210,8 +207,18 @@ def explain_remarks(equation: VectorEquation, case: Case) -> Iterator[Block]:
     if zeros:
         listed_zeros = _list_equations(dict.fromkeys(zeros))
         yield case.say(Message("solution.zero-parts", zeros=listed_zeros))
+
+
+def _find_shifted(equation: VectorEquation, case: Case) -> Set[str]:
+    """The bodies that translate and of which a point is meant that coincides with another."""
+    meant = {part.term.rate.body for part in equation.parts if part.coincident and part.term}
+    return meant & case.motion.frames.mechanism.find_translating()
+
+
+def _explain_mark(equation: VectorEquation, case: Case) -> Iterator[Block]:
+    """Which point a primed letter denotes."""
     marked = next((part for part in equation.parts if part.coincident), None)
-    if marked is not None and marked.term is not None and not shifted:
+    if marked and marked.term and not _find_shifted(equation, case):
         yield case.say(
             Message(
                 "solution.coincident",

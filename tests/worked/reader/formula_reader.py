@@ -42,7 +42,7 @@ UNITS: Mapping[str, tuple[float, float, float]] = {
     "mm": (0.001, 1, 0),
     "s": (1.0, 0, 1),
     "min": (60.0, 0, 1),
-    "r": (2 * math.pi, 0, 0),
+    "r": (1.0, 0, 0),  # of a number of turns n; an angular velocity is 2 pi n
     "rad": (1.0, 0, 0),
     "1": (1.0, 0, 0),
 }
