@@ -1,7 +1,7 @@
 """Rotational speeds: n turns in a time mean the angular velocity 2 pi n.
 
-So it is with what has the letter n. What an author counts in r/min under another letter differs from
-rad/s by its unit alone.
+So it is with what has the letter n. What an author counts in r/min under another letter differs
+from rad/s by its unit alone.
 """
 
 from __future__ import annotations

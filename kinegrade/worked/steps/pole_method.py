@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import assert_never
 
 from kinegrade.language.math.tree import Row
 from kinegrade.language.message import Message
@@ -115,8 +116,12 @@ def _state_found_speed(coupler: Coupler, how: tuple[Link, ...], case: Case) -> I
 
 
 def _state_way_of(sought: Part, term: Term, case: Case) -> Row:
-    """The direction of the second point's velocity: on a circle, in which sense about its centre."""
-    if term.kind == "rotation":
-        arm = case.motion.points[sought.point] - case.motion.points[sought.base]
-        return state_way_about(sought.value, arm, sought.base, case)
-    return state_way(sought.value, case)
+    """The direction of the second point's velocity; on a circle, the sense about its centre."""
+    match term.kind:
+        case "rotation":
+            arm = case.motion.points[sought.point] - case.motion.points[sought.base]
+            return state_way_about(sought.value, arm, sought.base, case)
+        case "sliding" | "arc":
+            return state_way(sought.value, case)
+        case _:
+            assert_never(term.kind)
