@@ -60,10 +60,13 @@ class Driver {
     return this.page.setViewport({ width, height });
   }
 
-  /** Shows the page as people have it who want dark colours, less motion, or paper. */
+  /**
+   * Shows the page as people have it who want dark colours, less motion, or paper. Chromium takes
+   * both at once; one after the other, the second takes the first back.
+   */
   async prefer({ medium, features }) {
-    await this.page.emulateMediaType(medium);
-    await this.page.emulateMediaFeatures(features);
+    const session = await this.page.createCDPSession();
+    await session.send("Emulation.setEmulatedMedia", { media: medium, features });
   }
 
   picture({ file }) {

@@ -16,6 +16,7 @@ from tests.prove import (
     fair_marks,
     graded_figures,
     independent_positions,
+    practice_access,
     practice_sheets,
     printed_figures,
     printed_mathematics,
@@ -54,8 +55,9 @@ PROOFS = (
     Proof("by hand", by_hand.hold, cases=len(TAUGHT), batch=1, sample=0),
     Proof("whole papers", whole_papers.hold, cases=10, batch=1, sample=0),
     Proof("printed pages", printed_pages.hold, cases=32, batch=1, sample=0),
-    Proof("practice sheets", practice_sheets.hold, cases=60, batch=6, sample=0),
+    Proof("practice sheets", practice_sheets.hold, cases=62, batch=6, sample=0),
     Proof("practice sheet size", practice_sheets.hold_size, cases=1, batch=1, sample=0),
+    Proof("practice access", practice_access.hold, cases=62, batch=8, sample=0),
     Proof("accessible pages", accessible_pages.hold, cases=1_020, batch=51, sample=2),
     Proof("fair marks", fair_marks.hold, cases=400, batch=20, sample=3),
 )

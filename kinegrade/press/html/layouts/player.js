@@ -2,6 +2,7 @@
 // Plays what has places from 0 to a last one, or lets the slider and its arrow keys choose one.
 
 const CYCLE_SECONDS = 6;
+const STILLS = 12; // of a cycle, one each second, for those who want less motion
 
 /**
  * @typedef {object} Reel
@@ -51,10 +52,12 @@ class Player {
 
   play() {
     this.button.textContent = this.words.stop;
+    const pause = matchMedia("(prefers-reduced-motion: reduce)").matches ? 1 : 0;
     let before = 0;
     const advance = (/** @type {number} */ time) => {
-      if (before) this.advance((time - before) / 1000);
-      before = time;
+      const gone = (time - before) / 1000;
+      if (before && gone >= pause) this.advance(pause ? CYCLE_SECONDS / STILLS : gone);
+      if (!before || gone >= pause) before = time;
       this.playing = requestAnimationFrame(advance);
     };
     this.playing = requestAnimationFrame(advance);

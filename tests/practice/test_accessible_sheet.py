@@ -1,0 +1,73 @@
+"""Sheets are open to everybody: to WCAG 2.2 AA as far as axe-core sees, in a small window, on
+paper, with a screen reader, without motion.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.browsers.page import open_page
+from tests.practice.accessible_sheet import find_barriers
+from tests.practice.typed_sheet import open_sheet
+from tests.small_class import kinegrade
+
+BANK = """title = "Practice"
+course = "Mechanics"
+
+[[questions]]
+template = "{template}"
+"""
+KINDS = [("geneva-drive", "zh"), ("bent-rod-two-sleeves", "en"), ("slider-crank", "de")]
+
+
+def write_sheet(template: str, language: str, folder: Path) -> Path:
+    """A sheet of one template."""
+    bank, file = folder / f"{template}.toml", folder / f"{template}-{language}.html"
+    bank.write_text(BANK.format(template=template), encoding="utf-8")
+    done = kinegrade("practice", bank, "-o", file, "--draws", "1", "--lang", language)
+    assert done.exit_code == 0, done.stderr
+    return file
+
+
+@pytest.mark.parametrize(("template", "language"), KINDS)
+def test_nothing_stands_in_the_way(template: str, language: str, tmp_path: Path) -> None:
+    with open_page() as page:
+        assert list(find_barriers(page, write_sheet(template, language, tmp_path))) == []
+
+
+def test_what_does_is_found(tmp_path: Path) -> None:
+    file = write_sheet("slider-crank", "en", tmp_path)
+    text = file.read_text(encoding="utf-8")
+    text = text.replace("--link: #8fc1ff", "--link: #333").replace("button, .help", ".help")
+    broad = '<main style="min-width: 900px">'
+    file.write_text(text.replace("<main>", f"{broad}"), encoding="utf-8")
+    with open_page() as page:
+        found = "\n".join(find_barriers(page, file))
+    assert "dark: color-contrast: <button" in found
+    assert "pixels wide in a window of 320" in found
+    assert "button on paper" in found
+
+
+def test_a_mechanism_is_shown_in_still_pictures_to_those_who_want_less_motion(
+    tmp_path: Path,
+) -> None:
+    file = write_sheet("slider-crank", "en", tmp_path)
+    with open_page() as page:
+        shown = {}
+        for wish in ("no-preference", "reduce"):
+            page.prefer(reduced_motion=wish)
+            open_sheet(page, file)
+            page.run("document.querySelector('.motion').open = true")
+            page.wait("document.querySelector('.stage .bar')")
+            shown[wish] = page.run(
+                "new Promise((done) => { const seen = new Set();"
+                " document.querySelector('.play').click();"
+                " const look = () => {"
+                " seen.add(parseFloat(document.querySelector('.motion output').textContent));"
+                " if (seen.size < 4) requestAnimationFrame(look); else done([...seen]); };"
+                " look(); })"
+            )
+    assert [angle % 30 for angle in shown["reduce"]] == [0, 0, 0, 0]
+    assert [angle % 30 for angle in shown["no-preference"]] != [0, 0, 0, 0]
