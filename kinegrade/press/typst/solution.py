@@ -44,6 +44,7 @@ from kinegrade.press.solutions.settings import (
 )
 from kinegrade.press.solutions.terms import Cell, TermColumn
 from kinegrade.press.typst.layout_call import Sheet, write_layout_call, write_signed
+from kinegrade.worked.document import Heading
 
 _DOUBT = 0.1  # pages by which tight solutions may turn out shorter than their parts are high
 # Millimetres, as in the layout
@@ -99,7 +100,9 @@ def _write_question(
         parts=lambda: convert_each(lambda part: _write_part(part, where, words.language), course),
     )
     repeated = (question.title,) == tuple(each.title for each in sheet.questions) == (sheet.title,)
-    return written | {"heading": None if repeated else words.write(name_question(question))}
+    heading = None if repeated else words.write(name_question(question))
+    levels = [block.level for block in question.blocks if isinstance(block, Heading)]
+    return written | {"heading": heading, "outermost": next(iter(levels), 1)}
 
 
 def _write_part(part: Part, where: Location, language: Language) -> Sheet:

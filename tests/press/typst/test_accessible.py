@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+import re
+from collections.abc import Iterator
+from dataclasses import replace
 from io import BytesIO
+from itertools import pairwise
 from pathlib import Path
 
 import pikepdf
@@ -44,6 +48,33 @@ def test_papers_and_solutions_pass(name: str, language: Language) -> None:
         assert list_failed_rules(pdf) == []
         assert all(list_alternatives(pdf, "Formula"))
         assert all(list_alternatives(pdf, "Figure"))
+
+
+def list_headings(pdf: bytes) -> list[int]:
+    """The levels of the headings, in the order in which they are read."""
+
+    def walk(element: pikepdf.Object) -> Iterator[int]:
+        if not isinstance(element, pikepdf.Dictionary):
+            return
+        if re.fullmatch("/H[1-6]", str(element.get("/S"))):
+            yield int(str(element.S)[2:])
+        kids = element.get("/K", ())
+        for kid in kids if isinstance(kids, pikepdf.Array) else [kids]:
+            yield from walk(kid)
+
+    with pikepdf.open(BytesIO(pdf)) as document:
+        return list(walk(document.Root.StructTreeRoot))
+
+
+def test_pages_have_headings_of_which_no_level_is_left_out() -> None:
+    assert list_headings(TypstPress().paper(PAPER)) == [1, *(2 for _ in PAPER.questions)]
+    assert list_headings(TypstPress().paper(replace(PAPER, large=True))) == [1, 2]
+    worked = print_worked_solution(solve_template(load_template(TEMPLATES[0]), {}), "en")
+    levels = list_headings(worked)
+    assert levels[0] == 1
+    assert {2, 3} <= set(levels)
+    assert all(after <= before + 1 for before, after in pairwise(levels))
+    assert list_headings(join_pages([worked, worked])) == [*levels, *levels]
 
 
 def test_formulas_are_said_in_the_language_of_the_paper() -> None:
