@@ -3,6 +3,7 @@
 The loop reads the same key and the same sheet, compares by `float` and `math.isclose`, and writes a
 line for each answer and each student. Ours is all of `grade`: it reads and checks the folder, marks
 by exact rules, knows mistakes, units and formulas, gives every reason, and writes all its files.
+The command does more: it follows wrong answers through, and reads and checks what it has written.
 Processor time, in one process; memory is that of the command.
 """
 
@@ -15,6 +16,7 @@ import subprocess
 import sys
 from collections.abc import Callable, Iterator
 from pathlib import Path
+from resource import RUSAGE_CHILDREN, getrusage
 from tempfile import TemporaryDirectory
 from time import process_time
 
@@ -27,6 +29,7 @@ from kinegrade.grading.grade import grade
 STUDENTS = 20_000
 ODD_SHARE = 0.1  # of the answers in the mixed class: commas, units, roots, blanks, words
 PLAIN_PROMISE, MIXED_PROMISE = 1.8, 1 / 3
+COMMAND_PROMISE = 1 / 9  # with follow-through, exports and the checks of what it has written
 RUNS = 3  # the best counts: the first pays for imports and caches
 WITH_COMPLAINTS = 1  # the command's exit status where answers could not be read
 GROWTH_PROMISE = 1.5  # the most that twice the class may take of memory
@@ -43,6 +46,12 @@ def figures() -> Iterator[Figure]:
         write_class(double, 2 * STUDENTS, ODD_SHARE)
         yield speed(plain, "plain numbers", PLAIN_PROMISE)
         yield speed(mixed, "10 % not plain", MIXED_PROMISE)
+        yield Figure(
+            f"marking an answer, {STUDENTS} students, the whole command",
+            by_command(plain),
+            loop(plain),
+            COMMAND_PROMISE,
+        )
         single, twice = memory(mixed), memory(double)
         yield Figure(
             f"marking {2 * STUDENTS} students: memory against {STUDENTS}",
@@ -122,6 +131,15 @@ def read_keys(path: Path) -> dict[str, dict[str, tuple[float, float, int]]]:
             }
             for paper in papers
         }
+
+
+def by_command(folder: Path) -> float:
+    """Seconds for an answer by `kinegrade grade`, start and all. Raises what `memory` raises."""
+    before = getrusage(RUSAGE_CHILDREN)
+    memory(folder)
+    after = getrusage(RUSAGE_CHILDREN)
+    seconds = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+    return seconds / (STUDENTS * len(COLUMNS))
 
 
 def memory(folder: Path) -> float:

@@ -76,7 +76,9 @@ class BlockJudge:
         for place, names in self._compared(block, rules).items():
             block.put(place, self._decided(block, place, names))
         if self.follows is not None:
-            for row, led_on in groupby(self._led_on(block), _ROW):
+            questions = tuple(self._led_on(block))
+            block.word(self._list_places(questions))
+            for row, led_on in groupby(questions, _ROW):
                 self._credit(block, row, [question for _, question in led_on], self.follows)
         for number, ask in enumerate(self.asks):
             self._void(block, number, self.policy.ruling(ask.column))
@@ -182,6 +184,12 @@ class BlockJudge:
         counts = [led_on[:, list(question)].sum(axis=1) for question in self.papers.questions]
         for row, question in np.argwhere(np.column_stack(counts) > 1).tolist():
             yield row, self.papers.questions[question]
+
+    def _list_places(self, questions: Sequence[tuple[int, range]]) -> Places:
+        """The places of the answers to these questions of rows."""
+        width = len(self.asks)
+        places = [row * width + number for row, question in questions for number in question]
+        return np.array(places, dtype=np.intp)
 
     def _credit(
         self, block: JudgedBlock, row: int, led_on: Sequence[range], follows: Follows

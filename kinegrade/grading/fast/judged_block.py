@@ -6,7 +6,7 @@ each answer, because a large class gives a million answers.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import get_args
@@ -39,7 +39,8 @@ class JudgedBlock:
 
     Where an answer is `compared`, its reason is its place in the `comparison`, in the words of
     `language`; of the others `reasons` are those that are not empty. `mistakes` are those that lead
-    to the answers at some places, `by_policy` is where the rule was not the paper's.
+    to the answers at some places, `by_policy` is where the rule was not the paper's. `worded` are
+    comparisons that have been put in words already.
     """
 
     rows: Sequence[Row]
@@ -53,6 +54,7 @@ class JudgedBlock:
     reasons: dict[int, Text] = field(default_factory=dict)
     credits: list[Fraction] = field(default_factory=lambda: [Fraction(0), Fraction(1)])
     mistakes: dict[int, tuple[str, ...]] = field(default_factory=dict)
+    worded: dict[int, str] = field(default_factory=dict)
 
     @classmethod
     def begin(
@@ -115,18 +117,32 @@ class JudgedBlock:
     def write_compared(self) -> list[str]:
         """The reasons of all answers that are compared, in their order, as cells of a CSV file."""
         words = np.empty(len(self.compared), dtype=object)
-        for by_policy in (False, True):
-            places = np.flatnonzero(self.compared & (self.by_policy == by_policy))
-            if len(places):
-                forms = read_cells(self.language, by_policy=by_policy)
-                words[places] = self.comparison.reasons(places, forms)
+        for by_policy, places in self._part_by_policy(np.flatnonzero(self.compared)):
+            forms = read_cells(self.language, by_policy=by_policy)
+            words[places] = self.comparison.reasons(places, forms)
         listed: list[str] = words[self.compared].tolist()
         return listed
+
+    def word(self, places: Places) -> None:
+        """Puts the comparisons at these places in words, all at once: one by one takes longer."""
+        for by_policy, chosen in self._part_by_policy(places[self.compared[places]]):
+            forms = read_reasons(self.language, by_policy=by_policy)
+            reasons = self.comparison.reasons(chosen, forms)
+            self.worded.update(zip(chosen.tolist(), reasons, strict=True))
+
+    def _part_by_policy(self, places: Places) -> Iterator[tuple[bool, Places]]:
+        """Those judged by the paper's rule, and those by the policy's; neither is empty."""
+        for by_policy in (False, True):
+            chosen = places[self.by_policy[places] == by_policy]
+            if len(chosen):
+                yield by_policy, chosen
 
     def reason(self, place: int) -> Text:
         """Why an answer is what it is."""
         if not self.compared[place]:
             return self.reasons.get(place, "")
+        if place in self.worded:
+            return self.worded[place]
         forms = read_reasons(self.language, by_policy=bool(self.by_policy[place]))
         (reason,) = self.comparison.reasons(np.array([place]), forms)
         return reason

@@ -84,3 +84,17 @@ def test_reasons_begin_with_words(language: Language, by_policy: bool) -> None:
     forms = read_reasons(language, by_policy=by_policy)
     assert forms.within.text[0].isalpha()
     assert forms.to_figures.text[0].isalpha()
+
+
+@given(COMPARED, st.booleans())
+def test_what_is_put_in_words_at_once_reads_as_one_by_one(
+    compared: list[bool], by_policy: bool
+) -> None:
+    places = np.arange(len(compared))
+    alone, together = (begin(compared, SIZE) for _ in range(2))
+    for block in (alone, together):
+        block.put_compared(places, np.array([by_policy] * len(compared), dtype=bool))
+    together.word(np.arange(SIZE))
+    assert set(together.worded) == set(places.tolist())
+    for place in range(SIZE):
+        assert together.decision(place) == alone.decision(place)
