@@ -12,7 +12,11 @@ import typst
 
 from kinegrade.figure.back_ends.svg import to_svg
 from kinegrade.figure.sketch import sketch
+from kinegrade.language import ENGLISH
+from kinegrade.language.prose.typst import write_prose
 from kinegrade.problem.printed_givens import mark_question
+from kinegrade.problem.solution import Solution
+from kinegrade.problem.statement import write_statement
 from kinegrade.problem.template.library.library import load_template
 from tests.problem.draws import draw_filter, drawn
 
@@ -35,10 +39,25 @@ class Graded:
 
 def print_figure(template: str, seed: str) -> str:
     """The SVG of the first figure that is dealt at a seed."""
+    return _draw(_deal(template, seed))
+
+
+def _deal(template: str, seed: str) -> Solution:
     [instance] = drawn(draw_filter(load_template(template), seed), 1)
-    mechanism = instance.solution.motion.frames.mechanism.map(float)
-    template = instance.solution.template
+    return instance.solution
+
+
+def _draw(solution: Solution) -> str:
+    mechanism = solution.motion.frames.mechanism.map(float)
+    template = solution.template
     return to_svg(sketch(mechanism, mark_question(template, template.asked())))
+
+
+def _state(solution: Solution) -> str:
+    """The statement as Typst code: senses and givens are held against it."""
+    template = solution.template
+    text = write_statement(template, solution.parameters, ENGLISH, template.asked())
+    return write_prose(text, template.name, ENGLISH)
 
 
 def digest(svg: str) -> str:
@@ -47,19 +66,21 @@ def digest(svg: str) -> str:
 
 
 def write_sheet(folder: Path, templates: Iterable[str], seeds: Sequence[str]) -> None:
-    """A page for each template with a figure for each seed, and a table of grades to be filled
-    in.
+    """A page for each template with a figure and its statement for each seed, and a table of grades
+    to be filled in.
     """
     folder.mkdir(parents=True, exist_ok=True)
     rows, pages = [], []
     for name in templates:
         cells = []
         for seed in seeds:
-            svg = print_figure(name, seed)
+            solution = _deal(name, seed)
+            svg = _draw(solution)
             picture = f"{name}-{seed}.svg"
             (folder / picture).write_text(svg, encoding="utf-8")
             rows.append(Graded(name, seed, digest(svg)))
-            cells.append(f'[#image("{picture}") #text(8pt)[seed {seed}]]')
+            told = f"#text(8pt)[seed {seed}: ] #text(8pt, {_state(solution)})"
+            cells.append(f'[#image("{picture}") {told}]')
         pages.append(f"= {name}\n#grid(columns: 2, gutter: 8mm, {', '.join(cells)})\n")
     write_grades(folder / "grades.csv", rows)
     (folder / "sheet.typ").write_text("#pagebreak()\n".join(pages), encoding="utf-8")
