@@ -54,8 +54,18 @@ def write_document(
     whole.packages.append(Package("kinegrade", options=chosen))
     whole.preamble.extend(_write_word(name, text) for name, text in words.items())
     whole.preamble.append(Command("chinesefonts", NoEscape(fonts)))
+    whole.preamble.append(Command("documentlanguage", NoEscape(names.text("language.tag"))))
     whole.extend(NoEscape(body) for body in bodies)
     return str(whole.dumps())
+
+
+def write_title(title: str) -> str:
+    r"""The command that gives a file its title, as plain text.
+
+    >>> write_title("Ω")
+    '\\documenttitle{FEFF03A9}'
+    """
+    return write_command("documenttitle", f"FEFF{title.encode('utf-16-be').hex().upper()}")
 
 
 def write_command(name: str, *arguments: str) -> str:

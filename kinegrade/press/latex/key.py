@@ -8,7 +8,12 @@ from kinegrade.language.math.latex import write_latex_math
 from kinegrade.language.math.latex_text import write_comment, write_plain, write_signed, write_unit
 from kinegrade.language.message import Location
 from kinegrade.language.prose.latex import write_line
-from kinegrade.press.latex.document import write_command, write_environment, write_value
+from kinegrade.press.latex.document import (
+    write_command,
+    write_environment,
+    write_title,
+    write_value,
+)
 from kinegrade.press.places import locate_paper, locate_question
 from kinegrade.press.sheet import KeyAnswer, KeyBook, KeyEntry, KeyPaper, KeyParameter
 from kinegrade.question_numbers import find_bank_number
@@ -19,7 +24,7 @@ def write_key_body(book: KeyBook) -> str:
     words = open_catalogue(book.language)
     head = write_command("keyhead", *map(write_plain, (book.course, book.title, book.warning)))
     papers = convert_each(lambda paper: _write_paper(paper, words), book.papers)
-    return "\n".join((head, *papers)) + "\n"
+    return "\n".join((write_title(book.title), head, *papers)) + "\n"
 
 
 def _write_paper(paper: KeyPaper, words: Catalogue) -> str:

@@ -15,7 +15,7 @@ from kinegrade.language.math.latex_text import write_comment, write_plain, write
 from kinegrade.language.message import Location
 from kinegrade.language.prose.latex import write_line, write_prose
 from kinegrade.press.code_mark import make_code_mark
-from kinegrade.press.latex.document import write_command, write_environment
+from kinegrade.press.latex.document import write_command, write_environment, write_title
 from kinegrade.press.paper_head import PaperHead
 from kinegrade.press.paper_parts import (
     arrange_marks,
@@ -47,6 +47,7 @@ def write_paper_body(paper: Paper) -> str:
     rules = [write_command("rules", *_write_rule_columns(parts["rules"]))] if paper.rules else []
     lines = (
         write_comment(words.write(where)),
+        write_title(paper.title),
         masthead,
         _write_marks(paper),
         *parts["conditions"],

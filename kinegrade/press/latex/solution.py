@@ -12,7 +12,7 @@ from kinegrade.language.math.latex import TEX, write_latex_row
 from kinegrade.language.math.latex_text import write_comment, write_plain
 from kinegrade.language.message import Location
 from kinegrade.language.prose.latex import write_line, write_prose
-from kinegrade.press.latex.document import write_command, write_environment
+from kinegrade.press.latex.document import write_command, write_environment, write_title
 from kinegrade.press.places import locate_part, locate_question, locate_solutions
 from kinegrade.press.sheet import SolutionSheet, WorkedQuestion
 from kinegrade.press.solutions.chains import UNKNOWN, name_question
@@ -47,7 +47,8 @@ def write_solution_body(sheet: SolutionSheet) -> str:
         lambda pair: _write_question(*pair, words, where),
         zip(sheet.questions, courses.parts, strict=True),
     )
-    return write_environment("sheet", [write_comment(words.write(where)), head, *questions]) + "\n"
+    lines = (write_comment(words.write(where)), write_title(sheet.title), head, *questions)
+    return write_environment("sheet", lines) + "\n"
 
 
 def _write_question(

@@ -10,6 +10,7 @@ from dataclasses import replace
 from io import BytesIO
 from pathlib import Path
 
+import pikepdf
 import pytest
 from pypdf import PdfReader
 
@@ -337,3 +338,12 @@ def test_nothing_to_print_is_nothing_printed() -> None:
 def test_it_is_a_press() -> None:
     press: Press = LatexPress()
     assert press.unprintable([]) == frozenset()
+
+
+def test_files_state_their_title_and_their_language() -> None:
+    papers = {"a": ENGLISH, "b": replace(CHINESE, title="运动学 Ω")}
+    for name, printed in LatexPress().papers(papers).items():
+        with pikepdf.open(BytesIO(printed.pdf)) as document:
+            assert str(document.docinfo.Title) == papers[name].title
+            assert str(document.Root.Lang) == {"en": "en", "zh": "zh-CN"}[papers[name].language]
+            assert document.Root.ViewerPreferences.DisplayDocTitle is True
