@@ -7,8 +7,9 @@ of what students carry on from is of this form; what is not is said to be so.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
+from itertools import chain
 
 from kinegrade.exam.setting.setting import SetQuestion
 from kinegrade.mechanics.plan import Plan
@@ -29,6 +30,7 @@ _TRIED, _PROVED = (1.3, -0.7, 1.9), (0.6, 2.7, -1.6, 0.06, 40.0)
 _OF_ITS_SIGN = (1.3, 0.7, 1.9), (0.6, 2.7, 1.6, 0.06, 40.0)  # where there are magnitudes on the way
 _SAME = 1e-8
 _DIGITS = 9
+_NEW = 1e-4  # of a value: nearer ones are not told apart
 Points = Sequence[tuple[float, float]]
 Coefficients = tuple[float, float, float]
 
@@ -39,6 +41,7 @@ class FollowTable:
 
     template: Template
     asks: tuple[str, ...]
+    beside: dict[tuple[str, str], tuple[str, ...]] = field(default_factory=dict, repr=False)
 
     @cached_property
     def stages(self) -> tuple[int, ...]:
@@ -64,17 +67,34 @@ class FollowTable:
     def write(self, question: SetQuestion) -> tuple[str, ...]:
         """For each way of following in a draw the places of the two asks and the coefficients, none
         where no quadratic does; a "+" behind them where they hold for values of the right sign
-        alone. Of what is unsigned they give the value but for its sign.
+        alone. Of what is unsigned they give the value but for its sign. Behind the first place and
+        "&" is that of an ask with whose right answer something else follows, without coefficients.
         """
         follower = self._make_follower(question.drawn.values)
         fits = (
             _Fit(follower, earlier, later, self.template.asks[later].sign in UNSIGNED)
             for earlier, later in self.pairs
         )
+        return tuple(chain.from_iterable(self._write_ways(fit) for fit in fits))
+
+    def _write_ways(self, fit: _Fit) -> Iterator[str]:
+        """The ways of following for one ask from another one."""
+        start, end = map(self.asks.index, (fit.earlier, fit.later))
+        for numbers in fit.list_ways():
+            yield " ".join(map(str, (start, end, *numbers)))
+        pair = fit.earlier, fit.later
+        if pair not in self.beside:  # alike in all draws
+            self.beside[pair] = tuple(fit.list_beside(self._list_others(fit)))
+        for other in self.beside[pair]:
+            yield f"{start}&{self.asks.index(other)} {end}"
+
+    def _list_others(self, fit: _Fit) -> tuple[str, ...]:
+        """The asks whose answers may have been taken together with the earlier one."""
+        stage = dict(zip(self.asks, self.stages, strict=True))
         return tuple(
-            " ".join(map(str, (*map(self.asks.index, (fit.earlier, fit.later)), *numbers)))
-            for fit in fits
-            for numbers in fit.list_ways()
+            ask
+            for ask in self.asks
+            if ask not in (fit.earlier, fit.later) and stage[ask] <= stage[fit.later]
         )
 
     def _make_follower(self, texts: Mapping[str, str]) -> Follower | StepFollower:
@@ -95,6 +115,19 @@ class _Fit:
     earlier: str
     later: str
     unsigned: bool
+
+    def list_beside(self, others: tuple[str, ...]) -> Iterator[str]:
+        """The asks whose right answers make something else follow than the earlier one alone."""
+        right, key = self.follower.right(self.earlier), self.follower.right(self.later)
+        if not right or key is None:
+            return
+        wrong = {self.earlier: right * _TRIED[0]}
+        alone = self.follower.consequences(wrong, self.later)
+        for other in others:
+            both = {**wrong, other: self.follower.right(other) or 0.0}
+            together = self.follower.consequences(both, self.later)
+            if any(not _is_near(each, (key, *alone)) for each in together):
+                yield other
 
     def list_ways(self) -> tuple[tuple[str, ...], ...]:
         """The coefficients of each way of going on, with a "+" where they hold for values of the
@@ -130,6 +163,11 @@ class _Fit:
         terms = (constant, linear * value, square * value**2)
         found = abs(sum(terms)) if self.unsigned else sum(terms)
         return abs(found - follows) <= _SAME * max(map(abs, terms))
+
+
+def _is_near(value: float, others: Sequence[float]) -> bool:
+    """Whether a value cannot be told from one of others."""
+    return any(abs(value - other) <= _NEW * max(abs(value), abs(other)) for other in others)
 
 
 def _interpolate(points: Points) -> Coefficients:

@@ -135,7 +135,7 @@ def _carry_on(
     """What follows from the student's own values, as often as other values."""
     for text in question.draws[number].follows:
         from_, to, *numbers = text.removesuffix(" +").split(" ")
-        if int(to) == row and int(from_) in own and numbers:
+        if numbers and int(to) == row and int(from_) in own:
             constant, linear, square = map(float, numbers)
             yield constant + linear * own[int(from_)] + square * own[int(from_)] ** 2
 

@@ -78,15 +78,40 @@ def test_where_only_values_of_the_right_sign_are_known_the_page_says_so() -> Non
     assert judged[1].is_cut_off
 
 
-def test_a_speed_follows_from_an_angular_velocity_of_the_wrong_sense_too(tmp_path: Path) -> None:
-    bank = tmp_path / "bank.toml"
+def test_where_something_else_follows_with_a_right_answer_the_page_says_so() -> None:
+    draw = replace(DRAW, follows=("0 1 0 2 0", "0&2 1"))
+    sheet = replace(SHEET, questions=(replace(SHEET.questions[0], draws=(draw,)),))
+
+    def judge_second(*typed: str) -> tuple[str, bool]:
+        said = judge_in_node(sheet, [[typed]])[0][0][1]
+        return said.kind, said.is_cut_off
+
+    assert judge_second("1.2", "2.9", "6") == ("wrong", True)
+    assert judge_second("1.2", "2.9", "") == ("wrong", False)
+    assert judge_second("1.2", "2.4", "6")[0] == "follow-through"
+
+
+def make_question(template: str, folder: Path) -> PracticeQuestion:
+    """A template's question with one draw."""
+    bank = folder / "bank.toml"
     bank.write_text(
-        'title = "T"\ncourse = "C"\n\n[[questions]]\n'
-        'template = "planetary-gear-external-rim-velocities"\n',
-        encoding="utf-8",
+        f'title = "T"\ncourse = "C"\n\n[[questions]]\ntemplate = "{template}"\n', encoding="utf-8"
     )
     blueprint = kinegrade.Bank.read(bank).blueprint
     (question,) = make_practice_sheet(blueprint, 1, "practice", ENGLISH).sheet.questions
+    return question
+
+
+def test_a_right_answer_beside_a_wrong_one_is_known_to_matter(tmp_path: Path) -> None:
+    """From a component of the velocity of a pin and its speed along a bar follows the other one."""
+    question = make_question("pin-in-disc-slot-and-rod", tmp_path)
+    place = {ask.name: number for number, ask in enumerate(question.asks)}
+    known = f"{place['v_M_x']}&{place['v_rel_2']} {place['v_M_y']}"
+    assert known in question.draws[0].follows
+
+
+def test_a_speed_follows_from_an_angular_velocity_of_the_wrong_sense_too(tmp_path: Path) -> None:
+    question = make_question("planetary-gear-external-rim-velocities", tmp_path)
     names = [ask.name for ask in question.asks]
     pair = f"{names.index('omega_II')} {names.index('v_C')} "
     ways = [text for text in question.draws[0].follows if text.startswith(pair)]

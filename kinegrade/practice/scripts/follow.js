@@ -12,6 +12,7 @@ const SIGN_ALONE = 1 / 100;
 /**
  * @typedef {object} Following what follows for one ask from a value of another
  * @property {number} from
+ * @property {number | null} beside the ask with whose right answer something else follows
  * @property {number} to
  * @property {[number, number, number] | null} coefficients null where they do not do
  * @property {boolean} ofItsSign whether they hold for values of the right sign alone
@@ -21,9 +22,10 @@ const SIGN_ALONE = 1 / 100;
 function readFollows(draw) {
   return draw.follows.map((text) => {
     const ofItsSign = text.endsWith(" +");
-    const [from, to, ...numbers] = text.replace(" +", "").split(" ").map(Number);
-    const coefficients = numbers.length ? /** @type {[number, number, number]} */ (numbers) : null;
-    return { from, to, coefficients, ofItsSign };
+    const [taken, to, ...numbers] = text.replace(" +", "").split(" ");
+    const [from, beside = null] = taken.split("&").map(Number);
+    const coefficients = numbers.length ? /** @type {[number, number, number]} */ (numbers.map(Number)) : null;
+    return { from, beside, to: Number(to), coefficients, ofItsSign };
   });
 }
 
@@ -145,7 +147,10 @@ function isCutOff(question, draw, judged) {
   const listWrong = (/** @type {number} */ to) =>
     follows.filter(
       (each) =>
-        each.to === to && judged[each.from].kind !== "right" && Number.isFinite(judged[each.from].value),
+        each.to === to &&
+        judged[each.from].kind !== "right" &&
+        Number.isFinite(judged[each.from].value) &&
+        (each.beside === null || judged[each.beside].kind === "right"),
     );
   return question.asks.some((_, to) => {
     if (!isOpen(judged[to])) return false;
