@@ -14,7 +14,7 @@ from flint import fmpq
 
 from kinegrade.errors import TemplateError
 from kinegrade.files.fields.place import Place
-from kinegrade.language import Language
+from kinegrade.language import ENGLISH, Language
 from kinegrade.language.decimal_mark import write_decimals_of_prose
 from kinegrade.language.message import Fault, Message
 from kinegrade.problem.filling import Filling
@@ -27,7 +27,11 @@ from kinegrade.problem.template.driven import find_driven
 from kinegrade.problem.template.slots import find_slots, find_slots_in_formulas
 from kinegrade.problem.template.template import Template
 from kinegrade.problem.template.texts import list_prose
-from kinegrade.problem.template.translated import Translated, find_common_languages
+from kinegrade.problem.template.translated import (
+    Translated,
+    find_common_languages,
+    find_named_languages,
+)
 
 _LONGEST = 20_000  # characters of a statement as it is printed: a page has 3,000
 
@@ -120,8 +124,11 @@ def list_written_texts(template: Template, language: Language) -> Iterator[tuple
 
 
 def list_statement_languages(template: Template) -> tuple[Language, ...]:
-    """The languages that differ in the statement or in a wording of it, and have both in full."""
+    """The languages that are named in the statement or in a wording of it, and have both in full;
+    English where none is.
+    """
     texts = [text for _, text in list_prose(template)]
-    named = {language for text in texts for language in text.languages}
-    common = find_common_languages(texts)
-    return tuple(each for each in common if each in named) or common[:1]
+    named = find_named_languages(texts)
+    if not named:
+        return (ENGLISH,)
+    return tuple(each for each in find_common_languages(texts) if each in named)

@@ -23,6 +23,7 @@ from kinegrade.proof.report import Report
 
 _Proof = tuple[Solution, dict[str, Problem]]  # an instance with what differs there
 _PRINTED = re.compile(r"-?\d+\.\d*", re.ASCII)
+_NUMBER = re.compile(r"-?0*[1-9]\d*", re.ASCII)
 _SHOWN = 10  # digits of an answer that no small field holds
 _INSTANCES = 5  # values at which a published formula is proved, besides the values it states
 
@@ -80,8 +81,10 @@ def _choose_settled(report: Report, published: Published, count: int) -> list[Co
 
 
 def _list_stated(template: Template, published: Published) -> Mapping[str, str]:
-    """The values for which results hold; a printed decimal belongs to the data of the source."""
-    if not any(map(is_printed_decimal, published.texts.values())):
+    """The values for which results hold; a number other than zero belongs to the data of the
+    source.
+    """
+    if not any(map(_is_of_stated_data, published.texts.values())):
         return published.given
     parameters = template.parameters.items()
     data = {name: each.published for name, each in parameters if each.published is not None}
@@ -147,6 +150,10 @@ def is_printed_decimal(text: str) -> bool:
     (True, False, False)
     """
     return _PRINTED.fullmatch(text) is not None
+
+
+def _is_of_stated_data(text: str) -> bool:
+    return is_printed_decimal(text) or _NUMBER.fullmatch(text) is not None
 
 
 def _is_rounded(stated: str, answer: Quantity) -> bool:

@@ -6,7 +6,8 @@ from collections.abc import Iterator, Mapping
 
 from kinegrade.draws.deal import count_reasons
 from kinegrade.language.message import Message, list_plainly
-from kinegrade.problem.template.texts import find_languages
+from kinegrade.problem.template.template import Template
+from kinegrade.problem.template.texts import find_languages, is_language_named
 from kinegrade.proof.report import Report
 from kinegrade.students.near_mistakes import Shares
 
@@ -22,9 +23,7 @@ def write_verdict(report: Report) -> Message:
 
 def write_findings(report: Report) -> Iterator[Message]:
     """What was found, a line each."""
-    languages = find_languages(report.template)
-    complete = list_plainly(languages) if languages else Message("template.no-language")
-    yield Message("template.report-languages", languages=complete)
+    yield _write_languages(report.template)
     yield Message("template.report-proved", number=report.proved - report.rounded)
     if report.rounded:
         yield Message("template.report-rounded", number=report.rounded)
@@ -52,6 +51,14 @@ def write_findings(report: Report) -> Iterator[Message]:
         yield Message("template.report-remark", remark=remark)
     for fault in report.faults:
         yield Message("template.report-fault", fault=fault)
+
+
+def _write_languages(template: Template) -> Message:
+    if not is_language_named(template):
+        return Message("template.report-one-language")
+    languages = find_languages(template)
+    complete = list_plainly(languages) if languages else Message("template.no-language")
+    return Message("template.report-languages", languages=complete)
 
 
 def _write_near_mistakes(heading: Message, found: Mapping[str, Shares]) -> Iterator[Message]:

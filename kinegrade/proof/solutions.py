@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from kinegrade.errors import KinegradeError
+from kinegrade.language import ENGLISH
 from kinegrade.language.message import Fault, Message
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.statement import list_statement_languages
@@ -16,7 +17,7 @@ from kinegrade.worked.solution import write_worked_solution
 
 def prove_solutions(report: Report) -> Iterator[Fault]:
     """A fault for each method by which the first instance has no worked solution."""
-    languages = list_statement_languages(report.template)
+    languages = sorted(list_statement_languages(report.template), key=ENGLISH.__ne__)
     for example in report.examples[:1] if languages else ():
         values = list_values(example)
         whole = solve_template(report.template, values, report.sound)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 from pathlib import Path
 
@@ -10,6 +11,8 @@ import pytest
 from kinegrade.errors import TemplateError
 from kinegrade.language import ENGLISH, Language
 from kinegrade.language.catalogue import open_catalogue
+from kinegrade.problem.statement import list_statement_languages
+from kinegrade.problem.template.library.reading import read_template
 from kinegrade.problem.template.texts import (
     find_languages,
     find_missing_texts,
@@ -42,6 +45,18 @@ def test_one_language_is_enough(tmp_path: Path) -> None:
     assert "no text in" not in report.stdout
     shown = kinegrade("show", tmp_path / "crank.toml")
     assert (shown.exit_code, "A crank" in shown.stdout) == (0, True)
+
+
+def test_texts_in_no_stated_language_are_in_none(tmp_path: Path) -> None:
+    text = re.sub(r'\{ en = ("[^"]*"), zh = "[^"]*" \}', r"\1", crank_text())
+    text, _, rest = text.partition("[statement]\nen = ")
+    statement, _, rest = rest.partition("\nzh = ")
+    text = f"statement = {statement}\n{text}{rest.partition(chr(10))[2]}"
+    (tmp_path / "crank.toml").write_text(text, encoding="utf-8")
+    report = kinegrade("check", tmp_path / "crank.toml", "--sample", "20")
+    assert "written once, in no stated language: papers in every language print" in report.stdout
+    assert "complete in" not in report.stdout
+    assert list_statement_languages(read_template("crank", text)) == (ENGLISH,)
 
 
 def test_a_plain_text_is_the_same_in_every_language() -> None:

@@ -146,6 +146,17 @@ def test_a_result_is_held_to_the_figures_that_are_printed(right: bool) -> None:
     assert (rounded in all_said(write_findings(report))) is right
 
 
+@pytest.mark.parametrize(("stated", "faults"), [("60", 0), ("61", 1)])
+def test_a_whole_number_belongs_to_the_data_of_the_source(stated: str, faults: int) -> None:
+    text = load_template("crank-bar-through-sleeve-with-arm").file.text
+    head, _, rest = text.partition("[[published]]")
+    stating, _, figure = rest.partition("[figure]")
+    source = f'[[published]]\nsource = "by hand"\ngives = {{ v_A = "{stated}" }}\n'
+    assert 'v_A = "60"' in stating
+    template = read_template("crank", f"{head}{source}[figure]{figure}")
+    assert len(check(template, sample=2).faults) == faults
+
+
 def test_a_printed_angle_is_right_with_full_turns_more_or_less() -> None:
     text = crank_text(
         ('quantity = "x(velocity(A))"', 'quantity = "angle(A - O, velocity(A))"'),

@@ -50,6 +50,11 @@ def find_languages(template: Template) -> tuple[Language, ...]:
     return find_common_languages([text for _, text in _list_texts(template)])
 
 
+def is_language_named(template: Template) -> bool:
+    """Whether a template says of any of its texts in which language it is."""
+    return bool(find_named_languages([text for _, text in _list_texts(template)]))
+
+
 def find_missing_texts(template: Template, language: Language) -> tuple[str, ...]:
     """The places of the texts that a template lacks in a language."""
     return tuple(key_path(place) for place, text in _list_texts(template) if not text.has(language))
