@@ -47,6 +47,7 @@ GAPS: dict[str, dict[str, list[float]]] = {
     },
     GEAR: {"angle_vB_vA": [72, 360, 648, 936, 1224]},
     "rod-ground-and-incline": {"v_B_down": [0.8453], "a_B_down": [0.8453]},  # m
+    "scissor-lift": {"omega_AD": [1.7321], "a_C": [1.7321]},  # m: C and D meet
     LINK: {"v_rel": [-96.2238, 6.9086], "a_rel": [6.9086]},
     RODS: {
         "omega_AC": CHANGE,

@@ -14,12 +14,12 @@ import kinegrade
 
 Given: TypeAlias = Mapping[str, mpf]
 Answers: TypeAlias = dict[str, mpf]
-Case: TypeAlias = tuple[str, Callable[[Given], Answers], dict[str, int]]
+Case: TypeAlias = tuple[str, Callable[[Given], Answers], dict[str, int | str]]
 MINUTE = mpf(60)  # in seconds
 METRE = mpf(1000)  # in millimetres
 
 
-def hold(name: str, work_out: Callable[[Given], Answers], given: dict[str, int]) -> None:
+def hold(name: str, work_out: Callable[[Given], Answers], given: dict[str, int | str]) -> None:
     """Every ask of the template has the value that its positions give, in the ask's unit."""
     answers = kinegrade.template(name).solve(**given)
     with mp.workdps(40):

@@ -104,6 +104,7 @@ COUNTED_AGAIN = {
     "eccentric-cam-offset-follower",
     "pin-in-disc-slot-and-rod",
     "pin-in-two-rings",
+    "toggle-press",
     "two-wheels-on-cylinder",
 }
 
