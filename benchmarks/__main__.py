@@ -22,6 +22,7 @@ BENCHMARKS = (
     "templates",
     "marking",
     "papers",
+    "tags",
     "class_commands",
     "cycles",
 )

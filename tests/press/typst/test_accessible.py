@@ -99,6 +99,11 @@ def test_a_volume_passes_and_has_the_structure_of_all_its_parts(tmp_path: Path) 
         assert len(list_alternatives(whole, kind)) == alone
 
 
+def test_structures_are_packed_in_a_volume() -> None:
+    pdf = TypstPress().paper(PAPER)
+    assert len(join_pages([pdf, pdf])) < 0.7 * 2 * len(pdf)
+
+
 def test_the_header_cells_of_a_volume_have_names_of_their_own() -> None:
     pdf = TypstPress().paper(PAPER)
     with pikepdf.open(BytesIO(join_pages([pdf, pdf]))) as whole:
