@@ -22,7 +22,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A marked exam with its pages in each language."""
     folder = tmp_path_factory.mktemp("pages")
     (folder / "roster.csv").write_text("student,name\n1001,Ada\n1002,Emilie\n", encoding="utf-8")
-    paper = ("generate", "demo", folder / "roster.csv", "-o", folder / "EXAM", "--also", "html")
+    paper = ("generate", "demo", folder / "roster.csv", "-o", folder / "EXAM")
     assert kinegrade(*paper, "--reproducible", "pages").exit_code == 0
     header, row = (folder / "EXAM" / "answers.csv").read_text(encoding="utf-8").splitlines()[:2]
     blanks = row.split(",")
@@ -44,6 +44,8 @@ def _write_pages(folder: Path, language: str) -> Iterator[int]:
     yield kinegrade("report", exam, marks, "-o", report, *spoken).exit_code
     yield kinegrade("feedback", exam, marks, "-o", sheets, "--format", "html", *spoken).exit_code
     yield kinegrade("cycle", "slider-crank", "-o", cycle, *spoken).exit_code
+    paper = ("generate", "demo", folder / "roster.csv", "-o", folder / f"PAPERS-{language}")
+    yield kinegrade(*paper, "--also", "html", *spoken).exit_code
 
 
 def find_page(folder: Path, name: str, language: str) -> Path:
@@ -52,7 +54,7 @@ def find_page(folder: Path, name: str, language: str) -> Path:
         case "feedback":
             return min((folder / f"feedback-{language}").rglob("*.html"))
         case "paper":
-            return min((folder / "EXAM" / "papers").glob("*.html"))
+            return min((folder / f"PAPERS-{language}" / "papers").glob("*.html"))
         case _:
             return folder / f"{name}-{language}.html"
 
