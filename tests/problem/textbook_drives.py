@@ -92,7 +92,32 @@ def push_yoke(given: Given) -> Answers:
     }
 
 
+def run_belts(given: Given) -> Answers:
+    """Each belt has run off one rim what it has run on to the other."""
+
+    def engine(t: mpf) -> mpf:
+        return 2 * pi * given["n"] / MINUTE * t
+
+    def shaft(t: mpf) -> mpf:
+        return given["r1"] * engine(t) / given["r2"]
+
+    def dynamo(t: mpf) -> mpf:
+        return given["r3"] * shaft(t) / given["r4"]
+
+    def rim(t: mpf) -> mpc:
+        return given["r4"] / 100 * exp(1j * dynamo(t))
+
+    return {
+        "n_A": diff(shaft, 0) * MINUTE / (2 * pi),
+        "n_C": diff(dynamo, 0) * MINUTE / (2 * pi),
+        "v_B": abs(diff(rim, 0)),
+        "a_B": abs(diff(rim, 0, 2)),
+    }
+
+
 CASES: tuple[Case, ...] = (
+    ("two-stage-belt-drive", run_belts, {"r1": 40, "r2": 20, "r3": 50, "r4": 10, "n": 200}),
+    ("two-stage-belt-drive", run_belts, {"r1": 26, "r2": 18, "r3": 34, "r4": 16, "n": 140}),
     (
         "epicyclic-train-by-tooth-counts",
         turn_epicyclic_train,

@@ -160,6 +160,12 @@ def test_a_wheel_between_tracks_is_checked_from_contact_to_contact() -> None:
     ]
 
 
+def test_wheels_about_fixed_axes_are_checked_by_the_speeds_of_their_rims() -> None:
+    (check,) = read_checks("two-stage-belt-drive")
+    assert check.way == "the rim speeds of the shaft and of the dynamo, which are equal"
+    assert check.agrees
+
+
 def test_a_pose_is_checked_by_a_distance_that_is_given() -> None:
     assert read_checks("pose-four-bar-coupler")[0] == Check(
         "the distance of $D$ and $C$ in coordinates, and as it is given",
