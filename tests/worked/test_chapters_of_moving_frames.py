@@ -169,8 +169,8 @@ def test_a_composition_of_accelerations_without_coriolis() -> None:
         Given: the angular acceleration of the crank $OC$.
         \alpha_{OC} &= 0
         ## Composition of motions: moving point $C$, moving frame on block
-        $\boldsymbol{a}_{\mathrm{a}}=\boldsymbol{a}_{\mathrm{e}}+\boldsymbol{a}_{\mathrm{r}}+\boldsymbol{a}_{\mathrm{C}}$,
-            with the Coriolis acceleration $\boldsymbol{a}_{\mathrm{C}}$:
+        $\boldsymbol{a}_{\mathrm{a}}=\boldsymbol{a}_{\mathrm{e}}+\boldsymbol{a}_{\mathrm{r}}+\boldsymbol{a}_{\mathrm{Cor}}$,
+            with the Coriolis acceleration $\boldsymbol{a}_{\mathrm{Cor}}$:
         [ ] \boldsymbol{a}_{\mathrm{a}}^{\mathrm{n}} | $OC \cdot \omega_{OC}^{2} = 20\,\unit{m/s^2}$
             | $C \to O$
         [=] \boldsymbol{a}_{D} | ? | $+x$

@@ -13,7 +13,7 @@ from tests.worked.draws import kept
 from tests.worked.telling import proses
 
 ALIKE = (
-    "The accelerations are composed in the same way; the parts that depend on velocities alone are "
+    "The accelerations follow in the same way; the parts that depend on velocities alone are "
     "known by then."
 )
 IDLE = "The method asked for changes nothing here"
@@ -90,7 +90,7 @@ def test_a_moving_frame_has_its_reason() -> None:
 
 def test_a_problem_of_positions_names_its_way() -> None:
     assert read_idea("pose-four-bar-coupler").endswith(
-        "First come the coordinates of the points; lengths and angles follow from them. "
+        "First come the coordinates of the points; what else is asked follows from them. "
         "Printed values are rounded; the calculation goes on with all their digits."
     )
 
@@ -144,5 +144,8 @@ def test_accelerations_follow_alike_only_where_their_steps_are_those_of_velociti
 
 def test_a_belt_says_what_links_the_rotations() -> None:
     # the idea said what is known and sought, and nothing of why it can be found
-    link = "Seen from the carrier $OA$, both rims have equal speeds, which links the rotations."
+    link = (
+        "Seen from the carrier $OA$, the rims that drive each other have equal speeds, "
+        "which links the rotations."
+    )
     assert read_idea("crossed-belt-drive").count(link) == 1

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from kinegrade.expressions.tree import Call, Name
 from kinegrade.language.math.tree import Row
 from kinegrade.language.message import Message
-from kinegrade.problem.kinds.dimension import find_dimension, find_si_unit
+from kinegrade.problem.kinds.dimension import find_dimension
 from kinegrade.problem.kinds.kinds import Scalar
 from kinegrade.problem.quantities.functions import find_motion_calls
 from kinegrade.problem.quantities.motion_functions import MOTION_FUNCTIONS
@@ -27,9 +27,10 @@ from kinegrade.worked.answers.stated_values import explain_value
 from kinegrade.worked.case import Case
 from kinegrade.worked.document import Block
 from kinegrade.worked.formulas.atoms import ZERO
-from kinegrade.worked.formulas.equation import Equation, Link, drop_repetition, equate
+from kinegrade.worked.formulas.equation import Equation, Link, approximate, drop_repetition, equate
+from kinegrade.worked.formulas.exactness import is_rounded
 from kinegrade.worked.formulas.measures import double
-from kinegrade.worked.formulas.numbers import state_number, state_quantity, substitute
+from kinegrade.worked.formulas.numbers import state_number, state_quantity
 from kinegrade.worked.formulas.rotational_speeds import FULL_TURN, is_rotational_speed
 from kinegrade.worked.formulas.symbols import read_symbol
 from kinegrade.worked.senses import state_rotation_sense, state_way
@@ -115,10 +116,11 @@ def _state_last_line(ask: Ask, working: Working, case: Case) -> Equation:
 
 def _count_turns(ask: Ask, working: Working, case: Case) -> Equation:
     """A rotational speed from the angular velocity."""
-    number = substitute(find_value(ask.quantity, case), find_si_unit(ask.unit))
-    turns = equate(working.symbols / FULL_TURN, number / FULL_TURN)
-    links = (*turns, *state_quantity(case.solution.answers[ask.name]))
-    return Equation(read_symbol(ask.symbol), links, _state_sense(ask, case))
+    rate = state_number(find_value(ask.quantity, case), find_dimension(ask.unit).unit)[0].right
+    *_, value = state_quantity(case.solution.answers[ask.name])
+    turns = equate(working.symbols / FULL_TURN, rate / FULL_TURN)
+    result = approximate(value.right) if is_rounded(rate) else (value,)
+    return Equation(read_symbol(ask.symbol), (*turns, *result), _state_sense(ask, case))
 
 
 def state_value(ask: Ask, case: Case) -> tuple[Link, ...]:

@@ -49,8 +49,16 @@ def list_projection_checks(step: Step, stage: Stage) -> Iterator[Check]:
         used = [one.axis for one in projections if one.equation == equation]
         for projection, axis in _list_axes(equation, case):
             if not _is_among(projection.axis, used) and _list_sums(projection, stage) <= printed:
-                way = Message("solution.check-projection", axis=axis)
+                way = _name_way(equation, axis, stage)
                 yield from _check_on(projection, way, step, stage)
+
+
+def _name_way(equation: VectorEquation, axis: Message, stage: Stage) -> Message:
+    """By which projection, and of which equation where a step has several."""
+    if len(stage.equations) == 1:
+        return Message("solution.check-projection", axis=axis)
+    point = stage.case.naming.point(equation.parts[0].point)
+    return Message("solution.equation-projected", point=point, axis=axis)
 
 
 def _check_by_theorem(coupler: Coupler, step: Step, stage: Stage) -> Iterator[Check]:

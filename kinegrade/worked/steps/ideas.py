@@ -101,7 +101,8 @@ def _find_reasons(step: Step, stage: Stage) -> Iterator[Message]:
     elif coupler is not None:
         yield _explain_choice(coupler, case)
     elif len(stage.equations) > 1:
-        yield Message("solution.idea-together")
+        coupled = all(len(equation.unknowns) > 2 for equation in stage.equations)
+        yield Message("solution.idea-together" if coupled else "solution.idea-several")
     elif stage.equations and len(stage.equations[0].unknowns) == 2:
         yield from _explain_frames(stage)
 

@@ -65,18 +65,11 @@ def claim_plain_symbols(asked: Iterable[Ask], case: Case) -> None:
 
 
 def choose_coriolis_letters(asked: Iterable[Ask], case: Case) -> None:
-    """a_C for Coriolis accelerations, as asks print it; a_Cor where no ask does and a_C is the
-    acceleration of a point C.
+    """a_C for Coriolis accelerations, as asks print it; a_Cor where no ask does and there is a
+    point C, whose acceleration a_C would be.
     """
     calls = (call.function for ask in asked for call in find_motion_calls(ask.quantity))
-    chains = (
-        chain
-        for relation in case.motion.frames.relations
-        for chain in (relation.left, relation.right)
-    )
-    about = (chain[-1] for chain in chains if len(chain) > 1 and chain[-1].kind == "rotation")
-    named = any("C" in (term.point, term.base) for term in about)
-    if named and "coriolis" not in calls:
+    if "C" in case.motion.points and "coriolis" not in calls:
         case.findings.coriolis = "Cor"
 
 
