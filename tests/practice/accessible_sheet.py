@@ -32,7 +32,7 @@ def find_barriers(page: Page, file: Path) -> Iterator[str]:
         open_sheet(page, file)
         page.run(_OPEN_ALL)
         yield from (f"{scheme}: {fault}" for fault in page.faults())
-    yield from (f"without a name: {role}" for role in _list_nameless(page.tree()))
+    yield from _list_misnamed(page.tree())
     page.size(_NARROW, 900)
     wide = page.run("document.documentElement.scrollWidth")
     if wide > _NARROW:
@@ -43,9 +43,16 @@ def find_barriers(page: Page, file: Path) -> Iterator[str]:
             yield f"{shown} on paper"
 
 
-def _list_nameless(node: Mapping[str, Any]) -> Iterator[str]:
-    """The roles of what a screen reader cannot name."""
-    if node["role"] in _NAMED and not str(node.get("name", "")).strip():
-        yield node["role"]
+def _list_misnamed(tree: Mapping[str, Any]) -> Iterator[str]:
+    """What a screen reader cannot name, and boxes to type into that it names alike."""
+    named = [(role, name) for role, name in list_names(tree) if role in _NAMED]
+    yield from (f"without a name: {role}" for role, name in named if not name)
+    boxes = [name for role, name in named if role == "textbox"]
+    yield from (f"twice: {name}" for name in sorted(set(boxes)) if boxes.count(name) > 1)
+
+
+def list_names(node: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
+    """The role and the name of a node and of all within it."""
+    yield node["role"], str(node.get("name", "")).strip()
     for child in node.get("children", ()):
-        yield from _list_nameless(child)
+        yield from list_names(child)

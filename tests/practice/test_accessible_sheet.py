@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from tests.browsers.page import open_page
-from tests.practice.accessible_sheet import find_barriers
+from tests.practice.accessible_sheet import find_barriers, list_names
 from tests.practice.typed_sheet import open_sheet
 from tests.small_class import kinegrade
 
@@ -48,6 +48,17 @@ def test_what_does_is_found(tmp_path: Path) -> None:
     assert "dark: color-contrast: <button" in found
     assert "pixels wide in a window of 320" in found
     assert "button on paper" in found
+
+
+def test_a_screen_reader_has_the_formulas_of_labels_and_the_figure_in_a_sentence(
+    tmp_path: Path,
+) -> None:
+    with open_page() as page:
+        open_sheet(page, write_sheet("bent-rod-two-sleeves", "en", tmp_path))
+        names = [name for _, name in list_names(page.tree())]
+    assert any("of the velocity of point M along AE" in name for name in names)
+    assert "Figure of the mechanism" not in names
+    assert any("drawn to scale: points A, E, M" in name for name in names)
 
 
 def test_a_mechanism_is_shown_in_still_pictures_to_those_who_want_less_motion(

@@ -57,6 +57,8 @@ class QuestionView {
     label.innerHTML = ask.label;
     label.setAttribute("for", name);
     find(added, "input").id = name;
+    // Browsers leave formulas out of the name that they take from a label
+    find(added, "input").setAttribute("aria-label", readAloud(label));
     find(added, "input").setAttribute("aria-describedby", `${name}-unit ${name}-said`);
     find(added, ".unit").id = `${name}-unit`;
     find(added, ".unit").innerHTML = ask.shown;
@@ -164,6 +166,11 @@ function find(within, selector) {
   const found = within.querySelector(selector);
   if (!found) throw new Error(`no ${selector}`);
   return found;
+}
+
+/** @param {Element} element @returns {string} its text with formulas in plain letters */
+function readAloud(element) {
+  return (element.textContent ?? "").normalize("NFKC").replace(/\s+/g, " ").trim();
 }
 
 /** @param {string} name of a template of the page @returns {Element} a copy of what is in it */
