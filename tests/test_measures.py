@@ -56,7 +56,7 @@ def test_lines_of_code_are_lines_without_docstrings_comments_and_blanks(tmp_path
 FAR = {
     "syntax nodes": 687_400,
     "lines of code": 71_950,
-    "syntax nodes a line": 9.55,
+    "syntax nodes a line": 9.56,
     "modules of more than 250 lines": 21,
 }
 COPIED = """

@@ -16,13 +16,13 @@ def worked_example() -> str:
     (text,) = (
         step.text
         for step in read_steps(PAGE)
-        if isinstance(step, File) and step.name == "scissor-lift.toml"
+        if isinstance(step, File) and step.name == "lifting-table.toml"
     )
     return text
 
 
 def test_the_worked_example_is_new_and_its_parts_stand_on_the_page_alone() -> None:
-    assert "scissor-lift" not in find_template_names()
+    assert "lifting-table" not in find_template_names()
     parts = re.findall(r"^```toml\n(.*?)^```", PAGE.read_text("utf-8"), re.MULTILINE | re.DOTALL)
     assert len(parts) == 2
     assert all(part in worked_example() for part in parts)
@@ -37,7 +37,7 @@ def test_the_asks_that_are_suggested_for_it_work(tmp_path: Path) -> None:
         f'more_{index} = {{ quantity = "{quantity}", unit = "{unit}", means = "more {index}" }}\n'
         for index, (quantity, unit) in enumerate(zip(suggested, ("m", "m/s^2", "m"), strict=True))
     ]
-    path = tmp_path / "scissor-lift.toml"
+    path = tmp_path / "lifting-table.toml"
     text = worked_example().replace("[asks]\n", "[asks]\n" + "".join(lines))
     path.write_text(text, encoding="utf-8")
     answers = template(str(path)).solve(l=2, theta=30, u="1/2")

@@ -1,11 +1,12 @@
 """All proofs: how much of each `make prove` and `make test` run.
 
-In full they take about 6,000 seconds of processor time, 50 minutes on two free cores. "fair marks"
+In full they take about 7,000 seconds of processor time, an hour on two free cores. "fair marks"
 looks at 160 papers of every template; `make fairness` at 1,000.
 """
 
 from __future__ import annotations
 
+from kinegrade.problem.template.library.library import find_template_names
 from tests.by_hand.class_list import TAUGHT
 from tests.prove import (
     accessible_pages,
@@ -31,6 +32,8 @@ from tests.prove import (
 )
 from tests.prove.proof import Proof
 
+EACH = len(find_template_names())  # so many seeds that follow each other fall on each template once
+
 PROOFS = (
     Proof("damaged files", damaged_files.hold, cases=10_000, batch=100, sample=304),
     Proof("properties", properties.hold, cases=264, batch=1, sample=0),
@@ -45,7 +48,7 @@ PROOFS = (
         batch=51,
         sample=17,
     ),
-    Proof("tactile sheets", tactile_sheets.hold, cases=310, batch=31, sample=6),
+    Proof("tactile sheets", tactile_sheets.hold, cases=5 * EACH, batch=31, sample=6),
     Proof("printed figures", printed_figures.hold, cases=1_020, batch=51, sample=17),
     Proof("printed mathematics", printed_mathematics.hold, cases=1_020, batch=51, sample=9),
     Proof("solution pages", solution_pages.hold, cases=510, batch=51, sample=0),
@@ -55,9 +58,9 @@ PROOFS = (
     Proof("by hand", by_hand.hold, cases=len(TAUGHT), batch=1, sample=0),
     Proof("whole papers", whole_papers.hold, cases=10, batch=1, sample=0),
     Proof("printed pages", printed_pages.hold, cases=32, batch=1, sample=0),
-    Proof("practice sheets", practice_sheets.hold, cases=62, batch=6, sample=0),
+    Proof("practice sheets", practice_sheets.hold, cases=EACH, batch=6, sample=0),
     Proof("practice sheet size", practice_sheets.hold_size, cases=1, batch=1, sample=0),
-    Proof("practice access", practice_access.hold, cases=62, batch=8, sample=0),
+    Proof("practice access", practice_access.hold, cases=EACH, batch=8, sample=0),
     Proof("accessible pages", accessible_pages.hold, cases=1_020, batch=51, sample=2),
     Proof("fair marks", fair_marks.hold, cases=400, batch=20, sample=3),
 )

@@ -54,6 +54,7 @@ def test_every_proof_has_a_sample() -> None:
         "printed pages",
         "practice sheets",
         "practice sheet size",
+        "practice access",
     ]
     assert "tests/laws/test_laws.py" in properties.files()
 

@@ -14,6 +14,7 @@ from kinegrade.worked.document import write_sentence
 from tests.worked.reader.amounts import Amount, make_exact
 from tests.worked.reader.formula_reader import read_unit
 
+BODY = "体"  # stands for any name: a Chinese sentence has no space beside it
 LETTER = re.compile(r"[A-Z](?:'|_\{\d\}|_\d)*")
 
 
@@ -44,8 +45,8 @@ def find_letters(solution: Solution) -> frozenset[str]:
 def find_introduced(prose: str) -> Iterator[str]:
     """The point that a sentence of the solution introduces, in any language."""
     for language in known_languages():
-        message = Message("solution.unmarked-contact", body="BODY", point="POINT")
+        message = Message("solution.unmarked-contact", body=BODY, point="POINT")
         pattern = re.escape(write_sentence(message, language))
-        found = re.fullmatch(pattern.replace("BODY", ".*").replace("POINT", "(.*)"), prose)
+        found = re.fullmatch(pattern.replace(BODY, ".*").replace("POINT", "(.*)"), prose)
         if found:
             yield found[1]
