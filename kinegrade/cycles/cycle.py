@@ -24,8 +24,7 @@ class Cycle:
     """The cycle of an instance through its instant.
 
     `curves` are over the whole cycle, at the displacements `moved`, `instant` has their values at
-    the instant; with `centrodes`
-    its figure shows velocity poles and the curves that they describe.
+    the instant; with `centrodes` its figure shows velocity poles and the curves that they describe.
     """
 
     solution: Solution

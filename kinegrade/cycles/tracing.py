@@ -28,6 +28,7 @@ from kinegrade.problem.solution import Solution
 from kinegrade.problem.template.template import Ask
 
 _POSITIONS = 721  # between which gaps are found
+_WITHIN = 0.999  # of what is left out at a gap: the positions at its ends have values
 _TOGETHER = 1e-6  # of the mechanism's size: how far apart points are that coincide
 
 
@@ -111,7 +112,7 @@ class CurveTracer:
         """The values without those at gaps; angles go on through full turns between two gaps."""
         found = values.copy()
         for gap in gaps:
-            found[np.abs(moved - gap.displacement) < 0.999 * self._aside] = np.nan
+            found[np.abs(moved - gap.displacement) < _WITHIN * self._aside] = np.nan
         if ask.unit.degrees:
             known = np.isfinite(found)
             ends = np.flatnonzero(np.diff(np.concatenate([[False], known, [False]])))

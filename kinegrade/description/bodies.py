@@ -12,8 +12,8 @@ from kinegrade.problem.template.hints import Shape
 
 
 def say_bodies(subject: Subject) -> Iterator[Message]:
-    """The points of each body with its form, then the circles that no joint knows of,
-    about points that the description names.
+    """The points of each body with its form, then the circles that no joint knows of, about points
+    that the description names.
     """
     for body in subject.template.scheme.bodies:
         shape = subject.marks.shapes.get(body.name)

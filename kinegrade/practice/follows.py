@@ -7,7 +7,7 @@ of what students carry on from is of this form; what is not is said to be so.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import cached_property
 from itertools import chain
 
@@ -41,7 +41,6 @@ class FollowTable:
 
     template: Template
     asks: tuple[str, ...]
-    beside: dict[tuple[str, str], tuple[str, ...]] = field(default_factory=dict, repr=False)
 
     @cached_property
     def stages(self) -> tuple[int, ...]:
@@ -82,10 +81,7 @@ class FollowTable:
         start, end = map(self.asks.index, (fit.earlier, fit.later))
         for numbers in fit.list_ways():
             yield " ".join(map(str, (start, end, *numbers)))
-        pair = fit.earlier, fit.later
-        if pair not in self.beside:  # alike in all draws
-            self.beside[pair] = tuple(fit.list_beside(self._list_others(fit)))
-        for other in self.beside[pair]:
+        for other in fit.list_beside(self._list_others(fit)):
             yield f"{start}&{self.asks.index(other)} {end}"
 
     def _list_others(self, fit: _Fit) -> tuple[str, ...]:

@@ -91,14 +91,14 @@ def test_where_something_else_follows_with_a_right_answer_the_page_says_so() -> 
     assert judge_second("1.2", "2.4", "6")[0] == "follow-through"
 
 
-def make_question(template: str, folder: Path) -> PracticeQuestion:
-    """A template's question with one draw."""
+def make_question(template: str, folder: Path, draws: int = 1) -> PracticeQuestion:
+    """A template's question with so many draws."""
     bank = folder / "bank.toml"
     bank.write_text(
         f'title = "T"\ncourse = "C"\n\n[[questions]]\ntemplate = "{template}"\n', encoding="utf-8"
     )
     blueprint = kinegrade.Bank.read(bank).blueprint
-    (question,) = make_practice_sheet(blueprint, 1, "practice", ENGLISH).sheet.questions
+    (question,) = make_practice_sheet(blueprint, draws, "practice", ENGLISH).sheet.questions
     return question
 
 
@@ -108,6 +108,13 @@ def test_a_right_answer_beside_a_wrong_one_is_known_to_matter(tmp_path: Path) ->
     place = {ask.name: number for number, ask in enumerate(question.asks)}
     known = f"{place['v_M_x']}&{place['v_rel_2']} {place['v_M_y']}"
     assert known in question.draws[0].follows
+
+
+def test_which_right_answers_matter_depends_on_the_draw(tmp_path: Path) -> None:
+    """At some draws a component vanishes or values agree: one draw does not tell of the others."""
+    question = make_question("elliptic-trammel-end-driven", tmp_path, draws=4)
+    told = {frozenset(way for way in draw.follows if "&" in way) for draw in question.draws}
+    assert len(told) > 1
 
 
 def test_a_speed_follows_from_an_angular_velocity_of_the_wrong_sense_too(tmp_path: Path) -> None:

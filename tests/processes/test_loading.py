@@ -35,6 +35,15 @@ try:
 except Signalled as ending:
     print("ended by", ending.number)
 """
+SHORT = """
+import time
+from kinegrade.cli.running.signals import signals_obeyed
+
+with signals_obeyed():
+    import slowly
+time.sleep(0.2)
+print("done")
+"""
 WORKER = """
 from kinegrade.processes.worker import do_task
 
@@ -66,6 +75,11 @@ def said(folder: Path, program: str, name: str) -> list[str]:
 @unix
 def test_a_run_ends_by_ctrl_c_when_the_module_is_loaded(tmp_path: Path) -> None:
     assert said(tmp_path, COMMAND, "SIGINT") == ["loaded", f"ended by {int(signal.SIGINT)}"]
+
+
+@unix
+def test_a_run_that_is_done_by_then_is_not_ended_afterwards(tmp_path: Path) -> None:
+    assert said(tmp_path, SHORT, "SIGINT") == ["loaded", "done"]
 
 
 def test_a_worker_that_loads_is_left_to_the_process_that_it_works_for(tmp_path: Path) -> None:

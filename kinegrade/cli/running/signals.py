@@ -42,6 +42,8 @@ def signals_obeyed() -> Iterator[None]:
     try:
         yield
     finally:
+        if hasattr(signal, "setitimer"):  # one that waits for code being loaded comes too late now
+            signal.setitimer(signal.ITIMER_REAL, 0)
         for number, handler in usual.items():
             signal.signal(number, handler)
 

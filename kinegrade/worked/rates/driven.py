@@ -106,7 +106,7 @@ def _state_as_given(tree: Expression, value: Any, unit: str, case: Case) -> tupl
         stated = state_quantity(quantity)
     if [link.relation for link in stated] != ["="] or quantity.is_zero:
         return ()
-    if any(_is_rotational_speed(name, case) for name in find_names(tree)):
+    if _counts_turns(tree, case):
         return equate(turn_into_angle(_drop_unit(stated[0].right), given))
     return stated
 
@@ -139,16 +139,14 @@ def _state_expression(
     if isinstance(tree, Number) or _drop_upper(left.print()) in letters:
         return ()
     expression = state_expression(tree, case).signed(sign)
-    turns = any(_is_rotational_speed(name, case) for name in find_names(tree))
-    return equate(count_full_turns(expression) if turns else expression)
+    return equate(count_full_turns(expression) if _counts_turns(tree, case) else expression)
 
 
-def _is_rotational_speed(name: str, case: Case) -> bool:
-    """Whether a parameter counts turns in a time."""
-    parameter = case.template.parameters.get(name)
-    return parameter is not None and is_rotational_speed(
-        collect_symbols(case.template)[name], parameter.unit
-    )
+def _counts_turns(tree: Expression, case: Case) -> bool:
+    """Whether a parameter of an expression is a number of turns in a time."""
+    parameters, symbols = case.template.parameters, collect_symbols(case.template)
+    names = (name for name in find_names(tree) if name in parameters)
+    return any(is_rotational_speed(symbols[name], parameters[name].unit) for name in names)
 
 
 def _find_tree(law: Imposed, case: Case, level: Level) -> Expression:
