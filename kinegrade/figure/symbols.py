@@ -193,13 +193,13 @@ def trace_round(corners: tuple[Vector, ...], radius: float) -> tuple[Vector, ...
 def draw_round_slot(
     centre: Vector, radius: float, pivot: Vector | None = None
 ) -> tuple[Primitive, ...]:
-    """A ring with a slot along it, which leaves the ring solid at a pivot on it; what is drawn
-    before shows through its middle.
+    """A ring with a slot along it and the centre line of the slot, which leaves the ring solid at a
+    pivot on it; what is drawn before shows through its middle.
     """
-    ring = _draw_band(centre, radius, BAR_WIDTH, FIRM, "grey")
+    ring, middle = _draw_band(centre, radius, BAR_WIDTH, FIRM, "grey"), Disc(centre, radius, PITCH)
     if pivot is None:
-        return (*ring, *_draw_band(centre, radius, SLOT_WIDTH, THIN, "white"))
-    return (*ring, Outline(_trace_round_slot(centre, radius, pivot), THIN, "white"))
+        return (*ring, *_draw_band(centre, radius, SLOT_WIDTH, THIN, "white"), middle)
+    return (*ring, Outline(_trace_round_slot(centre, radius, pivot), THIN, "white"), middle)
 
 
 def _trace_round_slot(centre: Vector, radius: float, pivot: Vector) -> tuple[Vector, ...]:

@@ -345,3 +345,17 @@ def test_an_extension_line_is_no_bar_beside_which_a_length_could_be_written() ->
     drawn = sketch(*hinted(mechanism, lengths=lengths)).primitives
     fixed_points, ends = 2, 4
     assert len(list_black_triangles(drawn)) == fixed_points + ends
+
+
+def test_a_point_in_the_hollow_of_a_slot_is_a_cross_not_a_dot_like_a_pin() -> None:
+    points = {"O": ORIGIN, "A": polar(0.3, 60), "B": RIGHT * 0.15}
+    yoke = Line(points["B"], UP)
+    joints = (
+        Pin("O", ("OA", GROUND)),
+        Parallel("yoke", GROUND),
+        Slide("B", "yoke", Line(ORIGIN, RIGHT), GROUND),
+        Slide("A", "OA", yoke, "yoke"),
+    )
+    bodies = (Body("OA", ("O", "A")), Body("yoke", ("B",)))
+    case = hinted(Mechanism(points, bodies, joints, ()))
+    assert circles_at(drawing_of(case), place(case, "B")) == []

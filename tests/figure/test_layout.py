@@ -10,7 +10,7 @@ from kinegrade.figure.placing.extent import measure_symbol
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.placing.obstacles import Segment
 from kinegrade.figure.placing.place import LOST, Wish, list_spots_around
-from kinegrade.figure.scene import BOLD, THIN, Label, Primitive, Strokes
+from kinegrade.figure.scene import BOLD, FIRM, THIN, Label, Primitive, Strokes
 from kinegrade.mechanics.vector import Vector
 
 
@@ -71,6 +71,19 @@ def test_a_letter_stands_as_near_as_what_is_drawn_lets_it() -> None:
     )
     assert abs(free.centre.x) < 3.0
     assert crowded.centre.y > 1.0 or abs(crowded.centre.x) > 1.0
+
+
+def test_the_leader_of_a_letter_does_not_run_on_from_a_line_at_its_point() -> None:
+    walls = [
+        Strokes(((Vector(-30.0, y), Vector(-1.5, y)), (Vector(1.5, y), Vector(4.5, y))), FIRM)
+        for y in (-3.6, -2.4, -1.2, 1.2, 2.4, 3.6)
+    ]
+    leg = Strokes(((Vector(-4.5, 0.0), Vector(0.0, 0.0)),), THIN)
+    at = Vector(0.0, 0.0)
+    right = np.array([(8.0, 0.0), (8.0, 4.5)])
+    for legs, height in (((), 0.0), ((leg,), 4.5)):
+        layout = Layout.of((*walls, *legs)).written([Wish("A", right, names=at)])
+        assert layout.labels[0].centre.y == height
 
 
 def test_a_symbol_without_a_free_place_is_named() -> None:

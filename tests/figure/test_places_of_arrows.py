@@ -68,6 +68,16 @@ def test_an_arrow_beside_its_point_is_on_its_own_side_of_a_wall() -> None:
     assert (start - at).dot(toward) < 0
 
 
+def test_neither_head_of_an_acceleration_lies_on_a_rim() -> None:
+    mechanism = slider(1, 1)
+    at = mechanism.points["B"]
+    for inner in (6.0, 7.0, 8.0):
+        rim = Layout.of([Disc(at, inner, FIRM)])
+        [(start, end)] = place(rim, mechanism, Moving("a", "B", None, "acceleration"))
+        back = end - RIGHT * 4.0
+        assert not hypot(*(back - at)) < inner < hypot(*(end - at)), (start, end, inner)
+
+
 def list_straight_arrows(scene: Scene) -> list[tuple[Vector, Vector]]:
     """The shafts of the arrows of straight motions."""
     shafts = [part.lines[0] for part in scene.primitives if isinstance(part, Strokes)]

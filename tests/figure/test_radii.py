@@ -63,6 +63,13 @@ def test_an_arrow_stands_at_an_angle_to_the_lines_from_its_centre() -> None:
         assert turned(layout, leg) >= BESIDE
 
 
+def test_an_arrow_does_not_prolong_a_line_through_its_centre_to_a_diameter() -> None:
+    preferred = find_tip(mark([make_rim(ORIGIN, 20.0)]))
+    line = Strokes(((-unit(preferred) * 1.3, -preferred),), THIN)
+    layout = mark([make_rim(ORIGIN, 20.0)], [line])
+    assert turned(layout, preferred) >= BESIDE
+
+
 def test_an_arrow_and_its_letter_keep_out_of_other_wheels() -> None:
     preferred = find_tip(mark([make_rim(ORIGIN, 30.0)]))
     other = make_rim(preferred * 0.6, 9.0, "P")

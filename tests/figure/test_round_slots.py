@@ -6,7 +6,7 @@ from math import hypot
 
 from kinegrade.figure.mechanism.layers import draw
 from kinegrade.figure.mechanism.paper import scale_to_paper
-from kinegrade.figure.scene import Disc, Outline, Primitive
+from kinegrade.figure.scene import PITCH, Disc, Outline, Primitive
 from kinegrade.figure.symbols import BAR_WIDTH
 from kinegrade.mechanics.joints import GROUND, Arc, Circle, Pin
 from kinegrade.mechanics.mechanism import Body, Mechanism
@@ -53,6 +53,11 @@ def test_a_band_lies_along_its_circle_and_leaves_the_middle_open() -> None:
         [hypot(corner.x + 20.0, corner.y) for corner in band.corners] for band in (body, slot)
     )
     assert 28.0 < min(wide) < min(narrow) < 30.0 < max(narrow) < max(wide) < 32.0
+
+
+def test_a_slot_has_its_centre_line_to_which_a_mean_radius_reaches() -> None:
+    middle = [part for part in rings() if isinstance(part, Disc) and part.pen == PITCH]
+    assert [(part.centre.x, part.radius) for part in middle] == [(20.0, 30.0), (-20.0, 30.0)]
 
 
 def test_a_ring_is_solid_about_the_pin_on_which_it_turns() -> None:

@@ -59,6 +59,11 @@ def test_an_arrow_that_could_be_misread_is_worse(company: Company) -> None:
     assert company.rate(arc(0, 70)) > company.rate(arc(230, 70, 12.0)) == 0
 
 
+def test_two_arrows_one_right_after_the_other_read_as_one() -> None:
+    touching, after = (replace(ALONE, twins=(arc(start, 70),)) for start in (80, 100))
+    assert touching.rate(arc(0, 70)) > after.rate(arc(0, 70)) + 6.0
+
+
 def test_the_symbol_of_an_arrow_is_not_beside_another_one_first() -> None:
     arrow = TurningArrow(arc(0, 70), Turning(r"\omega", "AB"), 0.0)
     other = TurningArrow(arc(0, 70, 10.0), Turning(r"\alpha", "AB"), 0.0)

@@ -33,7 +33,7 @@ _EXTENDED, _EXTENDED_BROAD = 7.0, 7.0
 # Demerit of an arc that ends on an arrow along a side, and millimetres of the side past the arrow
 _HIDDEN, _SEEN = 8.0, 3.5
 # Demerits of an arc that ends within so many millimetres of a point on a side
-_ON_PIN, _ON_BLOCK = 12.0, 4.0
+_ON_PIN, _ON_BLOCK = 16.0, 4.0
 _PIN_ROOM, _BLOCK_ROOM = 1.6, 3.2
 # Millimetres between an arc and a circle at two of the places along the arc by which they merge,
 # the demerit of that, and the least radius of such a circle

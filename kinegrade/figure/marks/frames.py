@@ -39,9 +39,8 @@ _LEG_LENGTHS = (22.0, 25.0, 19.0)  # millimetres of an axis that is the leg of a
 _BEYOND_LEG = 4.0  # millimetres of an axis beyond the point that gives the side of an angle
 _BEYOND_BAR = (6.0, 7.5, 9.0)  # millimetres of an axis beyond the bar or the ground that it is on
 _ON_EDGE = 5.0  # millimetres of an edge or a bar beyond the longest axis along it
-_ON_BAR = (10.0, 8.5, 12.0)  # millimetres of an axis on a bar, away from the letter of its length
-_HEAD_ON_EDGE, _HEAD_ON_BAR = 2.6, 3.2  # millimetres of the head of an axis that lies on one
-_AT_HEAD = 1.4  # millimetres on either side of a head on an edge or a bar that are kept clear
+_BESIDE = 1.6  # millimetres between an edge or a bar and the axis that is drawn beside it
+_OTHER_SIDE = 0.25  # demerit of the side of a bar on which the frame's other axis is not
 _BEFORE_BLOCK = 18.0  # millimetres before a block that have no room for an axis and its letter
 _AT_ORIGIN = 3.0  # millimetres of an axis at its origin, where a pin and other axes are
 _CLEAR = 3.0  # millimetres about that square that are free as well
@@ -62,8 +61,8 @@ def add_frames(
 ) -> Layout:
     """The layout with the axes that stand at points: those of bodies, then x and y at the
     origin; their letters keep clear of lines that are still to come. An axis along a bar or the
-    ground runs on beyond it, as does one to a block; along a long bar or the edge of a plate it has
-    its head there; one that is the leg of an angle reaches beyond its arc.
+    ground runs on beyond it, as does one to a block; along a long bar or the edge of a plate it
+    stands close beside it; one that is the leg of an angle reaches beyond its arc.
     """
     axes = [
         axis for frame in hints.frames for axis in _name_axes(*find_frame_place(at, frame), frame)
@@ -84,10 +83,8 @@ def _list_ways(
     symbol, origin, toward, usual = axis
     (edge, outward), bar = find_edge(origin, toward, drawing), measure_bar(origin, toward, drawing)
     if max(edge, bar) > max(usual) + _ON_EDGE:
-        ways = _list_axes(origin, toward, symbol, usual if edge else _ON_BAR)
-        if edge:
-            return [replace(way, on=_HEAD_ON_EDGE, outward=outward) for way in ways]
-        return [replace(way, on=_HEAD_ON_BAR, outward=-toward.turned()) for way in ways]
+        sides = (outward,) if edge else (toward.turned(), -toward.turned())
+        return _list_axes_beside(axis, sides)
     begins, ends = find_block(origin, toward, drawing)
     if begins and (begins < _BEFORE_BLOCK or _has_line(at, hints, origin, origin + toward * ends)):
         line = (origin + toward * PIN, origin + toward * begins)
@@ -103,6 +100,19 @@ def _list_ways(
     ways = _list_axes(origin + toward * (hidden + PIN), toward, symbol, left)
     free = not leg and meets_face(origin, toward, drawing)
     return [replace(way, free=free) for way in ways]
+
+
+def _list_axes_beside(axis: _NamedAxis, sides: Sequence[Vector]) -> list[Mark]:
+    """An axis beside the edge or the bar that it runs along, on each of the sides (unit vectors)
+    in the lengths that it may have.
+    """
+    symbol, origin, toward, usual = axis
+    found: list[Mark] = []
+    for rank, outward in enumerate(sides):
+        for way in _list_axes(origin + outward * _BESIDE, toward, symbol, usual):
+            worse = way.demerit + _OTHER_SIDE * rank
+            found.append(replace(way, demerit=worse, free=True, away=toward + outward))
+    return found
 
 
 def _has_line(at: Mapping[str, Vector], hints: FigureHints, start: Vector, end: Vector) -> bool:
@@ -194,9 +204,8 @@ def _list_axes(
 
 @dataclass(frozen=True)
 class _Axis:
-    """A thin arrow with its letter at the tip; `before` is the part short of a block on it. Where
-    it lies `on` an edge or a bar, that is the length of its head, the shaft is not drawn, and the
-    letter is rather `outward`.
+    """A thin arrow with its letter at the tip, rather in the direction `away`, where that is not
+    its own; `before` is the part short of a block on it.
     """
 
     start: Vector
@@ -206,31 +215,23 @@ class _Axis:
     demerit: float
     before: tuple[Segment, ...] = ()
     free: bool = False
-    on: float = 0.0
-    outward: Vector = _RIGHT
+    away: Vector | None = None
     shared: bool = True
 
     def path(self) -> tuple[Segment, ...]:
         """The part before the tip, as the rest may run along a bar or over one; all that is clear
-        of its origin where it has to be `free`; on an edge or a bar what is beside the head.
+        of its origin where it has to be `free`.
         """
-        if self.on:
-            beside, back = self.toward.turned() * _AT_HEAD, self._tip() - self.toward * self.on
-            return tuple((back + aside, self._tip() + aside) for aside in (beside, -beside))
         size = max(_TIP, self.size - _AT_ORIGIN) if self.free else _TIP
         return ((self._tip() - self.toward * size, self._tip()),)
 
     def wish(self) -> Wish:
-        """Around the tip, beyond it first; beside a head on an edge or a bar."""
-        away, at = self.toward, self._tip()
-        if self.on:
-            away, at = self.outward, at - self.toward * (self.on / 2)
-        return Wish(self.symbol, list_spots_around(self.symbol, at, away=away))
+        """Around the tip, beyond it first."""
+        away = self.away or self.toward
+        return Wish(self.symbol, list_spots_around(self.symbol, self._tip(), away=away))
 
     def primitives(self) -> tuple[Primitive, ...]:
         """The shaft and its arrowhead."""
-        if self.on:
-            return (draw_arrowhead(self._tip(), self.toward, self.on),)
         shaft = (self.start, self._tip() - self.toward * HEAD_LENGTH * 0.8)
         return (Strokes((*self.before, shaft), THIN), draw_arrowhead(self._tip(), self.toward))
 

@@ -42,6 +42,7 @@ LEAVING, _BLOCK = 3.0, 2.0
 # Millimetres from the ground between which hatching is cleared, and on either side of a line there
 _HATCHING, _CLEARED = (0.3, 1.5), 0.9
 _OFF_PIN = 0.2  # millimetres between a pin and the line from it to a tail
+_ABOUT_HEAD = 0.5  # millimetres about a head that keep off what would merge with it
 _PAST_ARROW = 1.6  # millimetres from an arrow to the way past it
 
 
@@ -94,8 +95,9 @@ class MovingArrow:
         return ((self.start, self._end()), (past, self.point + away), *([line] if line else []))
 
     def head(self) -> Segment:
-        """The piece under its arrowhead."""
-        return (self._end() - self.toward * HEAD_LENGTH, self._end())
+        """The piece under its arrowheads and just about them."""
+        heads = HEAD_LENGTH * HEADS[self.hint.level] + _ABOUT_HEAD
+        return (self._end() - self.toward * heads, self._end() + self.toward * _ABOUT_HEAD)
 
     def is_ahead(self) -> bool:
         """Whether it begins at its point, ahead of which it stands."""

@@ -25,8 +25,10 @@ from kinegrade.problem.template.hints import Radius
 
 _SMALL_RADIUS = 8.0  # millimetres: a smaller circle has its radius marked from outside
 _PREFERRED = tuple(turn * pi for turn in (0.75, 0.25, -0.75, -0.25, 0.5, 1.0, 0.0, -0.5))
-_PAST, _SEEN = 1.0, 4.0  # millimetres from a centre to a line past it, and to its farther end
+_PAST, _SEEN = 1.6, 4.0  # millimetres from a centre to a line past it, and to its farther end
 _LEANING, _LEAST_ANGLE = 6.0, cos(pi / 10)  # cost of an arrow nearer than that to another line
+# Cost of an arrow nearer than that to a line's prolongation, as both would read as a diameter
+_PROLONGING, _STRAIGHT = 12.0, -cos(pi / 9)
 _WITHIN_ANGLE = 12.0  # cost of an arrow between the sides of an angle, as if it were one of them
 _INWARD = 9.0  # cost of an arrow at a large circle from outside, less than one firm line
 _AT_POINT = 3.0  # cost of a tip that hides a point on the rim
@@ -82,6 +84,7 @@ def _add_radius(
             marks.append(inward(leaning, rim.kind == "gear"))
             continue
         demerit = leaning + _WITHIN_ANGLE * any(_lies_within(angle, arc) for arc in sectors)
+        demerit += _PROLONGING * any(toward.dot(line) < _STRAIGHT for line in lines)
         demerit += _BESIDE_BAR * _ends_beside_bar(rim, toward, layout.obstacles)
         marks.append(_draw_from_centre(rim, found, at.values(), symbol, (toward, demerit)))
         if not rim.ring and rim.kind != "cam" and rim.find_arc() is None:
@@ -166,7 +169,8 @@ def _list_lines_from(centre: Vector, drawn: Obstacles) -> list[Vector]:
     enough to be seen beside an arrow.
     """
     (x, y), found = centre, []
-    for _, _, _, _, (start_x, start_y, dx, dy, *_) in drawn.near((x, y, x, y)).lines:
+    about = (x - _PAST, y - _PAST, x + _PAST, y + _PAST)
+    for _, _, _, _, (start_x, start_y, dx, dy, *_) in drawn.near(about).lines:
         start, end = Vector(start_x, start_y), Vector(start_x + dx, start_y + dy)
         if length(nearest_of(centre, start, end) - centre) < _PAST:
             found += [other - centre for other in (start, end)]

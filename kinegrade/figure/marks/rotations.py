@@ -25,7 +25,8 @@ from kinegrade.problem.template.hints import TURN, Length, Sense, Turning
 # Millimetres, length of the arrow of a rotation; an acceleration has one head more
 _ARCS: Mapping[Level, float] = {"velocity": 6.5, "acceleration": 7.6}
 # Millimetres, of the arrow of a rotation relative to another body
-_RELATIVE_RADII, _RELATIVE_ARCS = (7.0, 8.5, 10.0, 11.5, 13.0, 14.5, 5.5), (9.0, 7.0, 5.5)
+_RELATIVE_RADII = (7.0, 8.5, 10.0, 11.5, 13.0, 14.5, 16.0, 17.5, 19.0, 20.5, 5.5)
+_RELATIVE_ARCS = (9.0, 7.0, 5.5)
 _TWELFTHS = tuple(index * pi / 6 for index in range(12))
 # Demerit of each radian between the arrow and the body, or where the rim of a disc is nearest
 _ASTRAY, _AT_RIM = 1.2, 5.0

@@ -26,6 +26,8 @@ _APART, _ALONG, _MERGED = 3.0, 1.5, 4.0
 # Millimetres between two arrows at one pivot along their arcs, and the demerit of each that lacks;
 # half as much where their radii differ by so many millimetres, else they cannot be told apart
 _BETWEEN, _FOLLOWING, _NESTED, _COVERED = 6.0, 0.6, 2.5, 100.0
+# Millimetres along their arcs at which two arrows of one radius touch, and the demerit of less
+_TOUCH, _TOUCHING = 2.0, 6.0
 # Millimetres between the radii of two arrows one inside the other that leave room for a symbol
 # between them, and the demerit of less
 _ROOM, _STACKED = 6.5, 4.0
@@ -145,6 +147,7 @@ def _rate_twin(bow: Bow, twin: Bow) -> float:
     tips = [arrow.centre + polar(arrow.start + arrow.sweep, arrow.radius) for arrow in (bow, twin)]
     worse += _STACKED * (gap < 0 and abs(bow.radius - twin.radius) < _ROOM)
     worse += _MEETING * max(0.0, _TIPS - length(tips[1] - tips[0]))
+    worse += _TOUCHING * (0 <= gap < _TOUCH and apart < 1)
     return worse + _COVERED * (gap < 0 and apart < 1)
 
 

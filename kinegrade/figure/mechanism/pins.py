@@ -1,5 +1,6 @@
 """The marks of points as primitives: open circles at pins, half circles at the side of a bar that
-runs on, crosses at centres and at labelled construction points, dots at other marked points.
+runs on, crosses at centres, at labelled construction points and in the hollow of a slot, dots at
+other marked points.
 """
 
 from __future__ import annotations
@@ -10,7 +11,7 @@ from kinegrade.figure.joints.drivers import find_motor
 from kinegrade.figure.mechanism.anatomy import Anatomy
 from kinegrade.figure.mechanism.plates import Plate
 from kinegrade.figure.mechanism.stands import choose_upright
-from kinegrade.figure.mechanism.straight_parts import is_slender, list_ways
+from kinegrade.figure.mechanism.straight_parts import Bar, is_slender, list_ways
 from kinegrade.figure.plane import NEAR, length, unit
 from kinegrade.figure.scene import BOLD, FIRM, Disc, Outline, Primitive, Strokes
 from kinegrade.figure.symbols import DOT, draw_centre_mark, draw_dot, draw_half_pin, draw_pin
@@ -39,7 +40,10 @@ def draw_points(anatomy: Anatomy) -> Iterator[Primitive]:
     centres = ({rim.centre for rim in anatomy.rims} | _find_labelled(anatomy) - owned - tips) - pins
     for name in sorted(centres):
         yield from draw_centre_mark(at[name])
-    for name in sorted(owned - pins - centres - tips - _find_at_corners(anatomy)):
+    hollow = _find_in_slots(anatomy) - pins - centres
+    for name in sorted(hollow):
+        yield from draw_centre_mark(at[name])
+    for name in sorted(owned - pins - centres - hollow - tips - _find_at_corners(anatomy)):
         yield from _draw_marked_point(anatomy, at[name])
     for name in sorted(pins - swivels):
         side = _find_side_of_through_bar(anatomy, name)
@@ -114,6 +118,21 @@ def _find_at_corners(anatomy: Anatomy) -> set[str]:
     corners += [at for part in anatomy.parts if isinstance(part, Plate) for at in part.corners]
     points = anatomy.mechanism.points.items()
     return {name for name, at in points if any(length(at - corner) < NEAR for corner in corners)}
+
+
+def _find_in_slots(anatomy: Anatomy) -> set[str]:
+    """The points that bodies have in the hollow of their own slots, where a dot would look like a
+    pin that slides in them.
+    """
+    slots = [part for part in anatomy.parts if isinstance(part, Bar) and part.use == "slot"]
+    return {
+        name
+        for slot in slots
+        for name in anatomy.mechanism.body(slot.body).points
+        if length(anatomy.mechanism.points[name] - slot.start) > NEAR
+        and length(anatomy.mechanism.points[name] - slot.end) > NEAR
+        and list_ways(slot, anatomy.mechanism.points[name])
+    }
 
 
 def _find_labelled(anatomy: Anatomy) -> set[str]:

@@ -10,8 +10,9 @@ from heapq import heappop, heappush
 from itertools import chain, repeat
 from math import inf
 
+from kinegrade.figure.placing.aligned import list_thin_lines, runs_on
 from kinegrade.figure.placing.beside import adjoins, keep_from_labels, makes_word
-from kinegrade.figure.placing.letters import place_letter, trace_leader
+from kinegrade.figure.placing.letters import keep_off_lines, place_letter, trace_wished_leader
 from kinegrade.figure.placing.mark import Mark
 from kinegrade.figure.placing.obstacles import COST_FIRM, COST_LABEL, Obstacles, Segment
 from kinegrade.figure.placing.place import (
@@ -75,17 +76,28 @@ class Layout:
         """The layout with a label for each wish, in order, and a leader where one is needed."""
         layout = self
         for wish in wishes:
-            placed = place_letter(wish, layout.obstacles)
-            if _trace_leader(wish, placed) and adjoins(placed.label, layout.labels):
+            placed = layout._keep_off_lines(wish, place_letter(wish, layout.obstacles))
+            leader = trace_wished_leader(wish, placed.label)
+            if leader and adjoins(placed.label, layout.labels):
                 placed = place_label(keep_from_labels(wish, layout.labels), layout.obstacles)
             elif makes_word(placed.label, layout.labels):
                 placed = layout._keep_apart(wish, placed, layout.obstacles)
-            leader = _trace_leader(wish, placed)
+            leader = trace_wished_leader(wish, placed.label)
             useful = leader is not None and layout._is_useful(leader, wish.amid)
             layout = layout._labelled(placed)
             if leader and useful:
                 layout = layout.drawn((Strokes((leader,), THIN),))
         return layout
+
+    def _keep_off_lines(self, wish: Wish, placed: Placed) -> Placed:
+        """The letter where it was placed, or where its leader does not seem to run on from a thin
+        line, if there is such a place without a fault.
+        """
+        leader, lines = trace_wished_leader(wish, placed.label), list_thin_lines(self.lines)
+        if leader is None or not runs_on(leader, lines):
+            return placed
+        off = place_label(keep_off_lines(wish, lines), self.obstacles)
+        return placed if off.faulty else off
 
     def _keep_apart(self, wish: Wish, placed: Placed, crowded: Obstacles) -> Placed:
         """The label where it was placed, or where it does not stand in one row with another one
@@ -191,13 +203,6 @@ class Layout:
 
     def _complaining(self, symbol: str) -> Layout:
         return replace(self, crowded=tuple(dict.fromkeys((*self.crowded, symbol))))
-
-
-def _trace_leader(wish: Wish, placed: Placed) -> Segment | None:
-    """The leader of a letter that names a point and stands off from it."""
-    if wish.names is None:
-        return None
-    return trace_leader(placed.label, wish.names, wish.walls, amid=wish.amid > 0)
 
 
 def _batch(ranked: Sequence[Mark]) -> Iterator[Sequence[Mark]]:

@@ -8,6 +8,7 @@ from math import hypot
 
 import numpy as np
 
+from kinegrade.figure.placing.aligned import runs_on
 from kinegrade.figure.placing.obstacles import Obstacles, Segment
 from kinegrade.figure.placing.place import Placed, Wish, measure_gap, place_label
 from kinegrade.figure.placing.wedge import rate_cut_off
@@ -19,6 +20,7 @@ _STANDS_OFF, _BEFORE, _SHORT_OF = 3.3, 0.2, 1.3
 _STANDS_OFF_AMID, _AT_DOT = 2.2, 0.8  # the same for a point amid teeth, where it has a dot
 _BEHIND_WALL = 2.6  # the same for a letter behind a wall
 _BEHIND = 20.0  # demerit of a letter behind a wall, as of one that may be read as another's
+_RUNS_ON = 9.0  # demerit of a letter whose leader would seem to run on from another line
 _FAR = 2.9  # millimetres from which on a letter is looked a place closer to its point
 
 
@@ -48,6 +50,23 @@ def _keep_before(walls: Sequence[Segment], close: Wish, point: Vector) -> Wish:
     feet = np.tile(np.array(point), (len(close.spots), 1))
     behind = _BEHIND * rate_cut_off(close.spots, feet, walls)
     return replace(close, demerits=behind if close.demerits is None else behind + close.demerits)
+
+
+def keep_off_lines(wish: Wish, lines: Sequence[Segment]) -> Wish:
+    """The wish of a point's letter, rather not where its leader would seem to run on from one of
+    the thin lines.
+    """
+    labels = [wish.label_at(spot) for spot in range(len(wish.spots))]
+    leaders = [trace_wished_leader(wish, label) for label in labels]
+    worse = _RUNS_ON * np.array([bool(leader and runs_on(leader, lines)) for leader in leaders])
+    return replace(wish, demerits=worse if wish.demerits is None else wish.demerits + worse)
+
+
+def trace_wished_leader(wish: Wish, label: Label) -> Segment | None:
+    """The leader of a letter that names a point and stands off from it."""
+    if wish.names is None:
+        return None
+    return trace_leader(label, wish.names, wish.walls, amid=wish.amid > 0)
 
 
 def trace_leader(
