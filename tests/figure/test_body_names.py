@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import replace
 from math import hypot
 
+import pytest
+
 from kinegrade.figure.joints.symbol import Rim
 from kinegrade.figure.marks.angle_arc import AngleArc
 from kinegrade.figure.marks.body_names import add_body_names
@@ -13,8 +15,9 @@ from kinegrade.figure.marks.sides import Side
 from kinegrade.figure.mechanism.layers import Drawing
 from kinegrade.figure.mechanism.straight_parts import Bar, Part, SlottedDisc
 from kinegrade.figure.placing.layout import Layout
-from kinegrade.figure.scene import FIRM, THIN, Bow, Disc, Label, Strokes
+from kinegrade.figure.scene import FIRM, THIN, TOOTHED, Bow, Disc, Label, Outline, Strokes
 from kinegrade.figure.symbols import BAR_WIDTH, SLOT_WIDTH
+from kinegrade.figure.teeth import TOOTH_ROOT, trace_gear
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import Angle, FigureHints
@@ -87,6 +90,19 @@ def test_the_name_of_a_wheel_without_room_is_led_to_its_rim() -> None:
     assert isinstance(leader, Strokes)
     ((start, end),) = leader.lines
     assert 6.0 < hypot(*start) < 8.0 < hypot(*end)
+
+
+def test_the_name_of_a_gear_without_room_is_led_to_the_bottom_of_its_teeth() -> None:
+    """A leader across several teeth would be worse than a name without one."""
+    gear = Rim("W", "O", CENTRE, 8.0, "gear", False, CENTRE, polar(8.0, 0.0))
+    teeth = Outline(trace_gear(CENTRE, gear.tooth, False), TOOTHED, "grey")
+    inner = [Disc(CENTRE, radius, FIRM) for radius in (3.2, 4.4, 5.6)]
+    hints, drawing = FigureHints(labels={"W": "1"}), Drawing((), (), (gear,), (), (), ())
+    layout = add_body_names(Layout.of([*inner, teeth]), NO_MECHANISM, hints, drawing)
+    leader = layout.lines[-1]
+    assert isinstance(leader, Strokes)
+    ((start, _),) = leader.lines
+    assert hypot(*start) == pytest.approx(8.0 - TOOTH_ROOT)
 
 
 def test_the_names_of_a_slotted_disc_and_of_a_bar_over_it_stand_in_one_and_beyond_the_other() -> (

@@ -27,7 +27,7 @@ from kinegrade.figure.placing.place import (
 )
 from kinegrade.figure.plane import polar, unit
 from kinegrade.figure.symbols import BAR_WIDTH, SLOT_WIDTH
-from kinegrade.figure.teeth import TOOTH_TIP
+from kinegrade.figure.teeth import TOOTH_ROOT, TOOTH_TIP
 from kinegrade.language.message import Fault, Message, Quoted
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
@@ -215,12 +215,13 @@ def _find_solid(bar: Bar | Rod, at: Vector, turn: float) -> list[Vector]:
 
 
 def _list_leaders_to_rim(symbol: str, rim: Rim) -> list[Leader]:
-    """Leaders outward from a little inside a rim."""
+    """Leaders outward from a little inside a rim; of a gear, from the bottom of its teeth."""
     if rim.ring:
         return []
-    edge = max(rim.radius - _INSIDE_RIM, 0.0)
+    inside = min(TOOTH_ROOT if rim.kind == "gear" else _INSIDE_RIM, rim.radius)
+    edge = rim.radius - inside
     return [
-        Leader(rim.at + polar(pi / 6 * turn, edge), pi / 6 * turn, reach + _INSIDE_RIM, symbol)
+        Leader(rim.at + polar(pi / 6 * turn, edge), pi / 6 * turn, reach + inside, symbol)
         for reach in _REACHES
         for turn in range(12)
     ]
