@@ -16,7 +16,8 @@ Given: TypeAlias = Mapping[str, mpf]
 Answers: TypeAlias = dict[str, mpf]
 Case: TypeAlias = tuple[str, Callable[[Given], Answers], dict[str, int | str]]
 MINUTE = mpf(60)  # in seconds
-METRE = mpf(1000)  # in millimetres
+HOUR = 60 * MINUTE
+METRE = mpf(1000)  # in millimetres; a kilometre in metres
 
 
 def hold(name: str, work_out: Callable[[Given], Answers], given: dict[str, int | str]) -> None:

@@ -1,12 +1,12 @@
-"""An epicyclic train, a spool, the Geneva drive and the scotch yoke, worked out by hand: positions at the time t
-from the loop of the mechanism, differentiated.
+"""An epicyclic train, a spool, the Geneva drive, the scotch yoke, belts and a hoist, worked out by
+hand: positions at the time t from the loop of the mechanism, differentiated.
 """
 
 from __future__ import annotations
 
 from mpmath import acos, arg, cos, diff, exp, mpc, mpf, pi, radians, sqrt
 
-from tests.problem.textbook import MINUTE, Answers, Case, Given
+from tests.problem.textbook import HOUR, METRE, MINUTE, Answers, Case, Given
 
 
 def turn_epicyclic_train(given: Given) -> Answers:
@@ -115,7 +115,55 @@ def run_belts(given: Given) -> Answers:
     }
 
 
+def hoist_load(given: Given) -> Answers:
+    """The pinion has run off what the gear has run; the drum has wound up as much rope as it ran."""
+
+    def pinion(t: mpf) -> mpf:
+        return -2 * pi * given["n"] / MINUTE * t - given["alpha"] * t**2 / 2
+
+    def gear(t: mpf) -> mpf:
+        return -given["r1"] * pinion(t) / given["r2"]
+
+    def height(t: mpf) -> mpf:
+        return given["r3"] / METRE * gear(t)
+
+    return {
+        "omega_B": diff(gear, 0),
+        "v_C": diff(height, 0),
+        "a_C": diff(height, 0, 2),
+    }
+
+
+def ride_bicycle(given: Given) -> Answers:
+    """The belt has run off the front pulley what the rear one ran, and the wheel has rolled as far
+    as its rim.
+    """
+
+    def crank(t: mpf) -> mpf:
+        return 2 * pi * given["n"] / MINUTE * t
+
+    def wheel(t: mpf) -> mpf:
+        return given["r1"] * crank(t) / given["r2"]
+
+    def centre(t: mpf) -> mpf:
+        return given["R"] / METRE * wheel(t)
+
+    def rim(t: mpf) -> mpc:
+        return centre(t) + given["r1"] / METRE * exp(-1j * crank(t))
+
+    return {
+        "n_A": diff(wheel, 0) * MINUTE / (2 * pi),
+        "v_A": diff(centre, 0) * HOUR / METRE,
+        "v_B": abs(diff(rim, 0)),
+        "a_B": abs(diff(rim, 0, 2)),
+    }
+
+
 CASES: tuple[Case, ...] = (
+    ("hoist-with-gears", hoist_load, {"r1": 120, "r2": 180, "r3": 90, "n": 120, "alpha": 3}),
+    ("hoist-with-gears", hoist_load, {"r1": 100, "r2": 190, "r3": 75, "n": 70, "alpha": "1.5"}),
+    ("belt-driven-bicycle", ride_bicycle, {"r1": 96, "r2": 72, "R": 180, "n": 60}),
+    ("belt-driven-bicycle", ride_bicycle, {"r1": 106, "r2": 75, "R": 165, "n": 85}),
     ("two-stage-belt-drive", run_belts, {"r1": 40, "r2": 20, "r3": 50, "r4": 10, "n": 200}),
     ("two-stage-belt-drive", run_belts, {"r1": 26, "r2": 18, "r3": 34, "r4": 16, "n": 140}),
     (

@@ -58,6 +58,27 @@ def turn_four_bar(given: Given) -> Answers:
     }
 
 
+def guide_straight(given: Given) -> Answers:
+    """The triangle BCD by its three sides, DC being as long as AB."""
+    end = given["d"] + 1j * given["h"]
+
+    def first(t: mpf) -> mpc:
+        return given["a"] * exp(1j * (radians(given["phi"]) + given["omega"] * t))
+
+    def coupler(t: mpf) -> mpc:
+        """C seen from B."""
+        diagonal = end - first(t)
+        squares = abs(diagonal) ** 2 + given["b"] ** 2 - given["a"] ** 2
+        opening = acos(squares / (2 * abs(diagonal) * given["b"]))
+        return given["b"] * exp(1j * (arg(diagonal) + opening))
+
+    return {
+        "omega_BC": diff(lambda t: arg(coupler(t)), 0),
+        "omega_CD": diff(lambda t: arg(end - first(t) - coupler(t)), 0),
+        "v_P": abs(diff(lambda t: first(t) + coupler(t) / 2, 0)) / METRE,
+    }
+
+
 def turn_tangent_cam(given: Given) -> Answers:
     """The centre of the roller is r + q from a line through O that turns; the roller has gone along
     the flank what it has turned on it.
@@ -119,6 +140,16 @@ CASES: tuple[Case, ...] = (
         "four-bar-by-lengths",
         turn_four_bar,
         {"a": 50, "b": 140, "c": 120, "d": 160, "phi": 110, "n": 80},
+    ),
+    (
+        "watt-linkage",
+        guide_straight,
+        {"a": 400, "b": 200, "d": 800, "h": 200, "phi": 10, "omega": 2},
+    ),
+    (
+        "watt-linkage",
+        guide_straight,
+        {"a": 350, "b": 260, "d": 720, "h": 240, "phi": 18, "omega": "-1.5"},
     ),
     ("tangent-cam-with-roller", turn_tangent_cam, {"r": 30, "q": 12, "theta": 25, "n": 240}),
     ("tangent-cam-with-roller", turn_tangent_cam, {"r": 50, "q": 17, "theta": 40, "n": 600}),

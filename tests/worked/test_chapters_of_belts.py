@@ -32,6 +32,32 @@ C = "(6, 0)"
 arm = "O C"
 pulley = "C"
 """
+RIDDEN = """
+joints = [
+  "frame translates",
+  "pin O: frame pulley1",
+  "pin C: frame pulley2",
+  "C of frame slides on line(C, 0)",
+  "open belt: circle(C, 1) of pulley2, circle(O, 3) of pulley1 on frame",
+]
+inputs = [
+  { motion = "pulley1 turns", velocity = "2" },
+  { motion = "C of frame moves along +x", velocity = "1" },
+]
+[points]
+O = "(0, 0)"
+C = "(6, 0)"
+[bodies]
+frame = "O C"
+pulley1 = "O"
+pulley2 = "C"
+"""
+
+
+def test_a_frame_that_translates_gives_no_rotation_to_its_pulleys() -> None:
+    chapter = read_chapter("# Velocities", solve_small(RIDDEN, omega="omega(pulley2) in rad/s"))
+    assert r"= \frac{3\,\unit{m}}{1\,\unit{m}} \cdot \omega_{O}" in " ".join(chapter.split())
+    assert r"\omega_{OC}" not in chapter
 
 
 def test_an_open_belt_between_fixed_pulleys() -> None:

@@ -15,6 +15,7 @@ from kinegrade.worked.formulas.numbers import measure
 from kinegrade.worked.rates.speeds import (
     Statement,
     find_rotation_value,
+    name_carried_rotation,
     name_relative_rotation,
     name_rotation,
     state_radius,
@@ -56,7 +57,7 @@ def solve_rims(law: EqualRimSpeed, result: Equation, case: Case, level: Level) -
     rims = _Rims(
         _state_radii(law, case)[1 - turned] / _state_radii(law, case)[turned],
         name_rotation(other, case, level),
-        name_rotation(law.carrier, case, level),
+        name_carried_rotation(law.carrier, case, level),
     )
     lengths = [measure(circle.radius, "m") for circle in (law.circle, law.on)]
     numbers = _Rims(

@@ -91,6 +91,12 @@ def name_rotation(body: str, case: Case, level: Level) -> Formula:
     return ZERO if body == GROUND else case.naming.turning(body, level)
 
 
+def name_carried_rotation(of: str, case: Case, level: Level) -> Formula:
+    """The rotation that a body gives to what it carries; 0 if it does not turn."""
+    still = of in case.motion.frames.mechanism.find_translating()
+    return ZERO if still else name_rotation(of, case, level)
+
+
 def find_rotation_value(body: str, case: Case, level: Level) -> Any:
     """The value of a body's rotation; 0 for the ground."""
     rates = case.rates(level)
@@ -100,8 +106,8 @@ def find_rotation_value(body: str, case: Case, level: Level) -> Any:
 def name_relative_rotation(body: str, of: str, case: Case, level: Level) -> Formula:
     """The rotation of one body relative to another, which says nothing if it does not turn."""
     rotation = name_rotation(body, case, level)
-    still = of == GROUND or of in case.motion.frames.mechanism.find_translating()
-    return rotation if still else rotation - name_rotation(of, case, level)
+    carried = name_carried_rotation(of, case, level)
+    return rotation if carried == ZERO else rotation - carried
 
 
 def state_expression(tree: Expression, case: Case) -> Formula:

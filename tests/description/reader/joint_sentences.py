@@ -124,6 +124,7 @@ JOINT_PATTERNS = [
     Pattern(f"points of {{body}}: (?P<points>{MATH}(?:, {MATH})*)", points_of),
     Pattern("{body} has teeth; its circle is the pitch circle", remark),
     Pattern("{body} is taut", remark),
+    Pattern("{body} is taut and carries a load at its end", remark),
     Pattern("{body} is driven", remark),
     Pattern(
         f"{{body}} is a bent rod that runs through the points (?P<points>{MATH}(?:, {MATH})*) "

@@ -40,8 +40,10 @@ UNITS: Mapping[str, tuple[float, float, float]] = {
     "m": (1.0, 1, 0),
     "cm": (0.01, 1, 0),
     "mm": (0.001, 1, 0),
+    "km": (1000.0, 1, 0),
     "s": (1.0, 0, 1),
     "min": (60.0, 0, 1),
+    "h": (3600.0, 0, 1),
     "r": (1.0, 0, 0),  # of a number of turns n; an angular velocity is 2 pi n
     "rad": (1.0, 0, 0),
     "1": (1.0, 0, 0),
