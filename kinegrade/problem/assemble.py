@@ -6,7 +6,7 @@ The same steps in any arithmetic: exact, balls, or arrays of floats over a whole
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Container, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -70,13 +70,23 @@ def _read_radians(value: Any) -> Any:
     raise Inexact  # a rational number of radians
 
 
-def assemble(
+@dataclass(frozen=True)
+class Construction:
+    """The points with the values (SI, radians) and functions that expressions may name."""
+
+    values: dict[str, Any]
+    functions: Mapping[str, Callable[..., Any]]
+    points: dict[str, Vector]
+
+
+def construct(
     template: Template,
     given: Mapping[str, Any],
     arithmetic: Arithmetic,
-) -> Assembly:
-    """The mechanism at `given` (parameters in SI). Raises MechanismError, ExpressionError with the
-    place, Inexact.
+    until: Container[str] | None = None,
+) -> Construction:
+    """The named lengths and the points at `given` (parameters in SI); with `until`, no point after
+    the last of these. Raises as `assemble`.
     """
     values: dict[str, Any] = {
         "pi": arithmetic.turns(1),
@@ -89,11 +99,34 @@ def assemble(
         values[name] = _require_bounded(
             _locate(f"lengths.{name}", evaluate, tree, values, functions, arithmetic)
         )
-    for name, tree in template.scheme.points.items():
+    for name in _list_points(template, until):
+        tree = template.scheme.points[name]
         place = _locate(f"points.{name}", evaluate, tree, values, functions, arithmetic)
         if not isinstance(place, Vector):
             raise ExpressionError(Fault(f"points.{name}", Message("template.point-expected")))
         points[name] = values[name] = _locate(f"points.{name}", _measure_point, place)
+    return Construction(values, functions, points)
+
+
+def _list_points(template: Template, until: Container[str] | None) -> list[str]:
+    """The names of the points in order, up to the last that is in `until`."""
+    names = [*template.scheme.points]
+    if until is None:
+        return names
+    last = max((place for place, name in enumerate(names, 1) if name in until), default=0)
+    return names[:last]
+
+
+def assemble(
+    template: Template,
+    given: Mapping[str, Any],
+    arithmetic: Arithmetic,
+) -> Assembly:
+    """The mechanism at `given` (parameters in SI). Raises MechanismError, ExpressionError with the
+    place, Inexact.
+    """
+    built = construct(template, given, arithmetic)
+    values, functions, points = built.values, built.functions, built.points
     for name, tree in template.scheme.steps.items():
         values[name] = _locate(f"steps.{name}", _take_step, tree, values, functions, arithmetic)
     parts = _Parts(values, functions, points, arithmetic)

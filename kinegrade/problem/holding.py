@@ -7,12 +7,13 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any, assert_never
 
-from kinegrade.errors import ExpressionError
-from kinegrade.expressions.evaluation import evaluate, make_elementary_functions
-from kinegrade.expressions.tree import Operation
+from kinegrade.errors import ExpressionError, MechanismError
+from kinegrade.expressions.evaluation import evaluate
+from kinegrade.expressions.tree import Operation, find_names
 from kinegrade.numbers.angle import Angle
 from kinegrade.numbers.number import Arithmetic
 from kinegrade.numbers.refusals import Inexact
+from kinegrade.problem.assemble import construct
 from kinegrade.problem.given_values import find_parameter_values, read_values
 from kinegrade.problem.solving import solve_certified
 from kinegrade.problem.template.template import Condition, Relation, Template, Wording
@@ -27,26 +28,32 @@ def choose_wording(template: Template, name: str, given: Mapping[str, str]) -> W
 
 
 def condition_holds(template: Template, condition: Condition, given: Mapping[str, str]) -> bool:
-    """Whether a condition holds at given values; decided exactly. One that cannot be worked out
-    does not hold.
+    """Whether a condition holds at given values; decided exactly. One that cannot be worked out,
+    or names points that cannot be constructed, does not hold.
     """
     trees = read_values(template, given)
 
     def decide(arithmetic: Arithmetic) -> bool:
-        values = {**find_parameter_values(template, trees, arithmetic), "pi": arithmetic.turns(1)}
-        room = evaluate(
-            Operation("-", condition.right, condition.left),
-            values,
-            make_elementary_functions(arithmetic),
-            arithmetic,
-        )
+        values = find_parameter_values(template, trees, arithmetic)
+        room = find_room(template, condition, values, arithmetic)
         sign = arithmetic.sign(_count_half_turns(room) if isinstance(room, Angle) else room)
         return _meets_relation(condition.relation, sign)
 
     try:
         return solve_certified(decide)
-    except ExpressionError:  # a division by zero or the root of a negative number
+    except (ExpressionError, MechanismError):  # a division by zero, circles that do not meet
         return False
+
+
+def find_room(
+    template: Template, condition: Condition, given: Mapping[str, Any], arithmetic: Arithmetic
+) -> Any:
+    """By how much the right side of a condition exceeds the left, at `given` (parameters in SI).
+    Raises MechanismError, ExpressionError, Inexact.
+    """
+    room = Operation("-", condition.right, condition.left)
+    built = construct(template, given, arithmetic, frozenset(find_names(room)))
+    return evaluate(room, built.values, built.functions, arithmetic)
 
 
 def _meets_relation(relation: Relation, sign: int) -> bool:

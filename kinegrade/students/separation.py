@@ -17,10 +17,9 @@ from typing import Any
 import numpy as np
 
 from kinegrade.errors import KinegradeError
-from kinegrade.expressions.evaluation import evaluate, make_elementary_functions
-from kinegrade.expressions.tree import Operation
 from kinegrade.mechanics.plan import Plan
 from kinegrade.numbers.floats import Floats
+from kinegrade.problem.holding import find_room
 from kinegrade.problem.template.template import Ask, Template
 from kinegrade.students.mistaking.mistake_kinds import Mistake, find_candidates
 from kinegrade.students.mistaking.mistake_outcomes import SAME, Outcomes, find_outcomes
@@ -249,17 +248,11 @@ def _find_unmet(template: Template, arrays: Mapping[str, Any]) -> Any:
     on the bound counts as met.
     """
     floats = Floats()
-    values = {**arrays, "pi": np.pi}
     unmet = np.full(np.shape(next(iter(arrays.values()))), _MET)
     for place, condition in reversed([*enumerate(template.scheme.conditions)]):
         try:
             with floats.context():
-                room = evaluate(
-                    Operation("-", condition.right, condition.left),
-                    values,
-                    make_elementary_functions(floats),
-                    floats,
-                )
+                room = find_room(template, condition, arrays, floats)
         except KinegradeError:
             continue
         unmet[np.broadcast_to(room, unmet.shape) < -SAME] = place

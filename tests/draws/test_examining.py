@@ -97,3 +97,20 @@ def test_conditions_are_decided_exactly_at_their_bounds(condition: str, held: bo
         )
         is held
     )
+
+
+@pytest.mark.parametrize(
+    ("condition", "held"),
+    [
+        ("distance(O, A) <= 2", True),
+        ("distance(O, A) < 2", False),
+        ("y(meet(circle(O, r), circle(A, 1/10), upper)) > 0", True),
+        ("y(meet(circle(O, r), circle(A, 5), upper)) > 0", False),  # they do not meet
+    ],
+)
+def test_conditions_may_name_points_and_fail_where_these_cannot_be_constructed(
+    condition: str, held: bool
+) -> None:
+    template = crank(("omega < 10000000", condition), kept=True)
+    (stated,) = template.scheme.conditions
+    assert condition_holds(template, stated, {"r": "2", "h": "1/2", "omega": "1"}) is held

@@ -238,7 +238,7 @@ def test_an_ask_on_request_that_makes_no_sense_is_refused(
         (
             "omega < 10000000",
             "distance(h, r) < h",
-            '7: conditions[1]: unknown function "distance" - did you mean "tan(phi)", ',
+            "7: conditions[1]: distance(...): argument 1 is a length (m) - expected distance(POINT, ",
         ),
         (
             PUBLISHED,

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import pytest
 
 from kinegrade.language import ENGLISH
@@ -35,6 +37,14 @@ def test_a_block_beyond_the_end_of_its_slot_is_noted_with_what_keeps_it_inside()
         "A lies beyond the ends of CB, the line of the body CB, in 2 of 3 instances: a condition "
         "such as distance(C, A) < distance(C, B) keeps it between them"
     )
+
+
+def test_the_condition_that_is_named_keeps_the_block_inside() -> None:
+    text = write_starter_text().replace('l = "3/2*(b + r)"', 'l = "b"')
+    kept = re.sub(r"conditions = \[.*\]", 'conditions = ["distance(C, A) < distance(C, B)"]', text)
+    report = check(read_template("rocker", kept), sample=40)
+    assert not any("lies beyond" in each for each in all_said(report.remarks))
+    assert report.refused["condition"] > 0
 
 
 @pytest.mark.parametrize("length", ["3/2*(b + r)", "b + r"])

@@ -114,7 +114,7 @@ class _Consistency:
         for number, driver in self.draft.drivers.items():
             yield from _try_kinds(("inputs", number), self.driver, scope, driver)
         for number, condition in self.draft.conditions.items():
-            yield from _try_kinds(("conditions", number), self.condition, condition)
+            yield from _try_kinds(("conditions", number), self.condition, scope, condition)
         for name, wordings in self.draft.texts.items():
             yield from self._wordings(name, wordings)
         bodies = {name: BodyKind() for name in (GROUND, *self.draft.bodies)}
@@ -199,9 +199,8 @@ class _Consistency:
             )
         _require_dimension(direction, NUMBER, "direction")
 
-    def condition(self, condition: Condition) -> None:
-        """A condition: two numbers of one dimension, made of parameters."""
-        scope = self.scope(self.parameters, ELEMENTARY)
+    def condition(self, scope: Scope, condition: Condition) -> None:
+        """A condition: two numbers of one dimension, made of what is known."""
         unite_dimensions(
             Quoted(condition.text),
             _require_number(scope.kind(condition.left)),
@@ -210,9 +209,11 @@ class _Consistency:
 
     def _wordings(self, name: str, wordings: Mapping[int, Wording]) -> Iterator[_Inconsistency]:
         """The conditions by which the wording of a text is chosen."""
+        scope = self.scope(self.parameters, ELEMENTARY)
         for number, one in wordings.items():
             if one.condition is not None:
-                yield from _try_kinds(("text", name, number, "if"), self.condition, one.condition)
+                place = ("text", name, number, "if")
+                yield from _try_kinds(place, self.condition, scope, one.condition)
 
     def ask(self, scope: Scope, ask: Ask) -> None:
         """An ask: a number of the dimension of its unit."""

@@ -65,7 +65,7 @@ class _Uses:
         for name, ask in draft.asks.items():
             self.known(("asks", name, "quantity"), ask.quantity, places | self.bodies)
         for number, condition in draft.conditions.items():
-            self.condition(("conditions", number), condition)
+            self.condition(("conditions", number), condition, places)
         self.words()
         for number, result in draft.published.items():
             self.published(number, result)
@@ -119,11 +119,11 @@ class _Uses:
             self.known((*place, "velocity"), driver.velocity, known)
             self.known((*place, "acceleration"), driver.acceleration, known)
 
-    def condition(self, place: Place, condition: Condition) -> None:
-        """A condition names parameters, and compares angles with angles."""
+    def condition(self, place: Place, condition: Condition, known: Collection[str]) -> None:
+        """A condition names what is known, and compares angles with angles."""
         sides = (condition.left, condition.right)
         for tree in sides:
-            self.known(place, tree, {*self.draft.parameters, "pi"})
+            self.known(place, tree, known)
         faulty = any(name in self.draft.faulty for tree in sides for name in find_names(tree))
         if not faulty and mixes_angle_and_number(condition, self.draft.angles):
             what = Message("template.angle-against-number", condition=Quoted(condition.text))
@@ -143,7 +143,8 @@ class _Uses:
     def _wording(self, place: Place, wording: Wording, fillings: Fillings) -> None:
         """A wording names parameters, in its condition too."""
         if wording.condition is not None:
-            self.condition((*place, "if"), wording.condition)
+            givens = {*self.draft.parameters, "pi"}
+            self.condition((*place, "if"), wording.condition, givens)
         self.slots(place, wording.text, fillings)
 
     def slots(self, place: Place, text: Translated, fillings: Fillings) -> None:
