@@ -14,10 +14,10 @@ from numpy.typing import NDArray
 from kinegrade.motion.path import Array
 
 ASIDE = 1e-4  # of the input's range: nearer to a gap, rounding may show
-_NOTICED = 0.02  # of what a quantity takes over the cycle
+_NOTICED = 1e-4  # of what a quantity takes over the cycle
 _ROUNDED = 1e-6  # of what it usually is
 _NOTHING = 1e-6  # in its unit: near singular positions rounding leaves almost as much of zero
-_HALVINGS = 24
+_HALVINGS = 28
 _NEARER = 8.0  # how much nearer the second of two places beside a gap is
 _GROWS = 3.0  # times what it is at the first one, where a quantity grows beyond bounds
 
@@ -61,7 +61,7 @@ class GapSearch:
             noticed = np.array([_find_noticed(row) for row in values])
             noticed = np.where(np.isfinite(self.periods), _NOTICED * self.periods, noticed)
             changes = self._subtract(values[:, 1:], values[:, :-1], self.periods[:, None])
-            rows, places = np.nonzero(changes > noticed[:, None])
+            rows, places = np.nonzero(_find_uneven(changes, noticed[:, None]))
             at_low, at_high = values[rows, places], values[rows, places + 1]
             low, high = self.moved[places], self.moved[places + 1]
             found = _Stretches(rows, low, high, at_low, at_high)
@@ -119,6 +119,13 @@ class GapSearch:
         values = np.abs(self.read(place + beside)[row])
         grows = values[1:3] > _GROWS * values[[0, 3]] + noticed
         return bool(np.isfinite(values).all() and not grows.any())
+
+
+def _find_uneven(changes: Array, noticed: Array) -> NDArray[np.bool_]:
+    """Which changes are so much, and so unlike those on either side, that a jump may be in them."""
+    apart = np.abs(np.diff(changes, axis=1, prepend=np.nan, append=np.nan))
+    uneven = np.fmax(apart[:, :-1], apart[:, 1:]) > noticed / 2
+    return (changes > noticed) & (uneven | ~np.isfinite(changes))
 
 
 def _find_noticed(values: Array) -> float:

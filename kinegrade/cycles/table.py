@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 import numpy as np
 
 from kinegrade.cycles.centrodes import find_poled_bodies, trace_centrodes
 from kinegrade.cycles.cycle import Cycle
 from kinegrade.cycles.graph import convert_displacements
+from kinegrade.cycles.rounding import find_scales
 from kinegrade.files.csv_writing import write_csv_text
 from kinegrade.mechanics.ground import GROUND
+from kinegrade.motion.path import Array
 from kinegrade.motion.placing import find_carriers
+from kinegrade.numbers.units import read_unit
 from kinegrade.problem.pole_names import name_poles
 
 _DIGITS = 12
@@ -21,19 +26,24 @@ def write_table(cycle: Cycle) -> str:
     in their units; a cell is empty where there is no value, or one beyond all bounds.
     """
     path = cycle.path
-    placement = path.place(cycle.moved)
+    placement, scales = path.place(cycle.moved), find_scales(path)
     unit = "deg" if path.input.is_angle else "m"
-    columns = [(f"input ({unit})", convert_displacements(path, placement.moved))]
+    moved = scales.clear(convert_displacements(path, placement.moved), read_unit(unit))
+    columns = [(f"input ({unit})", moved)]
+
+    def add_place(name: str, place: Iterable[Array]) -> None:
+        for axis, values in zip("xy", place, strict=True):
+            columns.append((f"{axis}_{name} (m)", scales.clear(values, read_unit("m"))))
+
     mechanism = placement.frames.mechanism
     moving = [name for name, body in find_carriers(mechanism).items() if body != GROUND]
     for name in moving:
-        columns.append((f"x_{name} (m)", np.asarray(mechanism.points[name].x)))
-        columns.append((f"y_{name} (m)", np.asarray(mechanism.points[name].y)))
+        add_place(name, mechanism.points[name])
     poles = name_poles(find_poled_bodies(path), cycle.solution.template)
     for each in trace_centrodes(placement, tuple(poles)):
         pole = poles[each.body]
-        for place, rows in ((pole, each.fixed), (f"{pole}_{each.body}", each.moving)):
-            columns += [(f"x_{place} (m)", rows[0]), (f"y_{place} (m)", rows[1])]
+        add_place(pole, each.fixed)
+        add_place(f"{pole}_{each.body}", each.moving)
     columns += [(f"{each.ask.name} ({each.ask.unit.text})", each.values) for each in cycle.curves]
     shape = placement.moved.shape
     cells = [[_write(float(number)) for number in np.broadcast_to(v, shape)] for _, v in columns]
@@ -41,4 +51,4 @@ def write_table(cycle: Cycle) -> str:
 
 
 def _write(number: float) -> str:
-    return f"{number + 0.0:.{_DIGITS}g}" if np.isfinite(number) else ""
+    return f"{number:.{_DIGITS}g}" if np.isfinite(number) else ""

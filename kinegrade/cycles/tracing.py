@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import combinations, pairwise
@@ -13,10 +13,13 @@ import numpy as np
 
 from kinegrade.cycles.curves import Curve, Gap
 from kinegrade.cycles.gaps import ASIDE, GapSearch
+from kinegrade.cycles.rounding import find_scales
+from kinegrade.cycles.undetermined import find_undetermined
 from kinegrade.errors import AtInfinity
 from kinegrade.expressions.evaluation import evaluate, make_elementary_functions
 from kinegrade.expressions.tree import find_names
 from kinegrade.mechanics.geometry import make_constructions
+from kinegrade.mechanics.motion import Motion
 from kinegrade.mechanics.vector import Vector
 from kinegrade.motion.arrays import Arrays
 from kinegrade.motion.path import Array, MotionPath, Placement
@@ -44,10 +47,13 @@ class CurveTracer:
         """The curves at positions of the path; none has a value at a gap, or too near to it for
         rounding not to show.
         """
-        return [
-            Curve(ask, placement.moved, self._break_off(ask, values, placement.moved, gaps), gaps)
-            for ask, values, gaps in zip(self._asks, self._read(placement), self._gaps, strict=True)
-        ]
+        moved = placement.moved
+        scales, rows = find_scales(self.path), self._read(placement.motion, moved)
+        found = []
+        for ask, row, gaps in zip(self._asks, rows, self._gaps, strict=True):
+            values = self._break_off(ask, scales.clear(row, ask.unit), moved, gaps)
+            found.append(Curve(ask, moved, values, gaps))
+        return found
 
     def add_gaps(self, moved: Array) -> Array:
         """Displacements of the input with those at all gaps, and those from which on curves have
@@ -74,16 +80,33 @@ class CurveTracer:
             return []
         periods = [360.0 if ask.unit.degrees else math.inf for ask in self._asks]
         search = GapSearch(
-            lambda moved: np.array(self._read(self.path.place(moved))),
+            lambda moved: self._read(self.path.place(moved).motion, moved),
             np.array(periods),
             self.path.spread(_POSITIONS),
         )
-        found = search.find()
+        found = self._add_changes(search.find())
         shared = self._merge([place for places in found for place in places])
         return [
-            tuple(Gap(each, self._find_together(ask, each)) for each in map(shared, places))
+            tuple(
+                Gap(each, self._find_together(ask, each))
+                for each in sorted(set(map(shared, places)))
+            )
             for ask, places in zip(self._asks, found, strict=True)
         ]
+
+    def _add_changes(self, found: Sequence[tuple[float, ...]]) -> list[tuple[float, ...]]:
+        """The places, with the change points for what is not determined there."""
+        low, high = self.path.bounds
+        added = [*found]
+        for change in self.path.changes:
+            place = change.displacement
+            if low + self._aside < place < high - self._aside:
+                loose = find_undetermined(self.path, place, place - self._aside, self._read)
+                added = [
+                    (*places, place) if new else places
+                    for places, new in zip(added, loose, strict=True)
+                ]
+        return added
 
     def _merge(self, places: list[float]) -> Callable[[float], float]:
         """What finds the one place of all that are too near to each other to be told apart."""
@@ -122,9 +145,9 @@ class CurveTracer:
                 found[start:end] = np.unwrap(found[start:end], period=360.0)
         return found
 
-    def _read(self, placement: Placement) -> list[Array]:
-        """The values of all asks, each in its unit."""
-        motion, arithmetic = placement.motion, Arrays()
+    def _read(self, motion: Motion, moved: Array) -> Array:
+        """Rows of the values of all asks, each in its unit."""
+        arithmetic = Arrays()
         values = {
             **find_body_names(motion.frames.mechanism),
             **dict(_list_fixed_values(self.solution.assembly.values)),
@@ -135,7 +158,7 @@ class CurveTracer:
             **make_constructions(arithmetic, motion.points),
             **make_quantities(motion, arithmetic),
         }
-        return [_read_values(ask, values, functions, placement.moved) for ask in self._asks]
+        return np.array([_read_values(ask, values, functions, moved) for ask in self._asks])
 
 
 def _read_values(

@@ -7,6 +7,7 @@ the predicted one: so the path stays on the branch of the instant.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from typing import NamedTuple
 
@@ -18,6 +19,8 @@ _LEAST = 1e-9
 _SOLVED = 1e-14  # of what passes through zero
 _MET = 1e-15
 _NEARLY = 1e-12
+_NARROW = 1e-8
+_GOLDEN = 0.6180339887498949
 _STRAIGHT = 0.985  # the cosine of ten degrees
 
 
@@ -108,6 +111,20 @@ def find_sign_change(system: System, stretch: Stretch, measure: Callable[[Knot],
     return best
 
 
+def find_least(system: System, stretch: Stretch, measure: Callable[[Knot], float]) -> Knot:
+    """The knot between the two of a stretch at which a measure is least, by golden sections."""
+    low = 0.0
+    high = float((stretch.end.unknowns - stretch.start.unknowns) @ stretch.start.tangent)
+    best = min(stretch, key=measure)
+    while high - low > _NARROW:
+        cut = (high - low) * _GOLDEN
+        inner = [reach(system, stretch.start, at) for at in (high - cut, low + cut)]
+        first, second = (np.inf if knot is None else measure(knot) for knot in inner)
+        low, high = (low, low + cut) if first <= second else (high - cut, high)
+        best = min((best, *(knot for knot in inner if knot is not None)), key=measure)
+    return best
+
+
 def _correct(system: System, guess: Row, across: Row) -> Row | None:
     """The position near a guess, at a right angle to `across`; None where there is none."""
     unknowns = guess
@@ -131,5 +148,5 @@ def _make_knot(system: System, unknowns: Row, before: Row) -> Knot:
     _, sizes, ways = np.linalg.svd(rows)
     tangent = ways[-1] if ways[-1] @ before >= 0 else -ways[-1]
     square = np.vstack([rows[system.independent], tangent])
-    sign = float(np.linalg.slogdet(square)[0])
-    return Knot(unknowns, tangent, sign * float(sizes[len(system.rates) - 1] / sizes[0]))
+    size = float(sizes[len(system.rates) - 1] / sizes[0])
+    return Knot(unknowns, tangent, math.copysign(size, np.linalg.slogdet(square)[0]))

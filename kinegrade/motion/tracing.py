@@ -16,6 +16,7 @@ from kinegrade.motion.following import (
     Stretch,
     advance,
     begin,
+    find_least,
     find_sign_change,
     reach_input,
 )
@@ -26,7 +27,8 @@ _MOST_KNOTS = 3000
 _MOST_TURNS = 12
 _FAR = 8.0  # sizes of the mechanism
 _SAME = 1e-9
-_CROSSING = 1e-7
+_NEAR = 0.03  # the regularity of knots on both sides of a crossing
+_CROSSING = 1e-5  # nearer to a crossing, Newton's method strays along the other path
 _LEAST = 1e-3  # of the way: what tolerances alone make of an instant
 
 
@@ -69,6 +71,11 @@ def _follow(system: System, sense: int) -> tuple[_Half, End]:
     return half, end
 
 
+def _measure_regularity(knot: Knot) -> float:
+    """How far a knot is from a crossing, on either side of it."""
+    return abs(knot.regularity)
+
+
 class _Half:
     """A path in one sense as far as it has been followed."""
 
@@ -89,6 +96,7 @@ class _Half:
         if passed is not None:
             return self._complete_turn(stretch, passed)
         self.knots.append(knot)
+        self._note_touch()
         return self._find_cut(knot)
 
     def block(self) -> Blocked:
@@ -107,11 +115,25 @@ class _Half:
         self.knots.append(found)
         return Limit(self._measure(found), describe_alignment(self.system, found))
 
-    def _note_change(self, stretch: Stretch) -> None:
-        """The change point within a stretch; of redundant conditions some alone may be dependent
-        there, which is none.
+    def _note_touch(self) -> None:
+        """The change point about the last knot but one at which several ways begin at once, so that
+        the regularity touches zero, and has the same sign beyond.
         """
+        if len(self.knots) < 3:
+            return
+        start, middle, end = self.knots[-3:]
+        stays = start.regularity * middle.regularity > 0 < middle.regularity * end.regularity
+        nearest = min(start, middle, end, key=_measure_regularity)
+        if stays and nearest is middle and _measure_regularity(middle) < _NEAR:
+            self._take_change(find_least(self.system, Stretch(start, end), _measure_regularity))
+
+    def _note_change(self, stretch: Stretch) -> None:
+        """The change point within a stretch."""
         found = find_sign_change(self.system, stretch, lambda knot: knot.regularity)
+        self._take_change(found)
+
+    def _take_change(self, found: Knot) -> None:
+        """A change point, unless of redundant conditions some alone are dependent there."""
         if abs(found.regularity) < _CROSSING:
             line = describe_alignment(self.system, found)
             self.changes.append(ChangePoint(self._measure(found), line))

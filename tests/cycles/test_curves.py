@@ -9,6 +9,7 @@ import pytest
 
 from kinegrade.cycles.curves import find_followed
 from kinegrade.cycles.cycle import make_cycle
+from kinegrade.cycles.graphs import draw_graphs
 from kinegrade.errors import TemplateError
 from kinegrade.language import ENGLISH
 from kinegrade.problem.solving import solve_template
@@ -20,10 +21,11 @@ TEMPLATES = [name for name in find_template_names() if load_template(name).schem
 
 
 @pytest.mark.parametrize("name", TEMPLATES)
-def test_every_curve_goes_through_the_exact_value_at_the_instant(name: str) -> None:
+def test_every_curve_is_drawn_and_goes_through_the_exact_value_at_the_instant(name: str) -> None:
     template = load_template(name)
     solution = solve_template(template, {})
     cycle = make_cycle(solution, find_followed(template))
+    assert "<svg" in draw_graphs(cycle, ENGLISH)
     assert {curve.ask.name for curve in cycle.curves if curve.gaps} == set(GAPS.get(name, {}))
     for curve, instant in zip(cycle.curves, cycle.instant, strict=True):
         quantity = solution[curve.ask.name]

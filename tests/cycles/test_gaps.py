@@ -40,15 +40,16 @@ GAPS: dict[str, dict[str, list[float]]] = {
         "a_M_2": UPRIGHT,
     },
     TUBE: {
-        "x_S": [300, 660],
-        "S_bis": [300, 660],
-        "S_perp": [120, 480],
-        "omega_ratio": [300, 660],
+        **{ask: [300, 660] for ask in ("AS", "x_S", "y_S", "S_bis", "omega_ratio")},
+        "S_perp": [120, 300, 480, 660],
     },
     GEAR: {"angle_vB_vA": [72, 360, 648, 936, 1224]},
     "rod-ground-and-incline": {"v_B_down": [0.8453], "a_B_down": [0.8453]},  # m
-    "scissor-lift": {"omega_AD": [1.7321], "a_C": [1.7321]},  # m: C and D meet
-    LINK: {"v_rel": [-96.2238, 6.9086], "a_rel": [6.9086]},
+    "scissor-lift": {ask: [1.7321] for ask in ("omega_AD", "v_C", "a_C")},  # m: C and D meet
+    "guided-rack-and-gear": {  # m: the rack lies along the track
+        ask: [-0.0866] for ask in ("SA", "SC", "omega_1", "v_C", "v_rel_O", "alpha_1", "a_rel_O")
+    },
+    LINK: {"v_rel": [-96.2238, 6.9086], "a_rel": [-96.2238, 6.9086]},
     RODS: {
         "omega_AC": CHANGE,
         "omega_BC": CHANGE,
@@ -122,6 +123,40 @@ def test_a_table_has_an_empty_cell_there() -> None:
     rows = csv.DictReader(write_table(follow(SLEEVES, "a_M_2")).splitlines())
     empty = [row["input (deg)"] for row in rows if not row["a_M_2 (m/s^2)"]]
     assert empty == ["75", "255"]
+
+
+def test_a_small_jump_is_a_gap_too() -> None:
+    """At -96 degrees the acceleration along OA, which turns round, is a hundredth of its range."""
+    curve = follow(LINK, "a_rel").curves[0]
+    (place,) = np.flatnonzero(curve.moved == curve.gaps[0].displacement)
+    before, _, after = curve.values[place - 1 : place + 2]
+    assert before == pytest.approx(-after, rel=0.02)
+    assert 0 < abs(after - before) < 0.02 * np.ptp(curve.values[np.isfinite(curve.values)])
+
+
+def test_what_is_not_determined_has_a_gap_whatever_rounding_makes_of_it() -> None:
+    """Where B is at O the rod may turn freely: its pole may be anywhere on the crank."""
+    said = describe_cycle(follow(TUBE, "AS"), ENGLISH)
+    assert "change point at 300°" in said
+    assert "AS: no value at 300° and 660°, where it is undetermined" in said
+
+
+@pytest.mark.parametrize(
+    ("name", "ask"),
+    [
+        (SLEEVES, "EM"),
+        (SLEEVES, "v_M_1"),
+        ("two-wheels-on-cylinder", "alpha_AB"),
+        ("parallelogram-with-sliding-rod", "omega_BD"),
+        ("rotary-engine", "alpha_AB"),
+    ],
+)
+def test_what_rounding_leaves_of_zero_is_zero(name: str, ask: str) -> None:
+    cycle = follow(name, ask)
+    assert (cycle.curves[0].values == 0).any()
+    for row in csv.DictReader(write_table(cycle).splitlines()):
+        numbers = (float(cell) for cell in row.values() if cell)
+        assert all(number == 0 or abs(number) > 1e-9 for number in numbers), row
 
 
 def test_a_graph_is_in_parts() -> None:

@@ -140,3 +140,24 @@ def test_an_arm_along_an_axis_moves_like_any_other(at: str) -> None:
     assert isinstance(path, MotionPath)
     assert path.end == Closed(pytest.approx(4 * math.tau, abs=1e-12), 4)
     assert path.place(path.spread(101)).greatest <= 1e-12 * path.size
+
+
+def test_change_points_are_those_at_which_another_way_begins() -> None:
+    """A rod whose end passes the pivot of its sleeve, from all draws of its angle; a rack that comes
+    to lie on its track; the bars of a lift that meet, after which both may turn together. A wheel
+    that rolls has none.
+    """
+
+    def find_changes(name: str, **given: str) -> list[float]:
+        path = follow(solve_template(load_template(name), given).motion)
+        return [change.displacement for change in path.changes]
+
+    for theta in ("60", "110", "150"):
+        gone = math.tau - math.radians(float(theta))
+        assert find_changes("guide-tube-rod-fixed-centrode", theta=theta) == pytest.approx(
+            [gone, gone + math.tau], abs=1e-6
+        )
+    at = -0.05 / math.tan(math.radians(30))
+    assert find_changes("guided-rack-and-gear") == pytest.approx([at], abs=1e-6)
+    assert find_changes("scissor-lift") == pytest.approx([math.sqrt(3)], abs=1e-6)
+    assert find_changes("planetary-gear-external-rim-velocities") == []

@@ -19,8 +19,7 @@ from tests.practice.node import move_in_node
 DRIVEN = [name for name in find_template_names() if load_template(name).scheme.drivers]
 SHARES = [0.013, 0.21, 0.377, 0.5, 0.642, 0.871, 0.97]
 UNSURE = (
-    "crank-slider-in-floating-link",  # its link almost jumps once in a cycle
-    "crank-rod-over-translating-pin",  # its rod hardly turns where it is far away
+    "crank-slider-in-floating-link",  # told at two in three: elsewhere rounding moves it by 0.2 mm
     "epicyclic-train-by-tooth-counts",  # a gear turns far between two of many positions
 )
 PIXEL = 0.2  # millimetres: the page shows five pixels for each

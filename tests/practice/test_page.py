@@ -6,11 +6,16 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
 import pytest
 
+from kinegrade import Bank
+from kinegrade.language import ENGLISH
+from kinegrade.practice.making import make_practice_sheet
+from kinegrade.practice.page import write_page
 from tests.browsers.page import Page, open_page
 from tests.practice.typed_sheet import open_sheet
 from tests.small_class import kinegrade
@@ -211,3 +216,21 @@ def test_boxes_for_poles_are_there_where_a_body_has_one(page: Page) -> None:
     page.wait("document.querySelectorAll('.stage .bar').length > 4")
     boxes = "document.querySelectorAll('.motion')[{}].querySelectorAll('.of-poles:not([hidden])').length"
     assert [page.run(boxes.format(number)) for number in range(4)] == [2, 2, 0, 2]
+
+
+def test_no_boxes_for_poles_are_there_where_positions_are_too_few_to_tell_them(
+    tmp_path: Path,
+) -> None:
+    sheet = make_practice_sheet(Bank.read("demo").blueprint, 1, "poles", ENGLISH).sheet
+    question = sheet.questions[0]
+    assert question.draws[0].motion is not None
+    draw = replace(question.draws[0], motion=replace(question.draws[0].motion, poles=False))
+    file = tmp_path / "sheet.html"
+    page_of = replace(sheet, questions=(replace(question, draws=(draw,)),))
+    file.write_text(write_page(page_of, ENGLISH), encoding="utf-8")
+    with open_page() as page:
+        open_sheet(page, file)
+        page.run("document.querySelector('.motion').open = true")
+        page.wait("document.querySelectorAll('.stage *').length > 4")
+        assert page.run("document.querySelectorAll('.motion .of-poles').length") == 2
+        assert page.run("document.querySelectorAll('.of-poles:not([hidden])').length") == 0

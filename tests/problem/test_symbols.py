@@ -23,6 +23,9 @@ from kinegrade.problem.template.symbols import find_symbol_fault
         r"\sqrt{3} r",
         r"\frac{l}{2}",
         r"\left|x_B\right|",
+        r"\omega_{BC}/\omega_{AB}",
+        r"a_{B,\perp BO}",
+        r"\angle(v_{A}, v_{B})",
     ],
 )
 def test_what_statements_use_is_a_symbol(symbol: str) -> None:

@@ -42,7 +42,7 @@ class MotionView {
     const graphs = find(this.box, ".graphs");
     graphs.replaceChildren();
     for (const each of this.box.querySelectorAll(".of-poles")) {
-      each.toggleAttribute("hidden", !question.skeleton.poles.length);
+      each.toggleAttribute("hidden", !(motion.poles && question.skeleton.poles.length));
     }
     this.graphs = question.followed.map(
       (row, number) => new Graph(graphs, question.asks[row], motion.curves[number], poses, this.words),

@@ -29,11 +29,14 @@ _COMMANDS = frozenset(
         "circ",
         "cdot",
         "infty",
+        "angle",
+        "perp",
+        "parallel",
         "left",
         "right",
     )
 )
-_CHARACTERS = frozenset((*ascii_letters, *digits, *"_^{}'()|+-=.,", "{,}"))
+_CHARACTERS = frozenset((*ascii_letters, *digits, *"_^{}'()|+-/=.,", "{,}"))
 
 
 def find_symbol_fault(symbol: str) -> Message | None:
