@@ -42,6 +42,7 @@ METHOD = click.option(
     type=click.Choice(["base-point", "projection", "pole"]),
 )
 CYCLE = click.option("--cycle", is_flag=True)
+LARGE_PRINT = click.option("--large-print", is_flag=True)
 JOBS = click.option(
     "--jobs",
     type=click.IntRange(1),

@@ -18,6 +18,7 @@ from kinegrade.cli.options import (
     FORCE,
     JOBS,
     LANGUAGE,
+    LARGE_PRINT,
     METHOD,
     OPTIONAL_OUTPUT,
     finish_with_complaints,
@@ -94,7 +95,7 @@ def papers(
     "--solution",
     is_flag=True,
 )
-@click.option("--large-print", is_flag=True)
+@LARGE_PRINT
 @click.option("--tactile", is_flag=True)
 @OPTIONAL_OUTPUT
 @FORCE
@@ -117,15 +118,14 @@ def paper(
 
     if output is None and sys.stdout.isatty():
         raise refuse_usage(Message("terminal.pdf"))
-    if solution and large_print:
-        raise refuse_usage(Message("terminal.large-solution"))
     if tactile and (solution or large_print):
         raise refuse_usage(Message("terminal.tactile-alone"))
     again = reprint(kinegrade.open_exam(exam), student)
     if tactile:
         pages = again.tactile()
     else:
-        pages = again.solution() if solution else again.pages(large=large_print)
+        print_pages = again.solution if solution else again.pages
+        pages = print_pages(large=large_print)
     if output is None:
         click.echo(pages, nl=False)
     else:

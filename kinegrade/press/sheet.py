@@ -181,6 +181,7 @@ class SolutionSheet:
     name: str
     code: str
     questions: tuple[WorkedQuestion, ...]
+    large: bool = False  # in letters of 18 points
 
 
 @dataclass(frozen=True)
@@ -235,6 +236,7 @@ class FeedbackSheet:
     solution: str = ""
     grade: str = ""
     subtracted: str = ""
+    large: bool = False  # in letters of 18 points
 
     @property
     def guesses(self) -> bool:

@@ -1,4 +1,6 @@
-"""Papers in large print, by a column of the roster or one by one; through the command line."""
+"""Papers, worked solutions and feedback in large print, by a column of the roster or one by one;
+through the command line.
+"""
 
 from __future__ import annotations
 
@@ -14,7 +16,9 @@ from kinegrade.press.join import count_pages
 from kinegrade.press.latex.press import LatexPress
 from tests.press.accessible import list_failed_rules
 from tests.press.papers import ENGLISH
+from tests.press.solutions import ENGLISH_SOLUTION
 from tests.small_class import generate, key_lines, kinegrade, write_class
+from tests.spellings import type_answers
 
 ROSTER = """student,name,format
 007,Ann Lee,
@@ -49,7 +53,7 @@ def exam(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """An exam of the small class in which one student has large print."""
     folder = write_class(tmp_path_factory.mktemp("large"))
     (folder / "roster.csv").write_text(ROSTER, encoding="utf-8")
-    result = generate(folder, "EXAM")
+    result = generate(folder, "EXAM", "--solutions")
     assert result.exit_code == 0, result.stderr
     return folder / "EXAM"
 
@@ -88,9 +92,45 @@ def test_it_is_printed_again_as_it_was_and_for_anybody_on_demand(
     target = tmp_path / "large.pdf"
     assert kinegrade("paper", exam, "007", "--large-print", "-o", target).exit_code == 0
     assert find_small(target) == []
-    refused = kinegrade("paper", exam, "007", "--large-print", "--solution", "-o", target)
-    assert refused.exit_code == 2
-    assert "leave out --large-print or --solution" in refused.stderr
+
+
+def test_worked_solutions_are_large_for_who_needs_it_and_for_anybody_on_demand(
+    exam: Path, tmp_path: Path
+) -> None:
+    large = exam / "solutions" / "0012.pdf"
+    assert find_small(large) == []
+    assert list_failed_rules(large.read_bytes()) == []
+    assert find_small(exam / "solutions" / "007.pdf") != []
+    again = kinegrade("paper", exam, "0012", "--solution")
+    assert again.stdout_bytes == large.read_bytes()
+    target = tmp_path / "large.pdf"
+    printed = kinegrade("paper", exam, "007", "--large-print", "--solution", "-o", target)
+    assert printed.exit_code == 0, printed.stderr
+    assert find_small(target) == []
+
+
+def test_feedback_is_large_for_who_needs_it(exam: Path, tmp_path: Path) -> None:
+    answers, marks, sheets = tmp_path / "answers.csv", tmp_path / "MARKS", tmp_path / "SHEETS"
+    type_answers(exam, answers, lambda student, name: "1.5" if student == "0012" else "")
+    assert kinegrade("grade", exam, answers, "-o", marks).exit_code < 2
+    made = kinegrade("feedback", exam, marks, "--solutions", "-o", sheets)
+    assert made.exit_code == 0, made.stderr
+    large = sheets / "sheets" / "0012.pdf"
+    assert find_small(large) == []
+    assert list_failed_rules(large.read_bytes()) == []
+    text = "".join(page.extract_text() for page in PdfReader(large).pages)
+    for said in ("Feedback", "Your answer", "Right answer", "Verdict", "Worked solutions"):
+        assert said in text
+    assert find_small(sheets / "sheets" / "007.pdf") != []
+
+
+@pytest.mark.parametrize("language", ["en", "de", "zh"])
+def test_a_template_is_solved_in_large_print(language: str, tmp_path: Path) -> None:
+    target = tmp_path / "solution.pdf"
+    made = kinegrade("solve", "slider-crank", "--large-print", "--lang", language, "-o", target)
+    assert made.exit_code == 0, made.stderr
+    assert find_small(target) == []
+    assert list_failed_rules(target.read_bytes()) == []
 
 
 def test_late_students_have_it_too(exam: Path, tmp_path: Path) -> None:
@@ -104,9 +144,12 @@ def test_late_students_have_it_too(exam: Path, tmp_path: Path) -> None:
 
 
 def test_latex_leaves_it_to_the_press_that_has_a_layout_of_it() -> None:
-    large = LatexPress().papers({"a": replace(ENGLISH, large=True)})["a"]
-    assert large.pdf.startswith(b"%PDF")
-    assert large.sources == {}
+    press = LatexPress()
+    paper = press.papers({"a": replace(ENGLISH, large=True)})["a"]
+    solution = press.solutions({"a": replace(ENGLISH_SOLUTION, large=True)})["a"]
+    for large in (paper, solution):
+        assert large.pdf.startswith(b"%PDF")
+        assert large.sources == {}
 
 
 def test_what_the_column_says_is_told_or_must_be_known(tmp_path: Path) -> None:

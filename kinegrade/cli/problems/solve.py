@@ -9,7 +9,15 @@ import click
 
 import kinegrade
 from kinegrade.cli.help import command
-from kinegrade.cli.options import CYCLE, FORCE, LANGUAGE, METHOD, OPTIONAL_OUTPUT, refusing
+from kinegrade.cli.options import (
+    CYCLE,
+    FORCE,
+    LANGUAGE,
+    LARGE_PRINT,
+    METHOD,
+    OPTIONAL_OUTPUT,
+    refusing,
+)
 from kinegrade.cli.terminal import terminal_words
 from kinegrade.errors import TemplateError
 from kinegrade.language.message import Fault, Message, Quoted
@@ -47,6 +55,7 @@ ASKS = click.option(
 @OPTIONAL_OUTPUT
 @METHOD
 @CYCLE
+@LARGE_PRINT
 @LANGUAGE
 @FORCE
 @refusing
@@ -59,6 +68,7 @@ def solve(
     output: Path | None,
     method: Method | None,
     cycle: bool,
+    large_print: bool,
     language: Language,
     force: bool,
 ) -> None:
@@ -73,7 +83,9 @@ def solve(
         from kinegrade.exam.printing.sample import print_worked_solution
         from kinegrade.files.output import write_file
 
-        pages = print_worked_solution(solution, language, asks, method, cycle=cycle)
+        pages = print_worked_solution(
+            solution, language, asks, method, cycle=cycle, large=large_print
+        )
         write_file(output, pages, "pdf", force=force)
 
 

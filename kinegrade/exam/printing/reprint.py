@@ -51,8 +51,8 @@ class Reprint:
         printed = self._press.papers({self._name: sheet})[self._name]
         return self.run.bind(printed).pdf
 
-    def solution(self) -> bytes:
-        """Its worked solutions as PDF. Raises TypesetError."""
+    def solution(self, *, large: bool = False) -> bytes:
+        """Its worked solutions as PDF, in `large` print as by `pages`. Raises TypesetError."""
         # Loads the whole of worked solutions
         from kinegrade.exam.printing.solution_pages import (  # noqa: PLC0415
             SolutionWriter,
@@ -62,6 +62,7 @@ class Reprint:
         wanted = self.run.extras
         writer = SolutionWriter(self.run.language, wanted.method, cycle=wanted.cycle)
         sheet = write_solution_sheet(self.run.bank, self.paper, writer)
+        sheet = replace(sheet, large=large or sheet.large)
         return self._press.solutions({self._name: sheet})[self._name].pdf
 
     def tactile(self) -> bytes:

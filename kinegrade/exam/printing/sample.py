@@ -81,9 +81,10 @@ def print_worked_solution(
     method: Method | None = None,
     *,
     cycle: bool = False,
+    large: bool = False,
 ) -> bytes:
     """The worked solution of an instance for these asks, by default for what the template gives
-    points for, as PDF, with graphs over the `cycle` if wanted; the method as in
+    points for, as PDF, with graphs over the `cycle` or in `large` print if wanted; the method as in
     `write_worked_solution`. Raises MechanismError for what cannot be worked or does not move,
     TemplateError where no answer has a graph.
     """
@@ -108,5 +109,6 @@ def print_worked_solution(
         "",
         "",
         (question,),
+        large,
     )
     return TypstPress().solution(sheet)

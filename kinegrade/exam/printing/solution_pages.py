@@ -70,6 +70,7 @@ def write_solution_sheet(bank: Bank, paper: SetPaper, writer: SolutionWriter) ->
         paper.student.name,
         paper.code,
         questions,
+        large=paper.student.reads_large_print,
     )
 
 

@@ -102,14 +102,11 @@ class LatexPress(Press):
         the first fault that TeX finds, or where TeX is not installed. Large print, which has no
         layout here, is set by Typst, whose pages can be heard as well.
         """
-        large = {name: paper for name, paper in papers.items() if paper.large}
-        usual = {name: paper for name, paper in papers.items() if not paper.large}
-        typst = TypstPress(self._size).papers(large) if large else {}
-        return (self._print(usual, _PAPERS) if usual else {}) | typst
+        return self._print_all(papers, _PAPERS, TypstPress.papers)
 
     def solutions(self, sheets: Mapping[str, SolutionSheet]) -> dict[str, Printout]:
         """Every student's worked solutions, as `papers` does it."""
-        return self._print(sheets, _SOLUTIONS)
+        return self._print_all(sheets, _SOLUTIONS, TypstPress.solutions)
 
     def key(self, book: KeyBook) -> Printout:
         """The instructor's key; names are printed and errors raised as by `papers`."""
@@ -136,6 +133,18 @@ class LatexPress(Press):
             pdf = make_pdf(folder)
         source = write_document([body], language, self._size, words, str(find_font_folder()))
         return _make_printout(name, pdf, source, language)
+
+    def _print_all(
+        self,
+        sheets: Mapping[str, _Sheet],
+        kind: _Kind[_Sheet],
+        print_large: Callable[[TypstPress, Mapping[str, _Sheet]], dict[str, Printout]],
+    ) -> dict[str, Printout]:
+        """Every sheet by its name, those in large print by Typst."""
+        large = {name: sheet for name, sheet in sheets.items() if sheet.large}
+        usual = {name: sheet for name, sheet in sheets.items() if not sheet.large}
+        typst = print_large(TypstPress(self._size), large) if large else {}
+        return (self._print(usual, kind) if usual else {}) | typst
 
     def _print(self, sheets: Mapping[str, _Sheet], kind: _Kind[_Sheet]) -> dict[str, Printout]:
         owners = (text for sheet in sheets.values() for text in (sheet.name, sheet.student))

@@ -81,7 +81,8 @@ def _write_feedback_source(
         "language": catalogue.raw("language", "page."),
         "size": size,
     }
-    return write_layout_call("feedback", {**parts, **_texts(sheet, _SHEET_TEXTS, missing), **said})
+    layout = "large-feedback" if sheet.large else "feedback"
+    return write_layout_call(layout, {**parts, **_texts(sheet, _SHEET_TEXTS, missing), **said})
 
 
 def _write_question(

@@ -47,8 +47,9 @@ from kinegrade.press.typst.layout_call import Sheet, write_layout_call, write_si
 from kinegrade.worked.document import Heading
 
 _DOUBT = 0.1  # pages by which tight solutions may turn out shorter than their parts are high
-# Millimetres, as in the layout
-_SIDES, _TOP_AND_BOTTOM = 34.0, 33.5
+# Millimetres, as in the layouts: left and right, above and below
+_MARGINS, _LARGE_MARGINS = (34.0, 33.5), (40.0, 66.0)
+_LARGER = 2.0  # letters of 18 points, where tables of terms have nine
 _PAPER: dict[PaperSize, tuple[float, float]] = {"a4": (210.0, 297.0), "letter": (215.9, 279.4)}
 
 
@@ -73,21 +74,22 @@ def write_solution_source(
     }
     data |= {"language": words.raw("language", "page.")}
     data |= {"size": size, "spread": asdict(spread), "words": words.raw("solution", "layout.")}
-    return write_layout_call("solution", data)
+    return write_layout_call("large-solution" if sheet.large else "solution", data)
 
 
 def may_take_fewer(sheet: SolutionSheet, size: PaperSize, pages: int) -> bool:
     """Whether `tight` solutions may take fewer than so many pages, by the heights of their parts:
-    what is far from it need not be typeset.
+    what is far from it need not be typeset. Large print is never tight.
     """
-    return _arrange(sheet, size, TIGHT).pages < pages - 1 + _DOUBT
+    return not sheet.large and _arrange(sheet, size, TIGHT).pages < pages - 1 + _DOUBT
 
 
 def _arrange(sheet: SolutionSheet, size: PaperSize, spread: Spread) -> Courses:
     script = open_catalogue(sheet.language).raw("language", "page.")["script"]
-    width, height = _PAPER[size]
-    column = Column(width - _SIDES, script, spread)
-    return arrange_courses(sheet.questions, TextArea(column, height - _TOP_AND_BOTTOM))
+    (width, height), scale = _PAPER[size], _LARGER if sheet.large else 1.0
+    across, along = _LARGE_MARGINS if sheet.large else _MARGINS
+    column = Column((width - across) / scale, script, spread)
+    return arrange_courses(sheet.questions, TextArea(column, (height - along) / scale))
 
 
 def _write_question(
@@ -171,7 +173,16 @@ def _write_displayed(equation: Row, language: Language) -> str:
 
 
 def _write_equations(equations: Equations, language: Language) -> Sheet:
-    return {"code": write_display(tuple(equations.rows), language), "fits": equations.fits}
+    """Equations aligned; where some are too wide also each by itself, as large print makes no
+    other smaller.
+    """
+    written: Sheet = {
+        "code": write_display(tuple(equations.rows), language),
+        "fits": equations.fits,
+    }
+    if not equations.fits:
+        written["rows"] = [write_display((row,), language) for row in equations.rows]
+    return written
 
 
 def _write_column(column: TermColumn, where: Location, language: Language) -> Sheet:

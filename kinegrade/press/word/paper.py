@@ -165,7 +165,7 @@ def _write_question(
 def _write_answer_table(rows: Sequence[Sequence[Node]], words: Catalogue) -> Node:
     heads = (
         words.text("paper.layout.asked"),
-        words.text("paper.symbol-column"),
+        words.text("paper.layout.symbol-column"),
         words.text("paper.layout.answer"),
         words.text("paper.layout.tolerance"),
         words.text("paper.layout.point-column"),

@@ -98,6 +98,7 @@ def _make_sheet(
         tuple(_order_questions(answers, paper, wording, others, catalogue)),
         grade=others.total.grade,
         subtracted=_write_subtracted(others, catalogue),
+        large=candidate.print_format == "large-print",
     )
 
 

@@ -17,14 +17,17 @@ from kinegrade.language import ENGLISH, Language
 from kinegrade.press.formula_sheet import bind
 from kinegrade.press.join import join_pages, open_volume
 from kinegrade.press.sheet import FormulaSheet
+from kinegrade.press.typst.compiler import make_compiler
 from kinegrade.press.typst.press import TypstPress
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.library.library import load_template
 from tests.press.accessible import list_failed_rules
+from tests.press.heard import say
 from tests.press.papers import CHINESE
 from tests.press.papers import ENGLISH as PAPER
 
 LANGUAGES: tuple[Language, ...] = ("en", "zh", "de")
+HEADS = {"en": "Find", "de": "Gesucht", "zh": "求"}
 TEMPLATES = ("slider-crank", "bar-through-swivelling-sleeve")
 
 
@@ -75,6 +78,30 @@ def test_pages_have_headings_of_which_no_level_is_left_out() -> None:
     assert {2, 3} <= set(levels)
     assert all(after <= before + 1 for before, after in pairwise(levels))
     assert list_headings(join_pages([worked, worked])) == [*levels, *levels]
+
+
+@pytest.mark.parametrize(
+    ("body", "levels"),
+    [
+        ('strong("A")', [1]),
+        ('box(width: 7mm, strong("1")) + strong("")', [1]),
+        ("strong([$x$])", [1]),
+        ('strong("") + h(1em) + [ ]', []),
+        ("none", []),
+    ],
+)
+def test_what_has_nothing_to_say_is_no_heading(body: str, levels: list[int]) -> None:
+    source = f'#import "/page.typ": headed\n#set document(title: "T")\n#headed(1, 12pt, {body})x'
+    compiled = make_compiler().compile(source.encode(), format="pdf", pdf_tags=True, timestamp=0)
+    assert isinstance(compiled, bytes)
+    assert list_headings(compiled) == levels
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_no_column_of_a_paper_is_without_a_header(language: Language) -> None:
+    said = say(TypstPress().paper(replace(PAPER, language=language)))
+    heads = next(line for line in said.splitlines() if line.startswith(f"| {HEADS[language]} |"))
+    assert "| |" not in heads
 
 
 def test_formulas_are_said_in_the_language_of_the_paper() -> None:
