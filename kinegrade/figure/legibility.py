@@ -4,8 +4,11 @@ no part too small to be seen.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from dataclasses import dataclass
 from itertools import combinations
-from math import hypot, inf
+from math import hypot
+from operator import attrgetter
 
 from kinegrade.figure.marks.dimensions import find_measured_direction
 from kinegrade.figure.mechanism.fitting import HEIGHT, WIDTH, measure_span
@@ -28,29 +31,50 @@ def find_illegible(
     Nothing is drawn where a part would be too small even if the mechanism filled the paper. Raises
     TemplateError as `sketch` does.
     """
-    smallest = _measure_smallest_part(mechanism, hints)
+    parts = [part for part in _list_parts(mechanism, hints) if part.size > _NOTHING]
+    smallest = min(parts, key=attrgetter("size"), default=None)
     width, height = measure_span(crop_to_view(mechanism, hints), hints)
-    if smallest * WIDTH < SMALLEST * width or smallest * HEIGHT < SMALLEST * height:
-        return Message("figure.part-too-small", least=f"{SMALLEST:g}")
+    for room, span in ((WIDTH, width), (HEIGHT, height)):
+        if smallest and smallest.size * room < SMALLEST * span:
+            return smallest.refusal
     scene = sketcher(mechanism, hints)
     if scene.width > WIDTH or scene.height > HEIGHT:
         return Message("figure.too-large", width=f"{WIDTH:g}", height=f"{HEIGHT:g}")
-    if smallest * scene.scale < SMALLEST:
-        return Message("figure.part-too-small", least=f"{SMALLEST:g}")
+    if smallest and smallest.size * scene.scale < SMALLEST:
+        return smallest.refusal
     if scene.crowded:
         return Message("figure.symbol-crowded", symbol=scene.crowded[0])
     return None
 
 
-def _measure_smallest_part(mechanism: Mechanism, hints: FigureHints) -> float:
-    """The least distance in metres between points of one body or the ends of a length with a
-    symbol, or the least radius.
+@dataclass(frozen=True)
+class _Part:
+    """The size in metres of what is drawn, and what is said of it where that is too small."""
+
+    size: float
+    refusal: Message
+
+
+def _list_parts(mechanism: Mechanism, hints: FigureHints) -> Iterator[_Part]:
+    """The distances between points of one body and of the ends of lengths with a symbol, and the
+    radii.
     """
-    pairs = {pair for body in mechanism.bodies for pair in combinations(body.points, 2)}
     at = mechanism.points
-    sizes = [hypot(*(at[start] - at[end])) for start, end in pairs]
+    for body in mechanism.bodies:
+        for start, end in combinations(body.points, 2):
+            yield _make_distance(hypot(*(at[start] - at[end])), start, end)
     for given in hints.lengths:
-        start, end = at[given.start], at[given.end]
-        sizes.append(abs((end - start).dot(find_measured_direction(given.along, start, end))))
-    sizes += [circle.radius for joint in mechanism.joints for circle in joint.list_circles()]
-    return min((size for size in sizes if size > _NOTHING), default=inf)
+        tail, tip = at[given.start], at[given.end]
+        along = find_measured_direction(given.along, tail, tip)
+        yield _make_distance(abs((tip - tail).dot(along)), given.start, given.end)
+    for joint in mechanism.joints:
+        for circle in joint.list_circles():
+            least = f"{SMALLEST:g}"
+            refusal = Message("figure.radius-too-small", centre=circle.centre, least=least)
+            yield _Part(circle.radius, refusal)
+
+
+def _make_distance(size: float, start: str, end: str) -> _Part:
+    """The distance of two points."""
+    least = f"{SMALLEST:g}"
+    return _Part(size, Message("figure.distance-too-small", start=start, end=end, least=least))

@@ -38,7 +38,7 @@ def test_an_ordinary_figure_is_legible() -> None:
     [
         ({"width": 75.1}, "the figure is larger than 75 mm by 55 mm"),
         ({"height": 55.1}, "the figure is larger than 75 mm by 55 mm"),
-        ({"scale": 39.0}, "a part is smaller than 4 mm in the figure"),
+        ({"scale": 39.0}, "the distance of O and A is less than 4 mm in the figure"),
         ({"crowded": ("r", "k r")}, "r has no good place in the figure"),
     ],
 )
