@@ -89,7 +89,7 @@ def test_a_crossed_belt_about_a_fixed_pulley() -> None:
     solution = solve_small(CARRIED, omega="omega(pulley) in rad/s")
     assert read_chapter("## A belt joins the pulley and the ground", solution) == as_read(
         r"""
-        Relative to the carrier $OC$ both rims always move with the speed of the belt, a crossed
+        Relative to the arm $OC$ both rims always move with the speed of the belt, a crossed
             one, so in opposite senses:
         (1 + 1)\,(\omega - \omega_{OC}) &= -3\,\unit{m} \cdot (0 - \omega_{OC})
         \omega &= \omega_{OC} + \frac{3\,\unit{m}}{1 + 1} \cdot \omega_{OC} = 2\,\unit{rad/s} +

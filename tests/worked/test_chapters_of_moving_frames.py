@@ -196,16 +196,16 @@ def test_a_relative_vector_that_is_asked_for() -> None:
     solution = solve_small(LINK, v_r="magnitude(relative_velocity(B, link, arm)) in m/s")
     assert not find_untold(
         r"""
-        $A$ is a point of the carrier $OA$, which turns about $O$:
+        $A$ is a point of the arm $OA$, which turns about $O$:
         v_{A} &= OA \cdot \omega_{OA} = 3\,\unit{m} \cdot 2\,\unit{rad/s} =
             6\,\unit{m/s}\quad\text{(upwards)}
         $B$ is a point of link, base point $A$:
         v_{B,x} &= -\omega_{AB}\,y_{B} = -(-3\,\unit{rad/s}) \cdot 1\,\unit{m} = 3\,\unit{m/s}
         v_{B,y} &= v_{A} + \omega_{AB}(x_{B} - x_{A}) = 6\,\unit{m/s}
-        The point of the carrier $OA$ that coincides with $B$ turns about $O$:
+        The point of the arm $OA$ that coincides with $B$ turns about $O$:
         v_{B(OA)} &= OB \cdot \omega_{OA} = 3.162\,\unit{m} \cdot 2\,\unit{rad/s} \approx
             6.325\,\unit{m/s}\quad\text{(counter-clockwise about }O\text{)}
-        Now the moving frame is the carrier $OA$:
+        Now the moving frame is the arm $OA$:
             $\boldsymbol{v}_{\mathrm{r}} = \boldsymbol{v}_{B} - \boldsymbol{v}_{B(OA)}$ is the
             velocity of $B$ relative to it.
         v_{\mathrm{r},x} &= v_{B,x} + \omega_{OA}\,y_{B} = 3\,\unit{m/s} + 2\,\unit{rad/s} \cdot
@@ -222,7 +222,7 @@ def test_an_acceleration_about_a_base_point_that_moves_itself() -> None:
     solution = solve_small(LINK, a_B="magnitude(acceleration(B)) in m/s^2")
     assert not find_untold(
         r"""
-        $A$ is a point of the carrier $OA$, which turns about $O$:
+        $A$ is a point of the arm $OA$, which turns about $O$:
         a_{A}^{\mathrm{n}} &= OA \cdot \omega_{OA}^{2} = 3\,\unit{m} \cdot (2\,\unit{rad/s})^{2} =
             12\,\unit{m/s^2}\quad\text{(to the left)}
         $B$ is a point of link, base point $A$:

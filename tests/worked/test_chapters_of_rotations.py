@@ -68,12 +68,12 @@ def test_meshing_seen_from_the_carrier() -> None:
             assumed for it (where a point turns about another, that of a counter-clockwise
             rotation), for a known one for its magnitude. Printed values are rounded; the
             calculation goes on with all their digits.
-        Given: the angular velocity of the carrier $OA$.
+        Given: the angular velocity of the arm $OA$.
         \omega_{OA} &= 2\,\unit{rad/s}\quad\text{(counter-clockwise)}
         Given: the angular velocity of the sun gear.
         \omega_{O} &= -3\,\unit{rad/s}\quad\text{(clockwise)}
         ## The planet gear meshes with the sun gear
-        Relative to the carrier $OA$ the pitch circles have equal speeds at the contact:
+        Relative to the arm $OA$ the pitch circles have equal speeds at the contact:
         1\,\unit{m} \cdot (\omega - \omega_{OA}) &= -2\,\unit{m} \cdot (\omega_{O} - \omega_{OA})
         \omega &= \omega_{OA} - \frac{2\,\unit{m}}{1\,\unit{m}} \cdot (\omega_{O} - \omega_{OA}) =
             2\,\unit{rad/s} - \frac{2\,\unit{m}}{1\,\unit{m}} \cdot (-3\,\unit{rad/s} -
@@ -86,12 +86,12 @@ def test_meshing_of_angular_accelerations() -> None:
     solution = solve_small(PLANETS, alpha="alpha(planet) in rad/s^2")
     assert read_chapter("# Accelerations", solution) == as_read(
         r"""
-        Given: the angular acceleration of the carrier $OA$.
+        Given: the angular acceleration of the arm $OA$.
         \alpha_{OA} &= 0
         Given: the angular acceleration of the sun gear.
         \alpha_{O} &= 4\,\unit{rad/s^2}\quad\text{(counter-clockwise)}
         ## The planet gear meshes with the sun gear
-        Relative to the carrier $OA$ the pitch circles always have equal speeds at the contact;
+        Relative to the arm $OA$ the pitch circles always have equal speeds at the contact;
             differentiated with respect to time:
         1\,\unit{m} \cdot (\alpha - \alpha_{OA}) &= -2\,\unit{m} \cdot (\alpha_{O} - \alpha_{OA})
         \alpha &= \alpha_{OA} - \frac{2\,\unit{m}}{1\,\unit{m}} \cdot (\alpha_{O} - \alpha_{OA}) =
@@ -120,10 +120,10 @@ def test_a_given_relative_rate() -> None:
             assumed for it (where a point turns about another, that of a counter-clockwise
             rotation), for a known one for its magnitude. Printed values are rounded; the
             calculation goes on with all their digits.
-        Given: the angular velocity of the carrier $OA$.
+        Given: the angular velocity of the arm $OA$.
         \omega_{OA} &= 2\,\unit{rad/s}\quad\text{(counter-clockwise)}
         ## The given motion
-        Given: the angular velocity of link relative to the carrier $OA$.
+        Given: the angular velocity of link relative to the arm $OA$.
         \omega - \omega_{OA} &= -5\,\unit{rad/s}\quad\text{(clockwise)}
         \omega &= -3\,\unit{rad/s}\quad\text{(clockwise)}
         """

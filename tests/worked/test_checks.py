@@ -125,8 +125,7 @@ def test_points_of_a_body_are_checked_by_the_projection_theorem() -> None:
 
 def test_a_planet_is_checked_as_its_carrier_sees_it() -> None:
     assert read_checks("ring-gear-planet-relative-spin")[0] == Check(
-        "the rim speeds of the planet gear and of the fixed circle, "
-        "seen from the carrier $O_{1}O_{2}$",
+        "the rim speeds of the planet gear and of the fixed circle, seen from the arm $O_{1}O_{2}$",
         r"0.08\,\unit{m} \cdot (-2.75\,\unit{rad/s} - 1\,\unit{rad/s}) = -0.3\,\unit{m/s}",
         r"0.3\,\unit{m} \cdot (-1\,\unit{rad/s}) = -0.3\,\unit{m/s}",
     )
@@ -136,7 +135,7 @@ def test_gears_that_a_planet_joins_are_checked_as_their_carrier_sees_them() -> N
     (check,) = read_checks("differential-epicyclic-train")
     assert check == Check(
         "the rim speeds of gear $S$ and of gear $R$, equal by way of the planet gear, "
-        "seen from the carrier $OP$",
+        "seen from the arm $OP$",
         r"0.04364\,\unit{m} \cdot (-31.42\,\unit{rad/s} - 3.142\,\unit{rad/s})"
         r" \approx -1.508\,\unit{m/s}",
         r"-0.1164\,\unit{m} \cdot (16.10\,\unit{rad/s} - 3.142\,\unit{rad/s})"

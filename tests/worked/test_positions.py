@@ -10,6 +10,7 @@ from functools import cache
 
 import pytest
 
+from kinegrade.expressions.tree import Call, walk
 from kinegrade.language import ENGLISH, Language
 from kinegrade.language.known import known_languages
 from kinegrade.language.math.reading import read_math
@@ -26,7 +27,7 @@ from kinegrade.problem.template.library.library import (
 from kinegrade.problem.template.library.reading import read_template
 from kinegrade.worked.answers.poses import explain_pose_answers, is_positional
 from kinegrade.worked.case import Case
-from kinegrade.worked.document import Block, Prose
+from kinegrade.worked.document import Block, Heading, Prose
 from kinegrade.worked.formulas.equation import WIDEST
 from kinegrade.worked.formulas.numbers import has_short_form
 from kinegrade.worked.positions.positions import explain_positions
@@ -97,7 +98,7 @@ def whole_chapter(solution: Solution, language: Language) -> tuple[Block, ...]:
     template = solution.template
     asks = [name for name, ask in template.asks.items() if is_positional(ask)]
     return (
-        *explain_positions(Case(solution, language), template.scheme.points),
+        *explain_positions(Case(solution, language), template.scheme.points).write(),
         *explain_pose_answers(Case(solution, language), asks),
     )
 
@@ -154,7 +155,7 @@ ANSWERS = [
 def test_the_last_line_ends_with_the_answer_of_the_key(name: str, ask: str) -> None:
     for solution in drawn(name):
         answer, asked = solution[ask], tidy(solution.template.asks[ask].symbol)
-        placed = explain_positions(Case(solution, "en"), solution.template.scheme.points)
+        placed = explain_positions(Case(solution, "en"), solution.template.scheme.points).write()
         told = explain_pose_answers(Case(solution, "en"), (ask,))
         parts = dict(chains((*placed, *told)))[asked]
         printed = parts[-1].split(r"\,\unit")[0].removesuffix(r"^\circ")
@@ -187,13 +188,13 @@ def test_the_side_of_a_directed_line_is_told_as_the_template_names_it(
     values = {"r": "1/5", "k": "2", "phi": "150"}
     solution = solve_template(template, values)
     assert solution["v_B"] == solve_template(load_template("slider-crank"), values)["v_B"]
-    blocks = explain_positions(Case(solution, language), ["B"])
+    blocks = explain_positions(Case(solution, language), ["B"]).write()
     assert any(said in sentence for sentence in sentences(blocks))
 
 
 def test_a_slider_crank_is_told_as_in_a_textbook() -> None:
     solution = solve_template(load_template("slider-crank"), {"r": "1/5", "k": "2", "phi": "30"})
-    blocks = explain_positions(Case(solution, "en"), ["B"])
+    blocks = explain_positions(Case(solution, "en"), ["B"]).write()
     assert sentences(blocks) == [
         "$O$ is the origin of the coordinates.",
         r"$A$ lies at the distance $r$ from $O$ in the direction $\varphi$, counted "
@@ -215,7 +216,7 @@ def test_a_slider_crank_is_told_as_in_a_textbook() -> None:
             r"\approx 0.5605\,\unit{m}",
         ]
     ]
-    assert sentences(explain_positions(Case(solution, "zh"), ["A"]))[-1] == (
+    assert sentences(explain_positions(Case(solution, "zh"), ["A"]).write())[-1] == (
         r"点 $A$ 到 $O$ 的距离为 $r$，由 $x$ 轴正向逆时针转到 $OA$ 的角为 $\varphi$："
     )
 
@@ -229,7 +230,7 @@ def test_a_line_is_broken_at_a_relation_sign_where_it_grows_too_wide(name: str) 
 
 def test_only_the_points_wanted_and_those_they_need_are_told() -> None:
     solution = solve_template(load_template("slider-crank"), {})
-    assert {left for left, _ in chains(explain_positions(Case(solution, "en"), ["A"]))} == {
+    assert {left for left, _ in chains(explain_positions(Case(solution, "en"), ["A"]).write())} == {
         "x_{A}",
         "y_{A}",
     }
@@ -237,7 +238,7 @@ def test_only_the_points_wanted_and_those_they_need_are_told() -> None:
 
 def test_an_angle_without_a_field_gives_decimals_that_say_they_are_rounded() -> None:
     solution = solve_template(load_template("slider-crank"), {"r": "1/5", "k": "2", "phi": "37"})
-    assert lines(explain_positions(Case(solution, "en"), ["A"]))[0] == tidy(
+    assert lines(explain_positions(Case(solution, "en"), ["A"]).write())[0] == tidy(
         r"x_{A} &= r \cos\varphi = 0.2\,\unit{m} \cdot \cos 37^\circ \approx 0.1597\,\unit{m}"
     )
 
@@ -295,10 +296,10 @@ def test_every_construction_is_told_with_numbers_that_agree(construction: str, t
     )
     for values in ({"r": "2", "phi": "30"}, {"r": "2", "phi": "37"}):
         solution = solve_template(read_template("test", text), values)
-        blocks = explain_positions(Case(solution, "en"), ["C"])
+        blocks = explain_positions(Case(solution, "en"), ["C"]).write()
         assert tidy_prose(told) in " ".join(sentences(blocks))
         require_printable(blocks, construction)
-        require_printable(explain_positions(Case(solution, "zh"), ["C"]), construction)
+        require_printable(explain_positions(Case(solution, "zh"), ["C"]).write(), construction)
         assert disagreements(blocks)[1] == []
         require_coordinates(solution, "C", dict(chains(blocks)))
 
@@ -405,3 +406,29 @@ def test_an_answer_in_other_units_stands_behind_that_in_si(unit: str, factor: fl
     blocks = write_worked_solution(solve_template(template, values), ["v_B"], "en").blocks
     (line,) = (each for each in lines(blocks) if rf"\unit{{{unit}}}" in each)
     assert rf"\,\unit{{m/s}} \approx {speed / factor:.4g}\,\unit{{{unit}}}" in line
+
+
+def is_plainly_placed(name: str) -> bool:
+    """Whether no point is met or reached by a longer construction, which is told as a whole."""
+    trees = load_template(name).scheme.points.values()
+    calls = {part.function for tree in trees for part in walk(tree) if isinstance(part, Call)}
+    return not calls & {"meet", "foot", "toward"}
+
+
+@pytest.mark.parametrize("name", list(filter(is_plainly_placed, find_template_names()))[::4])
+def test_coordinates_are_worked_out_where_something_refers_to_them(name: str) -> None:
+    [drawn] = draws_of(draw_filter(load_template(name), "used"), 1)
+    template = drawn.solution.template
+    asked = (template.asks[name] for name in template.asked())
+    moving = [ask.name for ask in asked if not is_positional(ask)]
+    blocks = write_worked_solution(drawn.solution, moving, "en").blocks
+    told = [*lines(blocks), *(block.text for block in blocks if isinstance(block, Prose))]
+    for left, _ in chains(blocks):
+        if re.fullmatch(r"[xy]_\{[A-Z]\w*\}", left):
+            assert sum(left in line for line in told) > 1, left
+
+
+def test_a_solution_without_coordinates_has_no_chapter_on_positions() -> None:
+    [drawn] = draws_of(draw_filter(load_template("scotch-yoke-driven-by-guide"), "used"), 1)
+    blocks = write_worked_solution(drawn.solution, ["omega_OA", "alpha_OA"], "en").blocks
+    assert "Positions" not in [block.text for block in blocks if isinstance(block, Heading)]

@@ -62,7 +62,7 @@ def explain_circles(
         Display(
             (
                 *_find_direction(side, opened),
-                *opened.coordinates(point, opened.axes.pair(placed) or _NOTHING),
+                *opened.coordinate_lines(point, opened.axes.pair(placed) or _NOTHING),
             )
         ),
     )

@@ -7,81 +7,35 @@ Lines, circles and feet of perpendiculars are in `kinegrade.worked.positions.int
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from typing import assert_never
 
 from kinegrade.expressions.tree import Call, Expression, Name, Number, Operation, list_parts
 from kinegrade.language.math.tree import Row
-from kinegrade.language.message import Message, list_plainly
-from kinegrade.worked.document import (
-    Block,
-    Display,
-    Heading,
-    Pictures,
-    Prose,
-    TermTable,
-)
+from kinegrade.language.message import Message
+from kinegrade.worked.document import Block, Display
 from kinegrade.worked.positions.algebra import ZERO, over, plus
 from kinegrade.worked.positions.axes import length_of, scale
 from kinegrade.worked.positions.construction_steps import Step
 from kinegrade.worked.positions.instance import Instance
 from kinegrade.worked.positions.intersections import explain_foot, explain_meeting
+from kinegrade.worked.positions.parts import Coordinates, Part, Placed, write_parts
 from kinegrade.worked.positions.polar import find_polar_way
 from kinegrade.worked.positions.vectors import describe_vector, negate, write_way
 
 
-@dataclass(frozen=True)
-class _Coordinates:
-    """Points given by their coordinates alone: one sentence with their equations."""
-
-    points: tuple[str, ...]
-    lines: tuple[Row, ...]
-
-    def blocks(self, instance: Instance) -> tuple[Block, ...]:
-        """The sentence and the equations."""
-        return instance.say(self._announce()), Display(self.lines)
-
-    def _announce(self) -> Message:
-        points = list_plainly(f"${point}$" for point in self.points)
-        if len(self.points) == 1:
-            return Message("solution.coordinates", points=points)
-        return Message("solution.coordinates-of-several", points=points)
-
-
 def write_chapter(steps: Iterable[Step], instance: Instance) -> tuple[Block, ...]:
-    """The blocks of all steps, the origin first; neighbouring points that are given by their
-    coordinates share a sentence.
-    """
-    blocks = list[Block | _Coordinates]()
-    for step in sorted(steps, key=lambda step: instance.axes.pair(step.tree) != (ZERO, ZERO)):
-        written = _explain_construction(step, instance)
-        before = blocks[-1] if blocks else None
-        if isinstance(written, _Coordinates) and isinstance(before, _Coordinates):
-            written = _Coordinates(before.points + written.points, before.lines + written.lines)
-            blocks.pop()
-        match written:
-            case _Coordinates():
-                blocks.append(written)
-            case tuple():
-                blocks += written
-            case _:
-                assert_never(written)
-    return tuple(part for block in blocks for part in _write_out(block, instance))
+    """The blocks of all steps."""
+    return write_parts(explain_constructions(steps, instance), instance.case)
 
 
-def _write_out(block: Block | _Coordinates, instance: Instance) -> tuple[Block, ...]:
-    """A block unchanged; coordinates with their sentence."""
-    match block:
-        case _Coordinates():
-            return block.blocks(instance)
-        case Heading() | Prose() | Display() | TermTable() | Pictures():
-            return (block,)
-        case _:
-            assert_never(block)
+def explain_constructions(steps: Iterable[Step], instance: Instance) -> tuple[Part, ...]:
+    """A part of the chapter for each step, the origin first."""
+    ordered = sorted(steps, key=lambda step: instance.axes.pair(step.tree) != (ZERO, ZERO))
+    return tuple(_explain_construction(step, instance) for step in ordered)
 
 
-def _explain_construction(step: Step, instance: Instance) -> tuple[Block, ...] | _Coordinates:
-    """The blocks of one step, or its coordinates where these are all there is to write."""
+def _explain_construction(step: Step, instance: Instance) -> Part:
+    """The part of one step: its coordinates alone where these are all there is to write."""
     tree = step.tree
     if isinstance(tree, Call) and tree.function == "meet":
         return explain_meeting(step, instance)
@@ -91,12 +45,12 @@ def _explain_construction(step: Step, instance: Instance) -> tuple[Block, ...] |
         return _explain_toward(step, instance)
     pair = instance.axes.pair(tree) or (ZERO, ZERO)
     if pair == (ZERO, ZERO):
-        return (instance.say(Message("solution.origin", point=instance.letter(step.point))),)
+        return Placed(Message("solution.origin", point=instance.letter(step.point)), ())
     sentence = _describe_place(step, instance)
-    lines = instance.coordinates(step.point, pair)
+    found = instance.coordinates(step.point, pair)
     if sentence is None:
-        return _Coordinates((instance.letter(step.point),), lines)
-    return instance.say(sentence), Display(lines)
+        return Coordinates((instance.letter(step.point),), found)
+    return Placed(sentence, found)
 
 
 def _describe_place(step: Step, instance: Instance) -> Message | None:
@@ -155,7 +109,7 @@ def _explain_toward(step: Step, instance: Instance) -> tuple[Block, ...]:
     lines = write_length_lines(size, instance)
     reached = scale(direction, over(distance, size)) or (ZERO, ZERO)
     pair = plus(base[0], reached[0]), plus(base[1], reached[1])
-    return sentence, Display((*lines, *instance.coordinates(step.point, pair)))
+    return sentence, Display((*lines, *instance.coordinate_lines(step.point, pair)))
 
 
 def _describe_reached_place(step: Step, vector: Expression, instance: Instance) -> Message:

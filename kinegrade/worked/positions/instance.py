@@ -25,7 +25,7 @@ from kinegrade.problem.kinds.dimension import find_si_unit
 from kinegrade.problem.quantity import Quantity, express_in_unit
 from kinegrade.worked.case import Case
 from kinegrade.worked.document import Prose
-from kinegrade.worked.formulas.atoms import Symbol
+from kinegrade.worked.formulas.atoms import AXES, Symbol
 from kinegrade.worked.formulas.equation import (
     Equation,
     Link,
@@ -45,6 +45,7 @@ from kinegrade.worked.formulas.symbols import (
 from kinegrade.worked.positions.algebra import Pair
 from kinegrade.worked.positions.axes import Axes, choose_axes
 from kinegrade.worked.positions.construction_steps import Step, list_steps
+from kinegrade.worked.positions.parts import Coordinate
 
 METRE, RADIAN, DEGREE, PURE = read_unit("m"), read_unit("rad"), read_unit("deg"), read_unit("1")
 AREA = read_unit("m^2")
@@ -163,14 +164,14 @@ class Instance:
         """An equation on as many lines as it needs."""
         return Equation(left, links).break_lines(self.case.notation)
 
-    def coordinates(self, point: str, pair: Pair) -> tuple[Row, ...]:
+    def coordinates(self, point: str, pair: Pair) -> tuple[Coordinate, Coordinate]:
         """x = ..., y = ... of a named point worked out."""
-        letter = self.symbols[point]
-        x, y = pair
-        return (
-            *self.equation(name_coordinate("x", letter), x),
-            *self.equation(name_coordinate("y", letter), y),
-        )
+        x, y = (name_coordinate(axis, self.symbols[point]) for axis in AXES)
+        return Coordinate(x, self.equation(x, pair[0])), Coordinate(y, self.equation(y, pair[1]))
+
+    def coordinate_lines(self, point: str, pair: Pair) -> tuple[Row, ...]:
+        """The lines of both coordinates."""
+        return tuple(line for each in self.coordinates(point, pair) for line in each.lines)
 
     def worked_out(
         self, left: Formula, tree: Expression, degrees: bool = False

@@ -6,7 +6,8 @@ Everything follows the constructions of the template, in its order, with this pa
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Sequence
+from dataclasses import dataclass
 
 from kinegrade.language.math.tree import Row
 from kinegrade.language.message import Message
@@ -14,19 +15,38 @@ from kinegrade.numbers.angle import Angle
 from kinegrade.worked.case import Case
 from kinegrade.worked.document import Block, Display
 from kinegrade.worked.positions.construction_steps import select_needed
-from kinegrade.worked.positions.constructions import write_chapter
+from kinegrade.worked.positions.constructions import explain_constructions
 from kinegrade.worked.positions.instance import METRE, RADIAN, Instance, make_instance
+from kinegrade.worked.positions.parts import Part, select_used, write_parts
 
 
-def explain_positions(case: Case, wanted: Collection[str]) -> tuple[Block, ...]:
-    """Where the points `wanted` are, and those they are constructed from: a sentence and equations
-    for each.
+@dataclass(frozen=True)
+class Positions:
+    """The chapter: the named lengths, which come first, and a part for each point."""
 
-    Coordinates in metres, x to the right, y upwards. Named lengths of the template come first.
+    case: Case
+    lengths: tuple[Block, ...]
+    parts: tuple[Part, ...]
+
+    def write(self) -> tuple[Block, ...]:
+        """A sentence and equations for each point."""
+        return self.lengths + write_parts(self.parts, self.case)
+
+    def write_used(self, later: Sequence[Block]) -> tuple[Block, ...]:
+        """The same without coordinates to which nothing `later` in the solution refers."""
+        used = select_used(self.parts, later, self.case)
+        return self.lengths + write_parts(used, self.case)
+
+
+def explain_positions(case: Case, wanted: Collection[str]) -> Positions:
+    """Where the points `wanted` are, and those they are constructed from.
+
+    Coordinates in metres, x to the right, y upwards.
     """
     instance = make_instance(case)
     steps = select_needed(instance.steps, wanted)
-    return _explain_named_lengths(instance) + write_chapter(steps, instance)
+    lengths = _explain_named_lengths(instance)
+    return Positions(case, lengths, explain_constructions(steps, instance))
 
 
 def _explain_named_lengths(instance: Instance) -> tuple[Block, ...]:

@@ -113,10 +113,14 @@ def _announce_axis(stage: Stage, projection: Projection) -> Message:
 
 
 def _name_direction_of_part(projection: Projection, case: Case) -> Message:
-    """The direction of the part along the axis, which is the one that is sought."""
-    along = (share.part for share in (*projection.left, *projection.right) if not share.angle)
-    vector = name_part(projection.equation, next(along), case, bold=True)
-    return Message("solution.projection-of", vector=case.text(vector))
+    """The direction of the part along the axis, which is the one that is sought, or its
+    opposite.
+    """
+    along = next(share for share in projection.shares if not share.angle)
+    vector = case.text(name_part(projection.equation, along.part, case, bold=True))
+    if along.sign < 0:
+        return Message("solution.projection-against", vector=vector)
+    return Message("solution.projection-of", vector=vector)
 
 
 def _name_line(axis: float, dropped: Part, case: Case) -> Message | None:

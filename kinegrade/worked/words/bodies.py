@@ -8,10 +8,10 @@ from typing import Literal
 from kinegrade.language.message import Message, Text
 
 _Kind = Literal[
+    "arm",
     "bar",
     "boom",
     "cam",
-    "carrier",
     "cord",
     "coupler",
     "crank",
@@ -49,7 +49,7 @@ _Kind = Literal[
     "yoke",
 ]
 _KINDS: Mapping[str, _Kind] = {  # by the words that templates use for bodies
-    "arm": "carrier",
+    "arm": "arm",
     "bar": "bar",
     "boom": "boom",
     "cam": "cam",

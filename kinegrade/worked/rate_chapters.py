@@ -1,0 +1,146 @@
+"""The chapters on velocities and accelerations of a worked solution: the steps of the plan, each
+answer as soon as all that it needs is found.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+from kinegrade.language.message import Message
+from kinegrade.mechanics.plan import Step
+from kinegrade.mechanics.rates import Rate
+from kinegrade.mechanics.vector_equation import Level
+from kinegrade.problem.template.template import Ask
+from kinegrade.worked.answers.answers import explain_answer
+from kinegrade.worked.answers.boxes import AnswerBoxes
+from kinegrade.worked.case import Case
+from kinegrade.worked.checks.chapters import check_rates
+from kinegrade.worked.document import Block, Heading, TermTable
+from kinegrade.worked.steps.couplers import name_method
+from kinegrade.worked.steps.given_steps import holds_still, is_given
+from kinegrade.worked.steps.methods import explain_by_method
+from kinegrade.worked.steps.pictures import draw_stage
+from kinegrade.worked.steps.polygons import find_common_scale
+from kinegrade.worked.steps.steps import explain_step, find_stage
+from kinegrade.worked.steps.titles import name_step
+from kinegrade.worked.vectors.facts import note_equation
+from kinegrade.worked.vectors.needed_rates import find_needs
+from kinegrade.worked.vectors.stage import Stage
+
+
+def write_rate_chapters(
+    case: Case,
+    moving: Sequence[Ask],
+    boxes: AnswerBoxes,
+    steps: tuple[Sequence[Step], Sequence[Step]],
+) -> Iterator[Block]:
+    """The chapters on velocities and on accelerations, with the answers that need them."""
+    velocities, accelerations = steps
+    if velocities:
+        yield Heading(case.write(Message("solution.velocities")), 1)
+        positive, rounded = Message("solution.positive"), Message("solution.rounded")
+        yield case.say(Message("solution.sentences", first=positive, next=rounded))
+        wanted = [ask for ask in moving if _find_level(ask, case) == "velocity"]
+        yield from _write_level_chapter(velocities, case, "velocity", _Answers(wanted, boxes))
+    if accelerations:
+        yield Heading(case.write(Message("solution.accelerations")), 1)
+        wanted = [ask for ask in moving if _find_level(ask, case) == "acceleration"]
+        yield from _write_level_chapter(
+            accelerations, case, "acceleration", _Answers(wanted, boxes)
+        )
+
+
+@dataclass
+class _Answers:
+    """The answers of a chapter, each given as soon as all rates are known that it needs."""
+
+    wanted: list[Ask]
+    boxes: AnswerBoxes
+
+    def follow(self, known: Collection[Rate] | None) -> Iterator[Block]:
+        """Those that follow from the rates known, or all that are left."""
+        case = self.boxes.case
+        for ask in tuple(self.wanted):
+            needed = find_needs(ask.quantity, case.reader).rates
+            if known is None or needed <= set(known):
+                self.wanted.remove(ask)
+                yield from explain_answer(ask, case)
+                yield from self.boxes.state_missing((ask,))
+
+
+def _write_level_chapter(
+    steps: Sequence[Step], case: Case, level: Level, answers: _Answers
+) -> Iterator[Block]:
+    """The given motions, then the steps of velocities, or of accelerations, each with the answers
+    that follow.
+    """
+    imposed = [step for step in steps if is_given(step, case)]
+    known = set(list_found(imposed))
+    for step in () if case.findings.places_alone else imposed:
+        yield from explain_step(step, find_stage(step, case, level, set()))
+    stages = find_stages(steps, case, level, known)
+    yield from _write_steps(steps, stages, known, answers)
+    yield from answers.follow(None)
+    yield from check_rates(stages, level, case)
+
+
+def _write_steps(
+    steps: Sequence[Step], stages: Mapping[Step, Stage], given: Collection[Rate], answers: _Answers
+) -> Iterator[Block]:
+    """The steps that find something, each with the answers that follow from what is known then."""
+    known, scale = set(given), find_common_scale(stages.values())
+    for step in steps:
+        if step in stages:
+            yield from _write_step(step, stages[step], scale)
+        known |= set(step.unknowns)
+        yield from answers.follow(known)
+
+
+def find_stages(
+    steps: Sequence[Step], case: Case, level: Level, given: Collection[Rate]
+) -> dict[Step, Stage]:
+    """The steps that find what neither is given nor has been said of bodies that do not turn."""
+    known, stages = set(given), {}
+    for step in steps:
+        if not known.issuperset(step.unknowns):
+            if not holds_still(step, case):
+                stages[step] = find_stage(step, case, level, frozenset(known))
+            known |= set(step.unknowns)
+    return stages
+
+
+def list_found(steps: Iterable[Step]) -> frozenset[Rate]:
+    """The rates that steps give."""
+    return frozenset(rate for step in steps for rate in step.unknowns)
+
+
+def _find_level(ask: Ask, case: Case) -> Level:
+    """Whether an answer needs changes of rates, or rates alone."""
+    changes = find_needs(ask.quantity, case.reader).changes
+    return "acceleration" if changes else "velocity"
+
+
+def _write_step(step: Step, stage: Stage, scale: float | None) -> Iterator[Block]:
+    """One step under its title: the equations, their results, the pictures to that scale; nothing
+    where an earlier answer has told all of it.
+    """
+    by_method = tuple(explain_by_method(step, stage))
+    title = (name_method(stage) if by_method else None) or name_step(step, stage)
+    blocks = by_method or tuple(explain_step(step, stage))
+    if blocks:
+        yield Heading(stage.case.write(Message("solution.step-title", title=title)), 2)
+        yield from _place_pictures(blocks, draw_stage(stage, scale))
+    for equation in stage.equations:
+        note_equation(equation, stage.case)
+
+
+def _place_pictures(blocks: Sequence[Block], pictures: Iterable[Block]) -> Iterator[Block]:
+    """The blocks of a step with its pictures below the vector equations, so that what follows from
+    these stands beside them.
+    """
+    tables = [place for place, block in enumerate(blocks) if isinstance(block, TermTable)]
+    below = max(tables) + 1 if tables else 0
+    yield from blocks[:below]
+    yield from pictures
+    yield from blocks[below:]
