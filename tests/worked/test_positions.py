@@ -25,6 +25,7 @@ from kinegrade.problem.template.library.library import (
     load_template,
 )
 from kinegrade.problem.template.library.reading import read_template
+from kinegrade.problem.template.notation import write_point_symbol
 from kinegrade.worked.answers.poses import explain_pose_answers, is_positional
 from kinegrade.worked.case import Case
 from kinegrade.worked.document import Block, Heading, Prose
@@ -423,9 +424,10 @@ def test_coordinates_are_worked_out_where_something_refers_to_them(name: str) ->
     moving = [ask.name for ask in asked if not is_positional(ask)]
     blocks = write_worked_solution(drawn.solution, moving, "en").blocks
     told = [*lines(blocks), *(block.text for block in blocks if isinstance(block, Prose))]
-    for left, _ in chains(blocks):
-        if re.fullmatch(r"[xy]_\{[A-Z]\w*\}", left):
-            assert sum(left in line for line in told) > 1, left
+    letters = {write_point_symbol(point) for point in template.scheme.points}
+    coordinates = {f"{axis}_{{{letter}}}" for axis in "xy" for letter in letters}
+    for left in coordinates & {left for left, _ in chains(blocks)}:
+        assert sum(left in line for line in told) > 1, left
 
 
 def test_a_solution_without_coordinates_has_no_chapter_on_positions() -> None:

@@ -7,6 +7,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from math import copysign, pi
+from typing import assert_never
 
 import numpy as np
 
@@ -218,13 +219,24 @@ def _list_leaders_to_rim(symbol: str, rim: Rim) -> list[Leader]:
     """Leaders outward from a little inside a rim; of a gear, from the bottom of its teeth."""
     if rim.ring:
         return []
-    inside = min(TOOTH_ROOT if rim.kind == "gear" else _INSIDE_RIM, rim.radius)
+    inside = min(_find_depth(rim), rim.radius)
     edge = rim.radius - inside
     return [
         Leader(rim.at + polar(pi / 6 * turn, edge), pi / 6 * turn, reach + inside, symbol)
         for reach in _REACHES
         for turn in range(12)
     ]
+
+
+def _find_depth(rim: Rim) -> float:
+    """Millimetres within a rim at which a leader to its body ends."""
+    match rim.kind:
+        case "gear":
+            return TOOTH_ROOT
+        case "wheel" | "slot" | "cam" | "edge":
+            return _INSIDE_RIM
+        case _:
+            assert_never(rim.kind)
 
 
 def _list_spots_in_circle(symbol: str, rim: Rim) -> Floats:
