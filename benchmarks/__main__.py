@@ -25,6 +25,7 @@ BENCHMARKS = (
     "tags",
     "class_commands",
     "cycles",
+    "preview",
 )
 
 
