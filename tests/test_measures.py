@@ -54,9 +54,9 @@ def test_lines_of_code_are_lines_without_docstrings_comments_and_blanks(tmp_path
 # did when fairness came to be bounded (mistakes, follow-through, papers alike hard) and when
 # mechanisms came to move (cycles)
 FAR = {
-    "syntax nodes": 687_400,
-    "lines of code": 71_950,
-    "syntax nodes a line": 9.56,
+    "syntax nodes": 692_100,
+    "lines of code": 72_400,
+    "syntax nodes a line": 9.57,
     "modules of more than 250 lines": 21,
 }
 COPIED = """

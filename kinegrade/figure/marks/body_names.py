@@ -220,11 +220,10 @@ def _list_leaders_to_rim(symbol: str, rim: Rim) -> list[Leader]:
     if rim.ring:
         return []
     inside = min(_find_depth(rim), rim.radius)
-    edge = rim.radius - inside
     return [
-        Leader(rim.at + polar(pi / 6 * turn, edge), pi / 6 * turn, reach + inside, symbol)
+        Leader(rim.at + polar(turn, rim.radius - inside), turn, reach + inside, symbol)
         for reach in _REACHES
-        for turn in range(12)
+        for turn in (pi / 6 * number for number in range(12))
     ]
 
 
