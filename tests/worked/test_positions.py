@@ -430,6 +430,16 @@ def test_coordinates_are_worked_out_where_something_refers_to_them(name: str) ->
         assert sum(left in line for line in told) > 1, left
 
 
+def test_a_coordinate_that_only_its_square_refers_to_is_worked_out() -> None:
+    [drawn] = draws_of(draw_filter(load_template("rolling-wheel-rim-points"), "square"), 1)
+    asked = drawn.solution.template.asked()
+    blocks = write_worked_solution(drawn.solution, asked, "en").blocks
+    lefts = {left for left, _ in chains(blocks)}
+    squared = set(re.findall(r"([xy]_\{[A-Z]_?\{?\d?\}?\})\^", " ".join(lines(blocks))))
+    assert squared
+    assert squared <= lefts
+
+
 def test_a_solution_without_coordinates_has_no_chapter_on_positions() -> None:
     [drawn] = draws_of(draw_filter(load_template("scotch-yoke-driven-by-guide"), "used"), 1)
     blocks = write_worked_solution(drawn.solution, ["omega_OA", "alpha_OA"], "en").blocks

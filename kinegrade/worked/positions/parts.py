@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import TypeAlias, assert_never
 
-from kinegrade.language.math.tree import Row, list_nodes
+from kinegrade.language.math.tree import Row, Scripts, list_nodes
 from kinegrade.language.message import Message, list_plainly
 from kinegrade.worked.case import Case
 from kinegrade.worked.document import (
@@ -84,10 +84,10 @@ def _list_used(
 
 def _mentions(block: Block, symbol: Symbol, case: Case) -> bool:
     """Whether a block refers to a symbol, in its formulas or in a sentence."""
-    node, text = symbol.row[0], case.text(symbol)
+    text = case.text(symbol)
     match block:
         case Display():
-            return any(node in list_nodes(line) for line in block.lines)
+            return any(_is_in(symbol, line) for line in block.lines)
         case Heading() | Prose():
             return text in block.text
         case TermTable():
@@ -97,6 +97,12 @@ def _mentions(block: Block, symbol: Symbol, case: Case) -> bool:
             return any(text in picture.caption for picture in block.pictures)
         case _:
             assert_never(block)
+
+
+def _is_in(symbol: Symbol, line: Row) -> bool:
+    """Whether a symbol stands in a line, with an exponent or without."""
+    nodes = (node for node in list_nodes(line) if isinstance(node, Scripts))
+    return any((replace(node, upper=None),) == symbol.row for node in nodes)
 
 
 def write_parts(parts: Iterable[Part], case: Case) -> tuple[Block, ...]:
