@@ -1,5 +1,5 @@
 """What it costs that a paper can be heard: one set, solved, drawn and typeset with tags, against
-the same without them, by the time of the processor; and its size, alone and in a volume.
+the same without them, by the time of the processor; and its size, where papers are joined.
 """
 
 from __future__ import annotations
@@ -9,7 +9,6 @@ import time
 from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from pathlib import Path
-from typing import Literal
 
 from benchmarks.figure_of_merit import Figure
 from kinegrade.exam.bank.bank import find_bank, read_bank
@@ -20,12 +19,11 @@ from kinegrade.exam.roster.students import Student
 from kinegrade.exam.setting.dealing import deal_exam
 from kinegrade.press.join import join_pages
 from kinegrade.press.typst.compiler import make_compiler
-from kinegrade.press.typst.packing import pack
 from kinegrade.press.typst.paper import write_paper_source
 
 STUDENTS, REPEATS, BANK, SEED = 24, 5, "demo", "bench"
-TIME_PROMISE = 1 / 1.15  # a tenth more without packing, which halves the files for 4 % more
-KILOBYTE, MEGABYTE = 1e3, 1e6
+TIME_PROMISE = 1 / 1.1  # at most a tenth more
+MEGABYTE = 1e6
 
 
 def figures() -> Iterator[Figure]:
@@ -41,8 +39,6 @@ def figures() -> Iterator[Figure]:
         TIME_PROMISE,
     )
     yield Figure("typesetting it alone", heard / STUDENTS, unheard / STUDENTS, None)
-    files = [sum(map(len, each)) / STUDENTS / KILOBYTE for each in (tagged, bare)]
-    yield Figure("the file of a paper with tags against one without", *files, None, "kB")
     volumes = [len(join_pages(each)) / MEGABYTE for each in (tagged, bare)]
     yield Figure("a volume of 24 papers with tags against one without", *volumes, None, "MB")
 
@@ -67,15 +63,14 @@ def write_sources() -> list[bytes]:
 
 
 def typeset(sources: Sequence[bytes], *, tags: bool) -> list[bytes]:
-    """Each of the papers as PDF, packed where it has tags."""
+    """Each of the papers as PDF."""
     compiler = make_compiler()
-    standard: Literal["ua-1", "a-2b"] = "ua-1" if tags else "a-2b"
-    pages = (
+    standard = "ua-1" if tags else "a-2b"
+    return [
         bytes(
             compiler.compile(
                 source, format="pdf", pdf_standards=standard, timestamp=0, pdf_tags=tags
             )
         )
         for source in sources
-    )
-    return list(map(pack, pages) if tags else pages)
+    ]

@@ -31,7 +31,6 @@ from kinegrade.press.typst.cycle_page import write_cycle_page_source
 from kinegrade.press.typst.faults import explain, find_boxed
 from kinegrade.press.typst.gallery import write_gallery_source
 from kinegrade.press.typst.key import write_key_source
-from kinegrade.press.typst.packing import pack
 from kinegrade.press.typst.paper import write_paper_source
 
 # Papers in one compilation: Typst keeps the layouts of its last ten, 3 MB for the key of each paper
@@ -213,10 +212,8 @@ class TypstPress(Press):
             raise TypesetError(*explain(error, where)) from error
 
     def _compile(self, source: str) -> bytes:
-        """The PDF of a layout, packed. Raises TypstError, also for a character that no font
-        prints.
-        """
-        return pack(self._pdf(source, "ua-1"))
+        """The PDF of a layout. Raises TypstError, also for a character that no font prints."""
+        return self._pdf(source, "ua-1")
 
     def _pdf(self, source: str, standard: Literal["a-2b", "ua-1"]) -> bytes:
         pdf = self._compiler.compile(
