@@ -95,11 +95,16 @@ class Case:
 
     def text(self, formula: Formula) -> str:
         """A formula as a part of a sentence, in LaTeX math without dollar signs."""
-        return write_row(formula.print(self.notation))
+        return self._tell(formula.print(self.notation))
 
     def tell(self, equation: Equation) -> str:
         """An equation within a sentence, with its dollar signs."""
-        return f"${write_row(equation.print_inline(self.notation))}$"
+        return f"${self._tell(equation.print_inline(self.notation))}$"
+
+    def _tell(self, row: Row) -> str:
+        """A formula of a sentence, which the notebook keeps as such."""
+        self.findings.told.append(row)
+        return write_row(row)
 
     def joint(self, term: Term) -> JointSentence | None:
         """The sentence of the joint that guides a sliding or circling point, None for a free

@@ -94,16 +94,15 @@ def _write_blocks(case: Case, asked: Sequence[Ask], boxes: AnswerBoxes) -> Itera
         yield from describe_motions(case)
     points = find_used_points(case, moving, (*velocities, *accelerations))
     contacts = tuple(introduce_contacts(case, points))
+    placed = explain_positions(case, [*points, *find_placed_points(case, still)])
+    chapters = write_rate_chapters(case, moving, boxes, (velocities, accelerations))
     if still:
-        placed = explain_positions(case, [*points, *find_placed_points(case, still)])
-        yield Heading(case.write(Message("solution.positions")), 1)
-        yield from (*contacts, *placed.write())
+        yield from _head_positions((*contacts, *placed.write()), case)
         yield from explain_pose_answers(case, (ask.name for ask in still))
         yield from boxes.state_missing(still)
-        yield from write_rate_chapters(case, moving, boxes, (velocities, accelerations))
+        yield from chapters
     else:
-        placed = explain_positions(case, points)
-        chapters = write_rate_chapters(case, moving, boxes, (velocities, accelerations))
+        # In boxes before their turn: an answer is missing until its line has got its box
         later = tuple(boxes.frame(chapters))
         yield from _head_positions((*contacts, *placed.write_used(later)), case)
         yield from later

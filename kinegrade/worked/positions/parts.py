@@ -11,14 +11,7 @@ from typing import TypeAlias, assert_never
 from kinegrade.language.math.tree import Row, Scripts, list_nodes
 from kinegrade.language.message import Message, list_plainly
 from kinegrade.worked.case import Case
-from kinegrade.worked.document import (
-    Block,
-    Display,
-    Heading,
-    Pictures,
-    Prose,
-    TermTable,
-)
+from kinegrade.worked.document import Block, Display
 from kinegrade.worked.formulas.atoms import Symbol
 
 
@@ -52,57 +45,39 @@ class Placed:
 Part: TypeAlias = Coordinates | Placed | tuple[Block, ...]
 
 
-def select_used(parts: Sequence[Part], later: Sequence[Block], case: Case) -> tuple[Part, ...]:
-    """The parts without the coordinates that neither later blocks nor the parts left refer to, and
-    without the points of which nothing is left; none where that is the origin alone.
+def select_used(parts: Sequence[Part], later: Iterable[Row]) -> tuple[Part, ...]:
+    """The parts without the coordinates that neither later formulas nor the parts left refer to,
+    and without the points of which nothing is left; none where that is the origin alone.
     """
     kept: list[Part] = []
-    readers = list(later)
+    met = _find_symbols(later)
     for part in reversed(parts):
         match part:
             case Coordinates() | Placed():
-                found = tuple(_list_used(part.found, readers, case))
+                found = tuple(each for each in part.found if each.symbol.row in met)
                 if found or not part.found:
                     kept.append(replace(part, found=found))
-                    readers.append(_display(found))
+                    met |= _find_symbols(_display(found).lines)
             case tuple():
                 kept.append(part)
-                readers += part
+                met |= _find_symbols(list_lines(part))
             case _:
                 assert_never(part)
     worked_out = any(not isinstance(part, Placed) or part.found for part in kept)
     return tuple(reversed(kept)) if worked_out else ()
 
 
-def _list_used(
-    found: Iterable[Coordinate], readers: Sequence[Block], case: Case
-) -> Iterator[Coordinate]:
-    for coordinate in found:
-        if any(_mentions(block, coordinate.symbol, case) for block in readers):
-            yield coordinate
+def list_lines(blocks: Iterable[Block]) -> Iterator[Row]:
+    """The lines of all equations that are displayed."""
+    for block in blocks:
+        if isinstance(block, Display):
+            yield from block.lines
 
 
-def _mentions(block: Block, symbol: Symbol, case: Case) -> bool:
-    """Whether a block refers to a symbol, in its formulas or in a sentence."""
-    text = case.text(symbol)
-    match block:
-        case Display():
-            return any(_is_in(symbol, line) for line in block.lines)
-        case Heading() | Prose():
-            return text in block.text
-        case TermTable():
-            cells = (cell for term in block.terms for cell in (term.magnitude, term.direction))
-            return any(text in cell for cell in cells)
-        case Pictures():
-            return any(text in picture.caption for picture in block.pictures)
-        case _:
-            assert_never(block)
-
-
-def _is_in(symbol: Symbol, line: Row) -> bool:
-    """Whether a symbol stands in a line, with an exponent or without."""
-    nodes = (node for node in list_nodes(line) if isinstance(node, Scripts))
-    return any((replace(node, upper=None),) == symbol.row for node in nodes)
+def _find_symbols(rows: Iterable[Row]) -> set[Row]:
+    """The symbols with an index that formulas refer to, with an exponent or without."""
+    nodes = (node for row in rows for node in list_nodes(row))
+    return {(replace(node, upper=None),) for node in nodes if isinstance(node, Scripts)}
 
 
 def write_parts(parts: Iterable[Part], case: Case) -> tuple[Block, ...]:

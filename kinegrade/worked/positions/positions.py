@@ -17,7 +17,7 @@ from kinegrade.worked.document import Block, Display
 from kinegrade.worked.positions.construction_steps import select_needed
 from kinegrade.worked.positions.constructions import explain_constructions
 from kinegrade.worked.positions.instance import METRE, RADIAN, Instance, make_instance
-from kinegrade.worked.positions.parts import Part, select_used, write_parts
+from kinegrade.worked.positions.parts import Part, list_lines, select_used, write_parts
 
 
 @dataclass(frozen=True)
@@ -34,7 +34,7 @@ class Positions:
 
     def write_used(self, later: Sequence[Block]) -> tuple[Block, ...]:
         """The same without coordinates to which nothing `later` in the solution refers."""
-        used = select_used(self.parts, later, self.case)
+        used = select_used(self.parts, (*list_lines(later), *self.case.findings.told))
         return self.lengths + write_parts(used, self.case)
 
 

@@ -196,9 +196,8 @@ def _orient(projection: Projection, sought: Rate | None) -> Projection:
     """The projection, with its axis reversed where most parts are negative; in a tie the unknown
     sought decides.
     """
-    shares = (*projection.left, *projection.right)
-    balance = sum(share.sign for share in shares)
-    deciding = [share for share in shares if balance or share.part.unknown == sought]
+    balance = sum(share.sign for share in projection.shares)
+    deciding = [share for share in projection.shares if balance or share.part.unknown == sought]
     if sum(share.sign for share in deciding) >= 0:
         return projection
     return Projection(projection.equation, (projection.axis + 180) % 360, projection.dropped)
