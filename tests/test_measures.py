@@ -54,8 +54,8 @@ def test_lines_of_code_are_lines_without_docstrings_comments_and_blanks(tmp_path
 # did when fairness came to be bounded (mistakes, follow-through, papers alike hard) and when
 # mechanisms came to move (cycles)
 FAR = {
-    "syntax nodes": 692_100,
-    "lines of code": 72_400,
+    "syntax nodes": 691_000,
+    "lines of code": 72_300,
     "syntax nodes a line": 9.57,
     "modules of more than 250 lines": 21,
 }

@@ -19,6 +19,7 @@ from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.problem.template.hints import FigureHints
 
 SMALLEST = 4.0  # millimetres on paper of a crank, an eccentricity, the radius of a wheel
+_LEAST = f"{SMALLEST:g}"  # as refusals say it
 _NOTHING = 1e-6  # metres: points nearer than this are one
 
 
@@ -69,12 +70,10 @@ def _list_parts(mechanism: Mechanism, hints: FigureHints) -> Iterator[_Part]:
         yield _make_distance(abs((tip - tail).dot(along)), given.start, given.end)
     for joint in mechanism.joints:
         for circle in joint.list_circles():
-            least = f"{SMALLEST:g}"
-            refusal = Message("figure.radius-too-small", centre=circle.centre, least=least)
+            refusal = Message("figure.radius-too-small", centre=circle.centre, least=_LEAST)
             yield _Part(circle.radius, refusal)
 
 
 def _make_distance(size: float, start: str, end: str) -> _Part:
     """The distance of two points."""
-    least = f"{SMALLEST:g}"
-    return _Part(size, Message("figure.distance-too-small", start=start, end=end, least=least))
+    return _Part(size, Message("figure.distance-too-small", start=start, end=end, least=_LEAST))
