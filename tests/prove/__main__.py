@@ -5,7 +5,8 @@
 Prints a table of the proofs, each with its first seed and how many cases were run of those that the
 proof in full has; below a proof its failures, each as the line that belongs into
 `tests/prove/failed_seeds.py`. The status is 1 if there is any. No batch begins after the minutes are over: a table with fewer
-cases than it should have says so by its numbers.
+cases than it should have says so by its numbers. A proof that promises to compare so many things has their number
+in its row. Every minute stderr has a line that says how far the proof is, and each failure as soon as it is known.
 """
 
 from __future__ import annotations
@@ -19,10 +20,12 @@ from secrets import randbelow
 
 from tests.prove.outcome import Outcome
 from tests.prove.processes import outcomes
+from tests.prove.progress import tallied, write_failure
 from tests.prove.proof import Proof
 from tests.prove.proofs import PROOFS
 
-HEADER = f"{'proof':24}{'seed':>12}{'cases':>8}{'of':>8}{'seconds':>9}{'failures':>10}"
+TITLES = f"{'proof':24}{'seed':>12}{'cases':>8}{'of':>8}{'seconds':>9}{'failures':>10}"
+HEADER = f"{TITLES}{'compared':>10}"
 SEEDS = 10**9
 
 
@@ -36,11 +39,11 @@ def main(arguments: Sequence[str] | None = None, proofs: Sequence[Proof] = PROOF
         cases = max(1, round(wanted.scale * proof.cases))
         first = randbelow(SEEDS) if wanted.seed is None else wanted.seed
         begin = time.monotonic()
-        found = list(outcomes(proof, range(first, first + cases), wanted.jobs, until))
-        lines = [_line(proof, each) for each in found if each.fault]
-        seconds = time.monotonic() - begin
-        row = f"{proof.name:24}{first:12}{len(found):8}{proof.cases:8}{seconds:9.0f}{len(lines):10}"
-        print(row, *lines, sep="\n", flush=True)
+        with tallied(proof, cases) as note:
+            seeds = range(first, first + cases)
+            found = list(outcomes(proof, seeds, wanted.jobs, until, note))
+        lines = [write_failure(proof, each) for each in found if each.fault]
+        print(_row(proof, first, found, time.monotonic() - begin), *lines, sep="\n", flush=True)
         failed = failed or bool(lines)
     return 1 if failed else 0
 
@@ -61,9 +64,12 @@ def _parser(proofs: Sequence[Proof]) -> argparse.ArgumentParser:
     return parser
 
 
-def _line(proof: Proof, outcome: Outcome) -> str:
-    """An entry of the list of failed seeds."""
-    return f"    ({proof.name!r}, {outcome.seed}): {outcome.fault!r},"
+def _row(proof: Proof, first: int, found: Sequence[Outcome], seconds: float) -> str:
+    """The row of a proof in the table."""
+    failures = sum(bool(each.fault) for each in found)
+    compared = sum(each.compared for each in found)
+    run = f"{first:12}{len(found):8}{proof.cases:8}{seconds:9.0f}{failures:10}"
+    return f"{proof.name:24}{run}{compared or '':>10}".rstrip()
 
 
 if __name__ == "__main__":

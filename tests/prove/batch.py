@@ -33,7 +33,7 @@ def main(address: str, first: str, stop: str) -> None:
     with temporary_folder() as folder:
         for seed in range(int(first), int(stop)):
             _give_time()
-            print(json.dumps(asdict(Outcome(seed, _fault(hold, seed, folder)))), flush=True)
+            print(json.dumps(asdict(_try(hold, seed, folder))), flush=True)
 
 
 def _give_time() -> None:
@@ -43,19 +43,21 @@ def _give_time() -> None:
     faulthandler.dump_traceback_later(LONGEST, exit=True)
 
 
-def _fault(hold: Callable[[int, Path], None], seed: int, folder: Path) -> str:
+def _try(hold: Callable[[int, Path], int | None], seed: int, folder: Path) -> Outcome:
     """What is wrong at a seed, in one line; a case that takes more memory than any before it, and
     more than is allowed, is at fault too.
     """
     before = _most_memory()
     try:
-        hold(seed, folder)
+        compared = hold(seed, folder) or 0
     except Exception as fault:
         place = traceback.extract_tb(fault.__traceback__)[-1]
         said = " ".join(str(fault).split())
-        return f"{type(fault).__name__} in {Path(place.filename).name}:{place.lineno}: {said}"
+        name = f"{type(fault).__name__} in {Path(place.filename).name}:{place.lineno}"
+        return Outcome(seed, f"{name}: {said}")
     most = _most_memory()
-    return f"memory: {most >> 20} MB" if most > max(before, MEMORY) else ""
+    at_fault = most > max(before, MEMORY)
+    return Outcome(seed, f"memory: {most >> 20} MB" if at_fault else "", compared)
 
 
 def _most_memory() -> int:

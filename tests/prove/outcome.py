@@ -7,7 +7,10 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Outcome:
-    """The seed of a case, and what was wrong there; "" where the claim holds."""
+    """The seed of a case, what was wrong there ("" where the claim holds), and how many things were
+    `compared` there, of proofs that promise a number of them.
+    """
 
     seed: int
     fault: str
+    compared: int = 0

@@ -7,7 +7,7 @@ import signal
 import subprocess
 import sys
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 
 from tests.prove.outcome import Outcome
@@ -16,42 +16,48 @@ from tests.prove.proof import Proof
 DIED = "the process died"
 
 
-def outcomes(proof: Proof, seeds: range, jobs: int, until: float) -> Iterator[Outcome]:
-    """What came of the seeds; no batch begins after the time `until` of the monotonic clock."""
+def outcomes(
+    proof: Proof, seeds: range, jobs: int, until: float, note: Callable[[Outcome], None]
+) -> Iterator[Outcome]:
+    """What came of the seeds, each of which is noted as soon as it is known; no batch begins after
+    the time `until` of the monotonic clock.
+    """
     batches = [seeds[place : place + proof.batch] for place in range(0, len(seeds), proof.batch)]
+
+    def run(batch: range) -> list[Outcome]:
+        return list(_run_batch(proof, batch, note)) if time.monotonic() < until else []
+
     with ThreadPoolExecutor(jobs) as pool:
-        for found in pool.map(lambda batch: _in_time(proof, batch, until), batches):
+        for found in pool.map(run, batches):
             yield from found
 
 
-def _in_time(proof: Proof, batch: range, until: float) -> list[Outcome]:
-    return _by_processes(proof, batch) if time.monotonic() < until else []
-
-
-def _by_processes(proof: Proof, batch: range) -> list[Outcome]:
-    found: list[Outcome] = []
+def _run_batch(proof: Proof, batch: range, note: Callable[[Outcome], None]) -> Iterator[Outcome]:
+    """What came of a batch, by as many processes as it takes."""
     while batch:
-        came, status = _by_process(proof, batch)
-        found += came
-        batch = batch[len(came) :]
-        if batch and status:
-            found.append(Outcome(batch[0], f"{DIED} ({_tell_death(status)})"))
+        process = _begin(proof, batch)
+        for line in process.stdout or ():
+            found = Outcome(**json.loads(line))
+            note(found)
+            yield found
             batch = batch[1:]
-    return found
+        status = process.wait()
+        if batch and status:
+            died = Outcome(batch[0], f"{DIED} ({_tell_death(status)})")
+            note(died)
+            yield died
+            batch = batch[1:]
 
 
-def _by_process(proof: Proof, batch: range) -> tuple[list[Outcome], int]:
-    """What came of a batch until its process ended, and with which status it did."""
+def _begin(proof: Proof, batch: range) -> subprocess.Popen[str]:
+    """The process that runs a batch."""
     bounds = (str(batch.start), str(batch.stop))
-    done = subprocess.run(
+    return subprocess.Popen(
         [sys.executable, "-m", "tests.prove.batch", proof.address, *bounds],
         stdout=subprocess.PIPE,
         stderr=subprocess.DEVNULL,
-        check=False,
         text=True,
     )
-    lines = done.stdout.splitlines()
-    return [Outcome(**json.loads(line)) for line in lines], done.returncode
 
 
 def _tell_death(status: int) -> str:

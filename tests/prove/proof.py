@@ -12,12 +12,13 @@ class Proof:
     """A claim and how often it is tried.
 
     `hold` tries it once, at a seed and in a folder of its own process, and raises AssertionError,
-    or whatever else breaks it, where it does not hold. `make prove` runs `cases` seeds in full,
+    or whatever else breaks it, where it does not hold; it gives how many things it compared, or
+    nothing where no number of them is promised. `make prove` runs `cases` seeds in full,
     `batch` of them in one process; `make test` runs `sample` fixed ones.
     """
 
     name: str
-    hold: Callable[[int, Path], None]
+    hold: Callable[[int, Path], int | None]
     cases: int
     batch: int
     sample: int

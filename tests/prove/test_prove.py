@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import os
+import re
 import subprocess
 import sys
 from pathlib import Path
 
 import pytest
 
-from tests.prove import invented, properties
+from tests.prove import invented, progress, properties
 from tests.prove.__main__ import main
 from tests.prove.failed_seeds import FAILED
 from tests.prove.proof import Proof
@@ -71,8 +72,9 @@ def test_a_failure_is_the_line_that_belongs_into_the_list(
 ) -> None:
     status, lines = run(capsys, cases=10)
     assert status == 1
-    name, seed, cases, full, _, failures = lines[1].split()
+    name, seed, cases, full, _, failures, compared = lines[1].split()
     assert (name, seed, cases, full, failures) == ("invented", "10", "10", "10", "5")
+    assert int(compared) == 2 * 6  # by those that hold, and by the one that took much memory
     assert lines[2].startswith("    ('invented', 11): 'AssertionError in invented.py:")
     assert lines[2].endswith(": 11 ends in 1',")
     assert lines[3].endswith(": no such thing',")
@@ -85,6 +87,19 @@ def test_a_run_without_failure_ends_well(capsys: pytest.CaptureFixture[str]) -> 
     status, lines = run(capsys, "--scale", "0.1", cases=10)
     assert (status, len(lines)) == (0, 2)
     assert lines[1].split()[2:4] == ["1", "10"]
+
+
+def test_how_far_a_proof_is_is_said_while_it_runs(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A run that is cut short has said what it found: failures at once, the rest every minute."""
+    monkeypatch.setattr(progress, "EVERY", 0.01)
+    main(["--seed", "10", "--jobs", "1"], (Proof("invented", invented.hold, 3, 3, 0),))
+    table, said = capsys.readouterr()
+    lines = said.splitlines()
+    assert any(re.fullmatch(r"invented: 0 of 3 done, \d+ s", line) for line in lines)
+    assert [line for line in lines if line.startswith(" ")] == table.splitlines()[2:]
+    assert "11 ends in 1" in said
 
 
 def test_a_run_that_is_out_of_time_says_so_by_its_numbers(
