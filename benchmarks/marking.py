@@ -29,7 +29,7 @@ from kinegrade.grading.grade import grade
 STUDENTS = 20_000
 ODD_SHARE = 0.1  # of the answers in the mixed class: commas, units, roots, blanks, words
 PLAIN_PROMISE, MIXED_PROMISE = 1.8, 1 / 3
-COMMAND_PROMISE = 1 / 9  # with follow-through, exports and the checks of what it has written
+COMMAND_PROMISE = 1 / 5  # with follow-through, exports and the checks of what it has written
 RUNS = 3  # the best counts: the first pays for imports and caches
 WITH_COMPLAINTS = 1  # the command's exit status where answers could not be read
 GROWTH_PROMISE = 1.5  # the most that twice the class may take of memory

@@ -85,8 +85,10 @@ class FollowThrough:
         the key's.
         """
         template = self.templates.get(question)
+        if template is None or not _can_follow(template):
+            return None
         kept = self.kept(student, question)
-        if template is None or kept is None or not _can_follow(template):
+        if kept is None:
             return None
         texts = kept.values
         if not template.parameters.keys() <= texts.keys():

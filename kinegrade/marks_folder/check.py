@@ -60,12 +60,12 @@ def _find_faults(path: Path, totals: ClassTotals, sums: Iterable[StudentSums]) -
         if row is None:
             yield _explain(path, Message("marks.no-row", student=Quoted(each.student)))
             continue
-        lines = sum(each.lines.values())
+        lines = each.points.lines
         if not full:
             full = lines
             yield from (
                 _explain(path, Message("marks.no-column", columns=name))
-                for name in each.points
+                for name in each.points.by_question
                 if name not in row.points
             )
         problems = _find_problems(row, each, is_whole=lines == full)
@@ -94,7 +94,7 @@ def _find_problems(row: StudentTotal, sums: StudentSums, *, is_whole: bool) -> l
 
     Missing lines of marks.csv are left to the commands that report or compare them.
     """
-    lines = sum(sums.lines.values())
+    lines = sums.points.lines
     problems = [*_find_wrong_points(row, sums), *_find_wrong_total(row, sums, lines)]
     if is_whole:
         problems += _describe_difference("out_of", row.out_of, sums.total_out_of, lines, sums)
@@ -104,13 +104,14 @@ def _find_problems(row: StudentTotal, sums: StudentSums, *, is_whole: bool) -> l
 
 def _find_wrong_points(row: StudentTotal, sums: StudentSums) -> Iterator[Message]:
     for name, points in row.points.items():
-        expected, lines = sums.points.get(name, Fraction(0)), sums.lines.get(name, 0)
+        expected = sums.points.by_question.get(name, Fraction(0))
+        lines = sums.points.counts.get(name, 0)
         yield from _describe_difference(name, points, expected, lines, sums)
 
 
 def _find_wrong_total(row: StudentTotal, sums: StudentSums, lines: int) -> Iterator[Message]:
     if row.kept is None:
-        expected = sums.total - row.subtracted
+        expected = sums.points.total - row.subtracted
         yield from _describe_difference("total", row.total, expected, lines + 1, sums)
     elif row.total != row.kept.stands:
         yield _contradict("total", row.total, row.kept.stands, KEPT.name)

@@ -13,7 +13,6 @@ from functools import cached_property
 from kinegrade.language.message import Text
 from kinegrade.marks_folder.hand_marks import BY_HAND, HandMark, work_out_total
 from kinegrade.marks_folder.layout import Status
-from kinegrade.numbers.amounts import add_amounts
 
 _ABSENT: Status = "absent"
 Put = Mapping[str, Mapping[str, str]]  # whose line of the key, by student and answer column
@@ -197,10 +196,30 @@ class ClassTotals:
         return {each.student: each for each in self.students}
 
 
+@dataclass(frozen=True)
+class QuestionSums:
+    """Amounts added up by question, and of how many lines; students with the same amounts share
+    them.
+    """
+
+    by_question: Mapping[str, Fraction]
+    counts: Mapping[str, int]
+
+    @cached_property
+    def total(self) -> Fraction:
+        """The sum of all."""
+        return work_out_total(self.by_question.values())
+
+    @cached_property
+    def lines(self) -> int:
+        """How many lines they are."""
+        return sum(self.counts.values())
+
+
 @dataclass(frozen=True, slots=True)
 class StudentSums:
-    """The sums of one student's lines in marks.csv, by question, with marks by hand in their place;
-    `lines` counts the lines, and `line` is the line number of the last.
+    """The sums of one student's lines in marks.csv, with marks by hand in their place; `line` is
+    the line number of the last.
 
     `answered` is whether anything other than blanks and dashes was typed, or marked by hand,
     `bonus` what could be had on top of the maximum; `by_hand` is whether marks by hand are in it.
@@ -208,19 +227,13 @@ class StudentSums:
 
     line: int
     student: str
-    points: Mapping[str, Fraction]
-    out_of: Mapping[str, Fraction]
-    lines: Mapping[str, int]
+    points: QuestionSums
+    out_of: QuestionSums
     answered: bool
     bonus: Fraction = Fraction(0)
     by_hand: bool = False
 
     @property
-    def total(self) -> Fraction:
-        """The sum of the points."""
-        return work_out_total(self.points.values())
-
-    @property
     def total_out_of(self) -> Fraction:
         """The maximum, without the bonus."""
-        return add_amounts(self.out_of.values()) - self.bonus
+        return self.out_of.total - self.bonus

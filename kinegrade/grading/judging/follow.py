@@ -17,7 +17,7 @@ from fractions import Fraction
 
 from kinegrade.exam.folder.keys import Ask, Key
 from kinegrade.grading.judging.decision import Decision
-from kinegrade.grading.judging.judge import Verdict, judge
+from kinegrade.grading.judging.judge import Verdict, is_right, judge
 from kinegrade.grading.judging.own_answers import EarlierAnswers, find_followed, select_used
 from kinegrade.grading.judging.trivial_answers import Later, Own, is_trivial
 from kinegrade.grading.policy.policy import Ruling
@@ -80,7 +80,7 @@ class Decided:
     @property
     def is_right(self) -> bool:
         """Whether it is right by the key, whatever else is decided about it."""
-        return judge(self.reading, self.ruling.key(self.key)).kind == "right"
+        return is_right(self.reading, self.ruling.key(self.key))
 
     @property
     def may_follow(self) -> bool:
@@ -153,10 +153,10 @@ def _find_credits(
     def what_follows(answers: Own) -> Sequence[Fraction]:
         return follows.consequence(student, question, answers, ask)
 
-    def compared(value: Fraction) -> Verdict:
-        return judge(answer.reading, answer.ruling.beside(answer.key, value))
+    def beside(value: Fraction) -> Key:
+        return answer.ruling.beside(answer.key, value)
 
-    later = Later(what_follows, lambda value: compared(value).kind == "right")
+    later = Later(what_follows, lambda value: is_right(answer.reading, beside(value)))
     for answers, value in find_followed(earlier, what_follows):
         if later.agrees(value):
             used = select_used(answers, value, what_follows)
@@ -165,7 +165,7 @@ def _find_credits(
             if not copied and not any(
                 is_trivial(name, used, earlier.keys[name], later) for name in wrong
             ):
-                comparison = compared(value).comparison
+                comparison = judge(answer.reading, beside(value)).comparison
                 yield Verdict("follow-through", _explain(question, used, comparison)), wrong
 
 
@@ -177,11 +177,10 @@ def _is_copied(answer: Decided, own: Fraction, right: Fraction) -> bool:
     return (
         same
         and abs(abs(own) - abs(right)) > _SIGN_ALONE * abs(right)
-        and judge(
+        and not is_right(
             replace(answer.reading, value=abs(right)),
             replace(answer.key, value=abs(answer.key.value)),
-        ).kind
-        != "right"
+        )
     )
 
 

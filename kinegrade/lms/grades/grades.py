@@ -23,7 +23,7 @@ from kinegrade.language.message import Fault, Message, Quoted
 from kinegrade.lms.grades.dialect import Field
 from kinegrade.marks_folder.folder import MarksFolder
 from kinegrade.marks_folder.hand_marks import EXTRA
-from kinegrade.marks_folder.rows import StudentSums, StudentTotal
+from kinegrade.marks_folder.rows import QuestionSums, StudentSums, StudentTotal
 from kinegrade.numbers.amounts import write_amount
 from kinegrade.question_numbers import find_bank_number, number_printed
 
@@ -112,10 +112,12 @@ def _read_possible(sums: Iterable[StudentSums]) -> Iterator[_Possible]:
     any size does.
     """
     shared: Mapping[str, Fraction] = {}
+    known: QuestionSums | None = None
     for each in sums:
-        out_of = {**each.out_of, TOTAL: each.total_out_of}
-        if out_of != shared:
-            shared = out_of
+        if each.out_of is not known:
+            known = each.out_of
+            out_of = {**known.by_question, TOTAL: each.total_out_of}
+            shared = shared if out_of == shared else out_of
         yield _Possible(each.student, shared, each.answered)
 
 
