@@ -48,7 +48,6 @@ USED_BY_TESTS = {
     "SOURCES": "all systems that responses come from, each of which a test reads",
     "page_images": "what a page looks like, for characters that no font has",
     "parse_roster": "a roster that stands in the test",
-    "predict_kept": "how hard the papers of a folder are predicted to be, which tests compare",
     "read_bank": "a bank in one step, for tests and benchmarks",
     "read_sheet": "a sheet of answers that stands in the test",
     "work_out": "one mistake in any arithmetic, which the run of all of them is held against",

@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property
 from math import nan
+from pathlib import Path
 
 from kinegrade.errors import ExamError, FieldError
 from kinegrade.exam.folder.exact_keys import find_exact_value, read_rule
@@ -35,6 +36,46 @@ class RightAnswer:
     unit: str
     allowed: Fraction
     coarse: float = 0.0
+
+
+@dataclass(frozen=True)
+class StatedAnswers(Mapping[str, RightAnswer]):
+    """The right answers of a line of the key by column, each worked out as it is asked for, as
+    reports need few of them. Raises ExamError at one that cannot be read.
+    """
+
+    key: Path
+    student: str
+    stated: Mapping[str, StatedAnswer]
+    rounding: Mapping[str, float]
+
+    def __getitem__(self, column: str) -> RightAnswer:
+        stated = self.stated[column]
+        with decoding(self.key, name_paper(self.student)):
+            try:
+                return _read_right_answer(stated, self.rounding.get(column, 0.0))
+            except FieldError as fault:
+                problem = Message("marks.of-answer", ask=column, fault=fault.faults[0])
+                raise FieldError(problem) from fault
+
+    def __contains__(self, column: object) -> bool:
+        return column in self.stated
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.stated)
+
+    def __len__(self) -> int:
+        return len(self.stated)
+
+    @classmethod
+    def of(cls, key: Path, line: KeyLine, rounding: Mapping[str, float]) -> StatedAnswers:
+        """Those of a line; `rounding` is what may be off by rounding too coarsely, by column."""
+        stated = {
+            f"{question.question}.{name}": answer
+            for question in line.questions
+            for name, answer in question.asks.items()
+        }
+        return cls(key, line.student, stated, rounding)
 
 
 @dataclass(frozen=True)
@@ -64,14 +105,12 @@ class PaperRecords:
 
     def paper(self, student: str) -> PaperRecord:
         """The paper of a student. Raises ExamError where the exam has no paper for that student."""
-        line = self.exam.line_of(student)
+        line, predictions = self.exam.line_of(student), self._predictions
+        answers = StatedAnswers.of(self.exam.key, line, predictions.rounding.get(student, {}))
         with decoding(self.exam.key, name_paper(student)):
-            return PaperRecord(
-                line.order,
-                dict(_read_answers(line, self._predictions.rounding.get(student, {}))),
-                dict(_read_parameters(line)),
-                self._predictions.difficulties.get(student, {}),
-            )
+            parameters = dict(_read_parameters(line))
+        difficulties = predictions.difficulties.get(student, {})
+        return PaperRecord(line.order, answers, parameters, difficulties)
 
     @cached_property
     def _predictions(self) -> Predictions:
@@ -96,6 +135,8 @@ class PaperRecords:
         A question whose asks come from several variants has several values for each parameter, so
         it gets none.
         """
+        if not put:
+            return paper
         answers, parameters = dict(paper.answers), dict(paper.parameters)
         difficulties = dict(paper.difficulties)
         sources: dict[str, set[str]] = {}
@@ -113,20 +154,6 @@ class PaperRecords:
             }
             difficulties[question] = other.difficulties.get(question, nan) if alone else nan
         return PaperRecord(paper.printed, answers, parameters, difficulties)
-
-
-def _read_answers(
-    line: KeyLine, rounding: Mapping[str, float]
-) -> Iterator[tuple[str, RightAnswer]]:
-    """The right answers, by column. Raises FieldError."""
-    for question in line.questions:
-        for name, stated in question.asks.items():
-            column = f"{question.question}.{name}"
-            try:
-                yield column, _read_right_answer(stated, rounding.get(column, 0.0))
-            except FieldError as fault:
-                problem = Message("marks.of-answer", ask=column, fault=fault.faults[0])
-                raise FieldError(problem) from fault
 
 
 def _read_right_answer(stated: StatedAnswer, coarse: float) -> RightAnswer:

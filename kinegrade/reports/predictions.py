@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 
 from kinegrade.errors import KinegradeError
 from kinegrade.exam.folder.exam_folder import ExamFolder
-from kinegrade.exam.setting.difficulties import bound_coarse_rounding, predict_kept
+from kinegrade.exam.setting.difficulties import bound_coarse_rounding, list_draws, predict_kept
 from kinegrade.exam.setting.kept_exam import KeptExam
 
 
@@ -30,6 +30,7 @@ def find_predictions(exam: ExamFolder) -> Predictions:
     """What the folder lets expect; nothing where it cannot be worked out."""
     kept = KeptExam(exam)
     try:
-        return Predictions(predict_kept(kept), bound_coarse_rounding(kept))
+        draws = list_draws(kept)
+        return Predictions(predict_kept(kept, draws), bound_coarse_rounding(kept, draws))
     except KinegradeError:
         return Predictions()

@@ -19,9 +19,9 @@ from kinegrade.exam.folder.exam_secret import FromWords
 from kinegrade.exam.roster.roster import Roster
 from kinegrade.exam.roster.students import Student
 from kinegrade.exam.setting.dealing import ClassDeal, deal_exam
-from kinegrade.exam.setting.difficulties import find_difficulty, predict_kept
-from kinegrade.exam.setting.kept_exam import KeptExam
+from kinegrade.exam.setting.difficulties import find_difficulty
 from kinegrade.exam.setting.setting import Exam
+from kinegrade.reports.predictions import find_predictions
 from tests.small_class import kinegrade
 
 BANKS = Path(__file__).parents[2] / "banks"
@@ -94,11 +94,11 @@ def test_late_students_get_papers_like_those_of_the_others(tmp_path: Path) -> No
     words = ("--reproducible", "late")
     first = kinegrade("generate", "demo", early, "-o", exam, *words)
     assert first.exit_code == 0, first.stderr
-    before = predict_kept(KeptExam(open_exam(exam)))
+    before = find_predictions(open_exam(exam)).difficulties
     late = write_roster(tmp_path / "late.csv", range(12, 16))
     added = kinegrade("generate", "demo", early, "-o", exam, "--add", late)
     assert added.exit_code == 0, added.stderr
-    after = predict_kept(KeptExam(open_exam(exam)))
+    after = find_predictions(open_exam(exam)).difficulties
     assert {student: after[student] for student in before} == before
     totals = {student: sum(each.values()) for student, each in after.items()}
     middle = np.mean([totals[student] for student in before])
@@ -111,7 +111,7 @@ def test_what_is_predicted_of_a_folder_is_what_was_dealt(tmp_path: Path) -> None
     exam, students = tmp_path / "EXAM", write_roster(tmp_path / "roster.csv", range(5))
     options = ("--reproducible", "alike")
     assert kinegrade("generate", "demo", students, "-o", exam, *options).exit_code == 0
-    found = predict_kept(KeptExam(open_exam(exam)))
+    found = find_predictions(open_exam(exam)).difficulties
     whole = deal_exam(bank("demo"), roster(5), SECRET)
     assert found.keys() == whole.places.keys()
     totals = {student: sum(each.values()) for student, each in found.items()}

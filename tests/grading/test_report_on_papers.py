@@ -13,10 +13,9 @@ from typing import NamedTuple
 import pytest
 
 from kinegrade.exam.folder.exam_folder import open_exam
-from kinegrade.exam.setting.difficulties import bound_coarse_rounding, predict_kept
-from kinegrade.exam.setting.kept_exam import KeptExam
 from kinegrade.language import ENGLISH
 from kinegrade.language.catalogue import open_catalogue
+from kinegrade.reports.predictions import find_predictions
 from tests.by_hand.class_list import TAUGHT
 from tests.by_hand.pad import EXACT, Answers, Pad
 from tests.by_hand.school import (
@@ -46,7 +45,7 @@ def exam(tmp_path_factory: pytest.TempPathFactory) -> Exam:
 @pytest.fixture(scope="module")
 def places(exam: Exam) -> Places:
     """For each question the places of the papers, from the easiest to the hardest."""
-    predicted = predict_kept(KeptExam(open_exam(exam.folder)))
+    predicted = find_predictions(open_exam(exam.folder)).difficulties
     return {
         question.number: sorted(
             range(STUDENTS),
@@ -159,8 +158,7 @@ def test_an_exam_that_asks_for_three_figures_finds_two_too_coarse(
     text = bank.read_text(encoding="utf-8").replace("carry = 4", "carry = 3")
     bank.write_text(text, encoding="utf-8")
     three, two = (
-        bound_coarse_rounding(KeptExam(open_exam(folder)))
-        for folder in (exam.folder, tmp_path / "EXAM")
+        find_predictions(open_exam(folder)).rounding for folder in (exam.folder, tmp_path / "EXAM")
     )
     assert len(three) == STUDENTS
     for student, bounds in three.items():

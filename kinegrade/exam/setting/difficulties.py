@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Mapping
 from typing import TypeAlias
 
 from kinegrade.draws.deck import Combination
@@ -12,6 +12,7 @@ from kinegrade.numbers.tolerance import LEAST_CARRY
 from kinegrade.students.difficulty import Difficulty
 
 Predicted: TypeAlias = dict[str, dict[str, float]]  # by student and question, or answer column
+Draws: TypeAlias = Mapping[str, Mapping[str, Combination]]  # the values by question and student
 
 
 def find_difficulty(exam: Exam, question: str) -> Difficulty:
@@ -20,21 +21,21 @@ def find_difficulty(exam: Exam, question: str) -> Difficulty:
     return Difficulty(exam.filters[question].separation, {ask.name: ask.points for ask in asks})
 
 
-def predict_kept(kept: KeptExam) -> Predicted:
+def predict_kept(kept: KeptExam, draws: Draws) -> Predicted:
     """For each student of an exam folder, by question, the points that one mistake costs on the
     average: worked out from the values that the folder keeps.
 
     Raises BankError, ExamError.
     """
     predicted: Predicted = {}
-    for name, students, draws in _list_draws(kept):
-        found = find_difficulty(kept.unkeyed, name).predict(draws)
-        for student, points in zip(students, found.tolist(), strict=True):
+    for name, by_student in draws.items():
+        found = find_difficulty(kept.unkeyed, name).predict([*by_student.values()])
+        for student, points in zip(by_student, found.tolist(), strict=True):
             predicted.setdefault(student, {})[name] = points
     return predicted
 
 
-def bound_coarse_rounding(kept: KeptExam) -> Predicted:
+def bound_coarse_rounding(kept: KeptExam, draws: Draws) -> Predicted:
     """For each student of an exam folder, by answer column, how far off in the ask's unit an answer
     may be when everything is rounded too coarsely: to three significant figures, or one less than
     the exam asks for. Infinite where that is not known.
@@ -43,22 +44,23 @@ def bound_coarse_rounding(kept: KeptExam) -> Predicted:
     """
     coarse = min(LEAST_CARRY, kept.bank.carry - 1)
     bounds: Predicted = {}
-    for name, students, draws in _list_draws(kept):
-        for ask, row in kept.unkeyed.filters[name].bound(draws, coarse).items():
-            for student, bound in zip(students, row.tolist(), strict=True):
+    for name, by_student in draws.items():
+        drawn = [*by_student.values()]
+        for ask, row in kept.unkeyed.filters[name].bound(drawn, coarse).items():
+            for student, bound in zip(by_student, row.tolist(), strict=True):
                 bounds.setdefault(student, {})[f"{name}.{ask}"] = bound
     return bounds
 
 
-def _list_draws(kept: KeptExam) -> Iterator[tuple[str, list[str], list[Combination]]]:
-    """For each question the students whose key has all its values, and these values."""
-    lines = list(kept.exam.lines())
-    for name, question in kept.unkeyed.filters.items():
-        draws = {
-            line.student: each.values
-            for line in lines
-            for each in line.questions
-            if each.question == name and each.values.keys() == question.template.parameters.keys()
-        }
-        if draws:
-            yield name, [*draws], [*draws.values()]
+def list_draws(kept: KeptExam) -> Draws:
+    """The draws of an exam folder, of the questions whose key has all values. Raises BankError,
+    ExamError.
+    """
+    filters = kept.unkeyed.filters
+    draws: dict[str, dict[str, Combination]] = {name: {} for name in filters}
+    for line in kept.exam.lines():
+        for each in line.questions:
+            known, values = filters.get(each.question), each.values
+            if known is not None and values.keys() == known.template.parameters.keys():
+                draws[each.question][line.student] = values
+    return {name: found for name, found in draws.items() if found}

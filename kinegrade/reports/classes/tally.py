@@ -11,6 +11,7 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
+from functools import cached_property
 from itertools import chain
 from math import nan
 
@@ -88,8 +89,8 @@ class ClassTally:
         points: Points = np.column_stack([self.points[:, left], *merged])
         return points
 
-    @property
-    def percents(self) -> list[float]:
+    @cached_property
+    def percents(self) -> Sequence[float]:
         """The totals as percentages, as in grades.csv; 0 where there are no points to get."""
         return [float(100 * each.share) for each in self.answered]
 
@@ -102,7 +103,7 @@ class _Count:
     silent: list[StudentTotal] = field(default_factory=list)
     columns: tuple[str, ...] = ()
     out_of: dict[str, float] = field(default_factory=dict)
-    points: list[array[float]] = field(default_factory=list)
+    points: array[float] = field(default_factory=lambda: array("d"))  # row after row
     verdicts: dict[str, Counter[str]] = field(default_factory=dict)
     losses: dict[str, Counter[str]] = field(default_factory=dict)
     versions: list[str] = field(default_factory=list)
@@ -121,7 +122,7 @@ class _Count:
         """Adds a student who answered something."""
         self.answered.append(total)
         got = {answer.column: float(answer.points) for answer in answers}
-        self.points.append(array("d", (got.get(column, nan) for column in self.columns)))
+        self.points.extend([got.get(column, nan) for column in self.columns])
         self.versions.append(candidate.version if candidate else "")
         self.groups.append(candidate.group if candidate else "")
         self.names += tuple(name for name in paper.parameters if name not in self.names)
@@ -181,7 +182,7 @@ def _list_asked(count: _Count, held: Sequence[str] | None) -> tuple[str, ...]:
 
 
 def _close(count: _Count) -> ClassTally:
-    points = np.array(count.points, dtype=np.float64).reshape(len(count.points), len(count.columns))
+    points = np.array(count.points).reshape(len(count.answered), len(count.columns))
     numbers = np.full((len(count.parameters), len(count.names)), nan)
     for row, known in zip(numbers, count.parameters, strict=True):
         row[: len(known)] = known
@@ -230,6 +231,6 @@ def hint_of(answer: MarkedAnswer, paper: PaperRecord) -> Hint | None:
 
 
 def _find_others(answer: MarkedAnswer, paper: PaperRecord) -> Iterator[tuple[str, Fraction]]:
-    for column, right in paper.answers.items():
+    for column in paper.answers:
         if column != answer.column and column.startswith(f"{answer.question}."):
-            yield column, right.value
+            yield column, paper.answers[column].value
