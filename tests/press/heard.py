@@ -15,25 +15,34 @@ from tests.press.glyphs import read_marked_texts
 _HEADING = re.compile(r"H([1-6])")
 _LINES = {"P": "\n", "LI": "\n", "TR": "\n", "Div": "\n", "Table": "\n", "L": "\n"}
 _BEFORE = _LINES | {"TD": " | ", "TH": " | ", "Figure": "\npicture: "}
-_BEFORE |= dict.fromkeys(("Span", "Strong", "LBody"), " ")
-_PUNCTUATION = re.compile(r" (?=[.,;:)])")
-_Texts = Mapping[tuple[int, int], str]  # by the number of a page's object and of a marked content
+_BEFORE |= dict.fromkeys(("Span", "Strong", "LBody", "Formula"), " ")
+_PUNCTUATION = re.compile(r"(?<=\() | (?=[.,;:)])")
+Texts = Mapping[tuple[int, int], str]  # by the number of a page's object and of a marked content
 
 
 def say(pdf: bytes) -> str:
     """A line for each heading, paragraph, entry of a list and row of a table."""
     with pikepdf.open(BytesIO(pdf)) as document:
-        texts = {
-            (page.objgen[0], number): text
-            for page in document.pages
-            for number, text in read_marked_texts(page).items()
-        }
-        lines = "".join(_say_element(document.Root.StructTreeRoot, 0, texts)).splitlines()
+        return say_element(document.Root.StructTreeRoot, read_texts(document))
+
+
+def read_texts(document: pikepdf.Pdf) -> Texts:
+    """The letters of every marked content of a document."""
+    return {
+        (page.objgen[0], number): text
+        for page in document.pages
+        for number, text in read_marked_texts(page).items()
+    }
+
+
+def say_element(element: pikepdf.Object, texts: Texts) -> str:
+    """What is said of an element and all below it, as `say` has it."""
+    lines = "".join(_say_element(element, 0, texts)).splitlines()
     said = (_PUNCTUATION.sub("", " ".join(line.split())) for line in lines)
     return "\n".join(line for line in said if line)
 
 
-def _say_element(element: pikepdf.Object, page: int, texts: _Texts) -> Iterator[str]:
+def _say_element(element: pikepdf.Object, page: int, texts: Texts) -> Iterator[str]:
     page = element.Pg.objgen[0] if "/Pg" in element else page
     kind = str(element.get("/S", "/Document"))[1:]
     heading = _HEADING.fullmatch(kind)
@@ -44,7 +53,7 @@ def _say_element(element: pikepdf.Object, page: int, texts: _Texts) -> Iterator[
     if "/Alt" in element:
         yield str(element.Alt)
     else:
-        for kid in _list_kids(element):
+        for kid in list_kids(element):
             if isinstance(kid, int):
                 yield texts.get((page, kid), "")
             elif "/S" in kid:
@@ -56,6 +65,7 @@ def _say_element(element: pikepdf.Object, page: int, texts: _Texts) -> Iterator[
         yield "\n"
 
 
-def _list_kids(element: pikepdf.Object) -> list[pikepdf.Object | int]:
+def list_kids(element: pikepdf.Object) -> list[pikepdf.Object | int]:
+    """What an element holds: other elements, and numbers of marked contents."""
     kids = element.get("/K", ())
     return list(kids) if isinstance(kids, pikepdf.Array) else [kids]

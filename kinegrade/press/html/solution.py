@@ -42,6 +42,7 @@ from kinegrade.worked.document import (
 )
 
 _WHERE = Message("typesetting.place-worked-solution")
+_PLACED = ' style="padding:0 .5em;text-align:center"'
 
 
 @dataclass(frozen=True)
@@ -144,17 +145,17 @@ def _align(row: Row) -> Row:
 def _write_terms(terms: Sequence[Term], words: Catalogue, setting: MathSetting) -> str:
     """The vector equation over the magnitudes and directions of its terms."""
     symbols = [setting.row((*_print_sign(term), *term.symbol)) for term in terms]
-    magnitudes = [setting.line(term.magnitude, _WHERE) for term in terms]
-    directions = [setting.line(term.direction, _WHERE) for term in terms]
-    rows = [
-        ("", symbols),
-        (words.text("solution.layout.magnitude"), magnitudes),
-        (words.text("solution.layout.direction"), directions),
-    ]
-    written = "".join(
-        f"<tr>{_write_head(head)}{''.join(map(_write_entry, cells))}</tr>\n" for head, cells in rows
+    heads = (f'<th scope="col"{_PLACED}>{symbol}</th>' for symbol in symbols)
+    first = f'<th scope="col">{write_plain_html(words.text("solution.layout.vector"))}</th>'
+    rows = {
+        "solution.layout.magnitude": [setting.line(term.magnitude, _WHERE) for term in terms],
+        "solution.layout.direction": [setting.line(term.direction, _WHERE) for term in terms],
+    }
+    written = "".join(_write_property(words.text(head), cells) for head, cells in rows.items())
+    return (
+        f"<table><thead>\n<tr>{first}{''.join(heads)}</tr>\n</thead><tbody>\n{written}"
+        "</tbody></table>\n"
     )
-    return f"<table><tbody>\n{written}</tbody></table>\n"
 
 
 def _print_sign(term: Term) -> Row:
@@ -162,13 +163,10 @@ def _print_sign(term: Term) -> Row:
     return (Sign(term.sign), Group(())) if term.sign else ()
 
 
-def _write_head(head: str) -> str:
-    """What a row has, nothing for the row of the symbols."""
-    return f'<th scope="row">{write_plain_html(head)}</th>' if head else "<td></td>"
-
-
-def _write_entry(cell: str) -> str:
-    return f'<td style="padding:0 .5em;text-align:center">{cell}</td>'
+def _write_property(head: str, cells: Sequence[str]) -> str:
+    """What each of the terms has."""
+    entries = "".join(f"<td{_PLACED}>{cell}</td>" for cell in cells)
+    return f'<tr><th scope="row">{write_plain_html(head)}</th>{entries}</tr>\n'
 
 
 def _show(picture: Picture, address: str) -> str:

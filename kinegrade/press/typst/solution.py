@@ -14,7 +14,7 @@ from kinegrade.figure.back_ends.typst import write_typst_picture
 from kinegrade.language import Language
 from kinegrade.language.catalogue import Catalogue, open_catalogue
 from kinegrade.language.gathering import convert_each, gather
-from kinegrade.language.math.tree import Row
+from kinegrade.language.math.tree import Row, Sign
 from kinegrade.language.math.typst import write_typst_row
 from kinegrade.language.math.typst_equation import write_display, write_equation
 from kinegrade.language.message import Location
@@ -43,7 +43,7 @@ from kinegrade.press.solutions.settings import (
     Terms,
 )
 from kinegrade.press.solutions.terms import Cell, TermColumn
-from kinegrade.press.typst.layout_call import Sheet, write_layout_call, write_signed
+from kinegrade.press.typst.layout_call import Sheet, write_layout_call
 from kinegrade.worked.document import Heading
 
 _DOUBT = 0.1  # pages by which tight solutions may turn out shorter than their parts are high
@@ -193,7 +193,7 @@ def _write_column(column: TermColumn, where: Location, language: Language) -> Sh
     term = column.term
     return cells | {
         "symbol": write_equation(term.symbol, language),
-        "sign": write_signed(term.sign),
+        "sign": write_equation((Sign(term.sign),), language) if term.sign else None,
         "width": column.width,
     }
 

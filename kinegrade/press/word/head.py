@@ -9,7 +9,6 @@ from kinegrade.language.gathering import gather
 from kinegrade.language.prose.pandoc import write_line, write_prose
 from kinegrade.language.prose.pandoc_tree import (
     Node,
-    make_line_break,
     make_paragraph,
     make_plain,
     make_strong,
@@ -49,14 +48,12 @@ def _write_condition(label: str, text: Sequence[Node]) -> Node:
 
 def _write_blanks(blanks: Sequence[tuple[str, str]]) -> list[Node]:
     """A box for each thing to be written by hand, under its label."""
-    cells = [
-        make_plain(
-            [make_text(label), make_line_break(), make_strong([make_text(text or _NO_BREAK)])]
-        )
-        for label, text in blanks
-    ]
-    if not cells:
-        return []
-    return [
-        make_table("fields", (1 / len(cells),) * len(cells), (_SIDE,) * len(cells), (), (cells,))
-    ]
+    boxes = [(label, text or _NO_BREAK) for label, text in blanks]
+    return [write_fields(boxes, (1 / len(boxes),) * len(boxes))] if boxes else []
+
+
+def write_fields(fields: Sequence[tuple[str, str]], widths: Sequence[float]) -> Node:
+    """Labels side by side, each over its value, in these parts of the page's width."""
+    labels = [make_plain([make_text(label)]) for label, _ in fields]
+    values = [make_plain([make_strong([make_text(value)])]) for _, value in fields]
+    return make_table("fields", widths, (_SIDE,) * len(fields), labels, (values,))

@@ -31,7 +31,7 @@ from kinegrade.press.paper_parts import (
 )
 from kinegrade.press.places import RULES, locate_part
 from kinegrade.press.sheet import AnswerRow, Paper, QuestionSheet
-from kinegrade.press.word.head import write_conditions, write_origin
+from kinegrade.press.word.head import write_conditions, write_fields, write_origin
 from kinegrade.press.word.tree import (
     Alignment,
     make_document,
@@ -42,7 +42,6 @@ from kinegrade.press.word.tree import (
 )
 
 _FIELD_WIDTHS = (0.5, 0.25, 0.25)
-_FIELD_SIDES: tuple[Alignment, ...] = ("Default", "Default", "Default")
 _ROW_WIDTHS = (0.38, 0.13, 0.22, 0.18, 0.09)
 _ROW_SIDES: tuple[Alignment, ...] = ("Default", "Right", "Default", "Default", "Right")
 _MARKS = 12  # questions in one table for the marker
@@ -104,18 +103,14 @@ def _write_fields(paper: Paper, words: Catalogue) -> Node:
         (words.text("paper.layout.student"), paper.student),
         (words.text("paper.layout.paper"), paper.code),
     )
-    cells = [
-        make_plain([make_text(label), make_line_break(), make_strong([make_text(value or _LINE)])])
-        for label, value in fields
-    ]
-    return make_table("fields", _FIELD_WIDTHS, _FIELD_SIDES, (), (cells,))
+    return write_fields([(label, value or _LINE) for label, value in fields], _FIELD_WIDTHS)
 
 
 def _write_marks(paper: Paper, words: Catalogue) -> Iterator[Node]:
     """For the marker: under each question's number its points, and room for the mark."""
     for part in arrange_marks(paper, words.text("paper.layout.total"), _MARKS):
+        numbers = (words.text("paper.layout.number-column"), *(number for number, _ in part))
         rows = (
-            (words.text("paper.layout.number-column"), *(number for number, _ in part)),
             (words.text("paper.layout.out-of"), *(points for _, points in part)),
             (words.text("paper.layout.mark"), *(_NO_BREAK for _ in part)),
         )
@@ -124,8 +119,9 @@ def _write_marks(paper: Paper, words: Catalogue) -> Iterator[Node]:
             "marks",
             widths,
             _MARK_SIDES[: len(widths)],
-            (),
+            _write_plain_cells(numbers),
             [_write_plain_cells(row) for row in rows],
+            row_heads=1,
         )
 
 

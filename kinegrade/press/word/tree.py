@@ -52,22 +52,24 @@ def make_table(
     alignments: Sequence[Alignment],
     head: Sequence[Node],
     rows: Sequence[Sequence[Node]],
+    *,
+    row_heads: int = 0,
 ) -> Node:
-    """A table whose columns have these parts of the page's width; a cell is one block, `head` may
-    be empty.
+    """A table whose columns have these parts of the page's width; a cell is one block, those of
+    `head` say what is below them, the first `row_heads` of a row what is beside them.
     """
     columns = [
         [{"t": f"Align{side}"}, {"t": "ColWidth", "c": width}]
         for side, width in zip(alignments, widths, strict=True)
     ]
-    body = [_make_attributes(), 0, [], [_make_row(row) for row in rows]]
+    body = [_make_attributes(), row_heads, [], [_make_row(row) for row in rows]]
     return {
         "t": "Table",
         "c": [
             ["", [name], []],
             [None, []],
             columns,
-            [_make_attributes(), [_make_row(head)] if head else []],
+            [_make_attributes(), [_make_row(head)]],
             [body],
             [_make_attributes(), []],
         ],

@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 
 from tests.browsers.page import Page, open_page
+from tests.press.tables import find_table_faults, read_html_tables
 from tests.small_class import kinegrade
 
 LANGUAGES = ("en", "de", "zh")
@@ -68,6 +69,14 @@ def page(request: pytest.FixtureRequest, folder: Path) -> Iterator[Page]:
     with open_page() as page:
         page.open(find_page(folder, *request.param).as_uri())
         yield page
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("name", NAMES)
+def test_every_cell_of_a_table_has_a_header(name: str, language: str, folder: Path) -> None:
+    tables = read_html_tables(find_page(folder, name, language).read_text(encoding="utf-8"))
+    assert list(find_table_faults(tables)) == []
+    assert bool(tables) == (name != "cycle")
 
 
 def test_axe_finds_nothing(page: Page) -> None:

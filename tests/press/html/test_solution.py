@@ -14,6 +14,7 @@ from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.library.library import load_template
 from kinegrade.worked.document import Display, Heading, Prose, TermTable
 from kinegrade.worked.solution import write_worked_solution
+from tests.press.tables import find_table_faults, read_html_tables
 from tests.worked.telling import read_display, read_term
 
 NAMES = ("slider-crank", "bar-through-swivelling-sleeve", "planetary-gear-external-rim-velocities")
@@ -33,6 +34,7 @@ def test_a_solution_is_told_whole(name: str, language: Language) -> None:
     assert len(list(tree.iter("table"))) == kinds.count(TermTable)
     assert html.count(r"\begin{aligned}") == kinds.count(Display)
     assert html.count(r"\boxed{") == len(asked)
+    assert list(find_table_faults(read_html_tables(html))) == []
 
 
 def test_the_blocks_one_by_one() -> None:
@@ -53,8 +55,12 @@ def test_the_blocks_one_by_one() -> None:
         r"<h5>Step \(1\)</h5>",
         "<p>Thus:</p>",
         r"<p>\[\begin{aligned} v &amp;= a + b = c \\ w &amp;= 1 \end{aligned}\]</p>",
-        "<table><tbody>",
-        row("", r"\(v_{B}\)", r"\(= {}v_{A}\)"),
+        "<table><thead>",
+        '<tr><th scope="col">vector</th><th scope="col" style="padding:0 .5em;text-align:center">'
+        r"\(v_{B}\)</th>"
+        '<th scope="col" style="padding:0 .5em;text-align:center">'
+        r"\(= {}v_{A}\)</th></tr>",
+        "</thead><tbody>",
         row("magnitude", "?", r"\(r\omega\)"),
         row("direction", r"\(\parallel x\)", "a &lt; b"),
         "</tbody></table>",
@@ -63,5 +69,4 @@ def test_the_blocks_one_by_one() -> None:
 
 def row(head: str, *cells: str) -> str:
     entries = (f'<td style="padding:0 .5em;text-align:center">{cell}</td>' for cell in cells)
-    first = f'<th scope="row">{head}</th>' if head else "<td></td>"
-    return f"<tr>{first}{''.join(entries)}</tr>"
+    return f'<tr><th scope="row">{head}</th>{"".join(entries)}</tr>'

@@ -144,3 +144,37 @@ def test_a_whole_class_gets_its_sheets(
     sheets = sorted(path.name for path in (tmp_path / "OUT" / "sheets").iterdir())
     assert (count, sheets) == (4, sorted(path.name for path in (exam / "papers").iterdir()))
     assert "no answer" in text_of((tmp_path / "OUT" / "sheets" / sheets[0]).read_bytes())
+
+
+def test_a_fraction_in_large_print_has_room_above_what_follows(
+    tmp_path: Path, press: FeedbackPress
+) -> None:
+    sheet = sheet_of(tmp_path, RIGHT)
+    (question, *_) = sheet.questions
+    row = replace(question.rows[0], exact=r"\frac{3}{8}", right="≈ 0.375", allowed="")
+    large = replace(sheet, large=True, questions=(replace(question, rows=(row,)),))
+    heights = list_heights(press.feedback(large))
+    assert heights["8"] - heights["≈ 0.375"] > 18
+
+
+def list_heights(pdf: bytes) -> dict[str, float]:
+    """How high each piece of text stands, in points."""
+    found: dict[str, float] = {}
+
+    def note(text: str, cm: list[float], tm: list[float], *_: object) -> None:
+        found[text.strip()] = cm[5] + cm[3] * tm[5]
+
+    for page in PdfReader(BytesIO(pdf)).pages:
+        page.extract_text(visitor_text=note)
+    return found
+
+
+@pytest.mark.parametrize("large", [False, True])
+def test_no_line_ends_within_a_unit(large: bool, tmp_path: Path, press: FeedbackPress) -> None:
+    sheet = sheet_of(tmp_path, RIGHT)
+    (question, *_) = sheet.questions
+    for length in range(1, 12):
+        givens = ", ".join(["$a = 1$\u202frad/s²"] * 12) + length * "."
+        words = replace(question, givens=f"{'x' * length} {givens}")
+        lines = text_of(press.feedback(replace(sheet, large=large, questions=(words,))))
+        assert "rad/ s" not in " ".join(lines.split("\n"))

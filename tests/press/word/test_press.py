@@ -26,6 +26,7 @@ from kinegrade.press.word.paper import write_paper_tree
 from kinegrade.press.word.press import PandocPress
 from tests.press.papers import CHINESE, CHINESE_QUESTION, ENGLISH, ENGLISH_QUESTION
 from tests.press.solutions import polygon_scene
+from tests.press.tables import find_table_faults, read_html_tables, read_word_tables
 
 W = "{http://schemas.openxmlformats.org/wordprocessingml/2006/main}"
 M = "{http://schemas.openxmlformats.org/officeDocument/2006/math}"
@@ -105,9 +106,7 @@ class Page(HTMLParser):
             [
                 "TheoreticalMechanics·14November2025",
                 "Midtermexamination",
-                "NameĐặngThịHồng",
-                "Student00123456",
-                "PaperA-0001",
+                "NameStudentPaperĐặngThịHồng00123456A-0001",
                 "Question12Total",
                 "Outof718",
                 "1Slider-crank",
@@ -124,7 +123,7 @@ class Page(HTMLParser):
             [
                 "理论力学",
                 "期中考试",
-                "姓名欧阳修远",
+                "欧阳修远",
                 "曲柄滑块机构",
                 "·7分",
                 "（登分表第5题）·1分",
@@ -157,6 +156,17 @@ def test_word_has_equations_tables_headings_pictures_and_a_footer(press: PandocP
     assert fonts.get(f"{W}eastAsia") == "SimSun"
     known = {style.get(f"{W}styleId") for style in part("word/styles.xml").iter(f"{W}style")}
     assert set(styles) <= known
+
+
+@pytest.mark.parametrize("paper", [ENGLISH, CHINESE])
+def test_every_cell_of_a_table_has_a_header(press: PandocPress, paper: Paper) -> None:
+    written = replace(paper, head=replace(paper.head, seat="", signature=True))
+    for tables in (
+        read_word_tables(press.docx(written)),
+        read_html_tables(press.html(written).decode()),
+    ):
+        assert len(tables) == 4
+        assert list(find_table_faults(tables)) == []
 
 
 def test_a_figure_has_its_size_and_its_description(press: PandocPress) -> None:
@@ -204,7 +214,7 @@ def test_plain_text_stays_as_it_is(press: PandocPress) -> None:
 
 def test_control_characters_become_blanks(press: PandocPress) -> None:
     part = parts(press.docx(replace(ENGLISH, name="a\x00b\x1bc", code="d\x00e")))
-    assert "Nameabc" in words(part("word/document.xml"))
+    assert "abc00123456de" in words(part("word/document.xml"))
     assert "Paperde" in words(part("word/footer1.xml"))
 
 
