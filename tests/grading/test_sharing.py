@@ -7,29 +7,36 @@ from __future__ import annotations
 import csv
 import io
 import json
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from itertools import chain
 from pathlib import Path
+from random import Random
 
+import numpy as np
 import pytest
 from click.testing import CliRunner, Result
 
+from benchmarks.large_class import write_class
 from kinegrade.cli.sharing import sharing as command
 from kinegrade.errors import ExamError
+from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.exam.folder.keys import Key
+from kinegrade.grading.fast.bounds import tabulate_rules
 from kinegrade.grading.poisson import find_tail
 from kinegrade.language import ENGLISH
 from kinegrade.language.catalogue import open_catalogue
+from kinegrade.marks_folder.rows import MarkedAnswer
 from kinegrade.numbers.tolerance import ONE_PER_CENT, Tolerance
-from kinegrade.reports.sharing.fits import find_windows
+from kinegrade.reports.sharing.fits import Windows, find_windows
 from kinegrade.reports.sharing.report import HEADER, describe_sharing, write_sharing_csv
-from kinegrade.reports.sharing.search import Pair
+from kinegrade.reports.sharing.search import Pair, Search
 from kinegrade.reports.sharing.sharing import MOST, Sharing, find_pairs
 from tests.grading.marked_folder import mark_class
 from tests.grading.sitting_class import SittingClass, honest_slips, sitting_class
 
+_NO_POINTS = Fraction(0), Fraction(3)
 HALF = ("q1.v", "q1.a", "q2.v", "q3.omega", "q3.a", "q4.a")
 
 
@@ -151,6 +158,47 @@ def test_no_more_pairs_are_told_than_a_person_can_look_at(monkeypatch: pytest.Mo
     assert f"The file has the {MOST} most striking ones." in say(replace(found, found=MOST + 1))
 
 
+@pytest.mark.parametrize("level", [0.0001, 0.01, 0.5])
+@pytest.mark.parametrize("seed", range(4))
+def test_students_who_can_be_in_no_pair_are_left_out_of_the_search(
+    seed: int, level: float, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    sitting, random = sitting_class(150, seed), Random(seed)
+    columns = [ask.column for ask in sitting.exam.asks]
+    slips = honest_slips(sitting, seed)
+    copies = {
+        place: sitting.copied(random.randrange(150), *random.sample(columns, random.randint(1, 8)))
+        for place in range(0, 150, 3)
+    }
+    answers = [*sitting.answers(lambda place: {**slips(place), **copies.get(place, {})})]
+    found = find_pairs(sitting.exam, answers, level)
+    monkeypatch.setattr(Search, "_may_tell", lambda _, students, kind: students >= 0)
+    assert find_pairs(sitting.exam, answers, level) == found
+    assert found.found
+
+
+def test_a_class_is_searched_by_the_columns_of_its_key_as_by_the_key(tmp_path: Path) -> None:
+    write_class(tmp_path, 200, 0.0)
+    exam = open_exam(tmp_path / "EXAM")
+    examinees = exam.in_memory().examinees
+    copied = {place: {**examinees[place + 1].keys} for place in range(0, 40, 4)}
+    answers = [
+        MarkedAnswer(
+            examinee.student, ask.question, ask.ask, text, text, ask.unit, verdict, *_NO_POINTS, ""
+        )
+        for place, examinee in enumerate(examinees)
+        for ask in exam.asks
+        for key in [copied.get(place, examinee.keys)[ask.column]]
+        for text in [f"{float(key.value):.6g}"]
+        for verdict in ["wrong" if place in copied else "right"]
+    ]
+    by_columns = find_pairs(exam, answers)
+    assert by_columns == find_pairs(exam.in_memory(), answers)
+    assert named(by_columns.reported) == {
+        (examinees[place].student, examinees[place + 1].student) for place in copied
+    }
+
+
 def test_a_class_of_two_thousand_in_seconds() -> None:
     sitting = sitting_class(2000, 8)
     everything = tuple(ask.column for ask in sitting.exam.asks)
@@ -160,6 +208,13 @@ def test_a_class_of_two_thousand_in_seconds() -> None:
     }
 
 
+def windows_of(keys: Sequence[Key]) -> Windows:
+    """What is right by the keys of one ask, a paper for each."""
+    values = np.array([float(key.value) for key in keys])
+    rules = tabulate_rules([tuple(key.rule for key in keys)])
+    return find_windows(np.arange(len(keys)), values, rules, float(keys[0].period or 0))
+
+
 def test_what_fits_is_what_would_be_right_there() -> None:
     keys = [
         Key(Fraction(2), ONE_PER_CENT),
@@ -167,7 +222,7 @@ def test_what_fits_is_what_would_be_right_there() -> None:
         Key(Fraction("0.4"), Tolerance(Fraction(1, 100), Fraction(1, 2))),
         Key(Fraction(0), ONE_PER_CENT),
     ]
-    found = find_windows(keys, mistakes=False)
+    found = windows_of(keys)
     assert [
         found.papers(number) for number in (2.0199, 2.0201, 2.0251, 2.0349, 2.0351, 0.4, 0.0)
     ] == [{0}, set(), {1}, {1}, set(), set(), set()]
@@ -175,7 +230,7 @@ def test_what_fits_is_what_would_be_right_there() -> None:
 
 def test_angles_are_compared_without_full_turns() -> None:
     keys = [Key(Fraction(value), ONE_PER_CENT, Fraction(360)) for value in (359, -90, 20)]
-    found = find_windows(keys, mistakes=False)
+    found = windows_of(keys)
     assert [found.papers(number) for number in (1.0, -1.0, 270.0, -450.0, 740.1)] == [
         {0},
         {0},
@@ -247,7 +302,7 @@ def test_an_id_is_a_key_and_stays_as_it_is() -> None:
         sitting.exam, sitting.answers(lambda place: sitting.copied(1, *HALF) if place == 2 else {})
     )
     (pair,) = found.reported
-    odd = replace(pair, student=replace(pair.student, student="=2"))
+    odd = replace(pair, student=pair.student._replace(student="=2"))
     _, row = csv.reader(
         io.StringIO(write_sharing_csv(replace(found, reported=(odd,)), ENGLISH).decode())
     )

@@ -7,18 +7,18 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
-from kinegrade.exam.folder.keys import NOT_ASKED, Examinee, KeyedExam
-from kinegrade.grading.fast.bounds import Numbers
+from kinegrade.exam.folder.keys import list_questions
+from kinegrade.grading.fast.bounds import Flags, Numbers, Places
 from kinegrade.grading.poisson import QUESTIONS_THAT_TELL, find_tail
-from kinegrade.reports.sharing.fits import Windows, find_windows
+from kinegrade.reports.sharing.class_keys import ClassKeys, Person
 from kinegrade.reports.sharing.wrong_answers import WrongAnswers
 
 _CELLS = 4_000_000  # pairs of students examined together, to bound memory
+_NEARLY = 1.001  # times the level: what rounding may do to a chance
 _COUNTS = 2  # right answers, and right answers or mistakes
 
 
@@ -42,8 +42,8 @@ class Pair:
     of this size has such a pair by chance, at most 1.
     """
 
-    student: Examinee
-    other: Examinee
+    student: Person
+    other: Person
     answers: tuple[SharedAnswer, ...]
     wrong: int
     expected: float
@@ -62,73 +62,79 @@ class _Found:
 
 @dataclass(frozen=True)
 class Search:
-    """The search through a class; `unlike` holds for each student the number of others with a
-    different paper.
-    """
+    """The search through a class, for pairs whose chance is at most the level."""
 
-    exam: KeyedExam
+    keys: ClassKeys
     wrong: WrongAnswers
-    unlike: Numbers
     level: float
+
+    @property
+    def students(self) -> int:
+        """How many there are."""
+        return len(self.keys.people)
 
     @property
     def pairs(self) -> int:
         """The number of ordered pairs of students, each of which might be reported."""
-        return len(self.exam.examinees) * (len(self.exam.examinees) - 1)
+        return self.students * (self.students - 1)
 
-    @cached_property
-    def _windows(self) -> tuple[tuple[Windows, Windows], ...]:
-        """For each ask what would be right on each paper, and the same together with what mistakes
-        lead to.
-        """
-        keys = [
-            [examinee.keys.get(ask.column, NOT_ASKED) for examinee in self.exam.examinees]
-            for ask in self.exam.asks
-        ]
-        return tuple(
-            (find_windows(each, mistakes=False), find_windows(each, mistakes=True)) for each in keys
-        )
+    @property
+    def questions(self) -> Sequence[str]:
+        """What was asked."""
+        return list_questions(self.keys.asks)
 
     def found(self) -> Iterator[_Found]:
         """The pairs below the level."""
         students = self._suspects()
-        size = max(1, _CELLS // len(self.exam.examinees))
+        size = max(1, _CELLS // self.students)
         for first in range(0, len(students), size):
             yield from self.among(students[first : first + size])
 
-    def _suspects(self) -> NDArray[np.intp]:
-        """The students with unexplained wrong answers to enough questions."""
-        wrong = {
-            question: np.zeros(len(self.exam.examinees), dtype=bool)
-            for question in self.exam.questions
-        }
-        for ask, numbers in zip(self.exam.asks, self.wrong.numbers, strict=True):
+    def _suspects(self) -> Places:
+        """The students with unexplained wrong answers to enough questions, and to enough papers."""
+        wrong = {question: np.zeros(self.students, dtype=bool) for question in self.questions}
+        for ask, numbers in zip(self.keys.asks, self.wrong.numbers, strict=True):
             wrong[ask.question] |= ~np.isnan(numbers)
-        return np.flatnonzero(np.sum(list(wrong.values()), axis=0) >= QUESTIONS_THAT_TELL)
+        many = np.flatnonzero(np.sum(list(wrong.values()), axis=0) >= QUESTIONS_THAT_TELL)
+        return many[np.any([self._may_tell(many, kind) for kind in range(_COUNTS)], axis=0)]
 
-    def among(self, students: NDArray[np.intp]) -> Iterator[_Found]:
+    def _may_tell(self, students: Places, kind: int) -> Flags:
+        """False only where no pair of a student is below the level, even if all answers that fit
+        any paper fitted one, and each of them no more papers than it does at least.
+        """
+        fitting, papers = np.zeros(len(students), dtype=np.intp), np.zeros(len(students))
+        for windows, numbers in zip(self.keys.windows, self.wrong.numbers, strict=True):
+            least = windows[kind].count_least(numbers[students])
+            fitting += least > 0
+            papers += np.maximum(least - 1, 0)  # the own paper does not count
+        means = papers / self.keys.unlike[students]
+        tails = map(find_tail, fitting.tolist(), means.tolist())
+        rarest = np.fromiter(tails, dtype=np.float64, count=len(students))
+        may: Flags = _COUNTS * self.pairs * rarest <= _NEARLY * self.level
+        return may
+
+    def among(self, students: Places) -> Iterator[_Found]:
         """The pairs of these students with any other."""
-        counts = [_Count.of(len(students), len(self.exam.examinees)) for _ in range(_COUNTS)]
-        for question in self.exam.questions:
-            asks = [place for place, ask in enumerate(self.exam.asks) if ask.question == question]
+        counts = [_Count.of(len(students), self.students) for _ in range(_COUNTS)]
+        for question in self.questions:
+            asks = [place for place, ask in enumerate(self.keys.asks) if ask.question == question]
             for kind, count in enumerate(counts):
                 count.add([self._fitting(students, ask, kind) for ask in asks])
         chance = np.ones(counts[0].fits.shape)
         for count in counts:
-            np.minimum(
-                chance, self._chances(count, count.expected / self.unlike[students]), out=chance
-            )
+            means = count.expected / self.keys.unlike[students]
+            np.minimum(chance, self._chances(count, means), out=chance)
         for row, other in np.argwhere(chance <= self.level):
             yield _Found(int(students[row]), int(other), float(chance[row, other]))
 
-    def _fitting(self, students: NDArray[np.intp], ask: int, kind: int) -> NDArray[np.bool_]:
+    def _fitting(self, students: Places, ask: int, kind: int) -> Flags:
         """Whose answer to one ask fits which paper: a row for each of these students, a column for
         each paper.
         """
         numbers = self.wrong.numbers[ask][students]
         given = np.flatnonzero(~np.isnan(numbers))
-        answer, paper = self._windows[ask][kind].fits(numbers[given])
-        fits = np.zeros((len(students), len(self.exam.examinees)), dtype=bool)
+        answer, paper = self.keys.windows[ask][kind].fits(numbers[given])
+        fits = np.zeros((len(students), self.students), dtype=bool)
         fits[given[answer], paper] = True
         fits[np.arange(len(students)), students] = False
         return fits
@@ -158,7 +164,7 @@ class Search:
         }
         fits = [
             {
-                ask: self._windows[ask][kind].papers(answer) - {student}
+                ask: self.keys.windows[ask][kind].papers(answer) - {student}
                 for ask, answer in given.items()
             }
             for kind in range(_COUNTS)
@@ -166,15 +172,17 @@ class Search:
         as_key, any_way = fits
         answers = tuple(
             SharedAnswer(
-                self.exam.asks[ask].column, self.wrong.typed[student, ask], other in as_key[ask]
+                self.keys.asks[ask].column, self.wrong.typed[student, ask], other in as_key[ask]
             )
             for ask in given
             if other in any_way[ask]
         )
-        expected = [sum(map(len, each.values())) / float(self.unlike[student]) for each in fits]
+        expected = [
+            sum(map(len, each.values())) / float(self.keys.unlike[student]) for each in fits
+        ]
         return Pair(
-            self.exam.examinees[student],
-            self.exam.examinees[other],
+            self.keys.people[student],
+            self.keys.people[other],
             answers,
             len(given),
             expected[1],
@@ -199,7 +207,7 @@ class _Count:
         fits, questions = (np.zeros((students, papers), dtype=np.uint16) for _ in range(2))
         return cls(fits, questions, np.zeros(students))
 
-    def add(self, fitting: Sequence[NDArray[np.bool_]]) -> None:
+    def add(self, fitting: Sequence[Flags]) -> None:
         """Adds the asks of one question."""
         for fits in fitting:
             self.fits += fits

@@ -18,18 +18,16 @@ has that number. So a pair is reported only if answers to at least two questions
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-import numpy as np
-
 from kinegrade.exam.folder.exam_folder import ExamFolder
-from kinegrade.exam.folder.keys import NOT_ASKED, KeyedExam
+from kinegrade.exam.folder.keys import Sitting
 from kinegrade.grading.same_key import require_same_key
 from kinegrade.grading.sheets.pool import make_exam_as_put
 from kinegrade.marks_folder.folder import MarksFolder
 from kinegrade.marks_folder.rows import MarkedAnswer
+from kinegrade.reports.sharing.class_keys import read_class_keys
 from kinegrade.reports.sharing.search import Pair, Search
 from kinegrade.reports.sharing.wrong_answers import find_wrong_answers
 
@@ -62,25 +60,25 @@ def find_sharing(exam: ExamFolder, marks: MarksFolder, level: float = _LEVEL) ->
     Raises ExamError, TableError.
     """
     require_same_key(exam, marks)
-    known = make_exam_as_put(exam, exam.in_memory(), marks.put)
+    known = make_exam_as_put(exam, exam.in_memory(), marks.put) if marks.put else exam
     here = (each for each in marks.answers() if each.student not in marks.elsewhere)
     return find_pairs(known, here, level)
 
 
-def find_pairs(exam: KeyedExam, answers: Iterable[MarkedAnswer], level: float = _LEVEL) -> Sharing:
+def find_pairs(exam: Sitting, answers: Iterable[MarkedAnswer], level: float = _LEVEL) -> Sharing:
     """The pairs of a class whose chance is below `level`. Raises ExamError where an answer does not
-    belong to the exam.
+    belong to the exam, or the papers cannot be read.
     """
-    wrong = find_wrong_answers(exam, answers)
-    papers = [
-        tuple(examinee.keys.get(ask.column, NOT_ASKED).value for ask in exam.asks)
-        for examinee in exam.examinees
-    ]
-    alike = Counter(papers)
-    unlike = np.array([max(1, len(papers) - alike[paper]) for paper in papers], dtype=np.float64)
-    search = Search(exam, wrong, unlike, level)
+    wrong, keys = find_wrong_answers(exam, answers), read_class_keys(exam)
+    search = Search(keys, wrong, level)
     found = sorted(search.found(), key=lambda each: (each.chance, each.student, each.other))
     reported = tuple(search.pair(each) for each in found[:MOST])
     return Sharing(
-        search.pairs, len(found), reported, len(papers), len(alike), len(exam.questions), level
+        search.pairs,
+        len(found),
+        reported,
+        search.students,
+        len({*keys.papers}),
+        len(search.questions),
+        level,
     )

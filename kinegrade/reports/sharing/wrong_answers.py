@@ -9,7 +9,7 @@ from math import isfinite
 import numpy as np
 
 from kinegrade.errors import ExamError
-from kinegrade.exam.folder.keys import KeyedExam
+from kinegrade.exam.folder.keys import Sitting
 from kinegrade.grading.fast.bounds import Numbers
 from kinegrade.language.message import Fault, Message, Quoted
 from kinegrade.marks_folder.cells import explain_edited
@@ -31,9 +31,9 @@ class WrongAnswers:
     typed: dict[tuple[int, int], str]
 
 
-def find_wrong_answers(exam: KeyedExam, answers: Iterable[MarkedAnswer]) -> WrongAnswers:
+def find_wrong_answers(exam: Sitting, answers: Iterable[MarkedAnswer]) -> WrongAnswers:
     """The unexplained ones. Raises ExamError where an answer does not belong to the exam."""
-    students = {examinee.student: place for place, examinee in enumerate(exam.examinees)}
+    students = {student: place for place, student in enumerate(exam.students)}
     columns = {ask.column: place for place, ask in enumerate(exam.asks)}
     numbers = [np.full(len(students), np.nan) for _ in columns]
     typed: dict[tuple[int, int], str] = {}
