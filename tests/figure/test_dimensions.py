@@ -74,6 +74,19 @@ def test_extension_lines_start_outside_the_supports_of_their_points() -> None:
         assert -6.5 < start.y < -5.1
 
 
+def test_an_extension_line_does_not_begin_between_the_strokes_of_hatching() -> None:
+    strokes = tuple(
+        (Vector(at.x + aside, -3.2), Vector(at.x + aside, -5.2))
+        for at in (A, B)
+        for aside in (-0.6, 0.6)
+    )
+    bar = Strokes(((Vector(-30.0, 5.0), Vector(30.0, 4.0)),), BOLD)
+    for start, _ in _find_extensions(
+        _add(Length("d", "A", "B"), (bar,), (Strokes(strokes, THIN),))
+    ):
+        assert start.y < -5.2
+
+
 def test_a_dimension_line_stands_short_of_guides_beside_a_broad_bar() -> None:
     guides = Strokes(
         tuple((Vector(-30.0, level), Vector(30.0, level)) for level in (6.6, -6.6)), FIRM

@@ -21,7 +21,7 @@ from kinegrade.figure.placing.wedge import (
     rate_parted_by_rims,
 )
 from kinegrade.figure.plane import length, polar
-from kinegrade.figure.scene import THIN, Bow, Disc, Primitive, Strokes
+from kinegrade.figure.scene import PITCH, THIN, Bow, Disc, Primitive, Strokes
 from kinegrade.figure.symbols import BAR_WIDTH, draw_arc_head
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import Angle
@@ -125,10 +125,13 @@ class AngleArc:
         return replace(wish, demerits=worse)
 
     def primitives(self) -> tuple[Primitive, ...]:
-        """The sides, the arrowhead, the arc."""
+        """The sides, those along a broad body as its axis, the arrowhead, the arc."""
         bow = self.bow
-        sides = self.list_sides()
-        parts: tuple[Primitive, ...] = (Strokes(sides, THIN),) if sides else ()
+        parts: tuple[Primitive, ...] = ()
+        for broad, pen in ((False, THIN), (True, PITCH)):
+            lines = (leg.line(bow.centre, bow.radius) for leg in self.legs if leg.broad == broad)
+            sides = tuple(line for line in lines if line)
+            parts += (Strokes(sides, pen),) if sides else ()
         if self.hint.sense or self.hint.signed:
             parts += (draw_arc_head(bow),)
         return (*parts, bow)

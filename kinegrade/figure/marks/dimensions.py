@@ -30,6 +30,8 @@ _OFFSETS = tuple(
 _LEAVING = 1.6  # millimetres from a point to its extension line, where nothing is in the way
 # Millimetres around a point in which its support is, in steps, and from there to the line
 _SUPPORT, _PROBES, _OUTSIDE = (7.0, 10, 0.5)
+# Millimetres of the width in which a line meets a body, and hatching, with more than a gap of it
+_MEETS, _HATCHED = 0.2, 1.6
 _BODY = 2.9  # millimetres around a point in which the broad body or the sleeve is that it is on
 _HIDDEN = 1.0  # demerit of a millimetre between a point and its extension line beyond a support
 # Millimetres, of a dimension line close to its points, short of what is farther, its demerit
@@ -202,12 +204,15 @@ def _find_gap(point: Vector, away: Vector, drawn: Obstacles, ground: Obstacles) 
     (x, y), last = point, _LEAVING
     box = (x - _SUPPORT, y - _SUPPORT, x + _SUPPORT, y + _SUPPORT)
     near, support = drawn.near(box), ground.near(box)
+    pace = _SUPPORT / _PROBES
     for step in range(1, _PROBES + 1):
-        reach = _SUPPORT * step / _PROBES
-        probe = (x + away.x * reach, y + away.y * reach, 0.2, 0.2)
+        reach = pace * step
+        at = (x + away.x * reach, y + away.y * reach)
         in_way = near if reach < _BODY else support
-        if in_way.under_box(*probe) > 0:
+        if in_way.under_box(*at, _MEETS, _MEETS) > 0:
             last = max(last, reach + _OUTSIDE)
+        elif reach > _BODY and support.under_box(*at, _HATCHED, _HATCHED) > 0:
+            last = max(last, reach - pace + _OUTSIDE)
     return last
 
 
