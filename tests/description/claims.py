@@ -63,5 +63,7 @@ def _find_told(answer: Quantity, described: Description, statement: str) -> Iter
     if told - find_numbers(statement.replace("{,}", ".")):
         yield f"{answer.name} = {told} is told"
     exact = answer.size.latex
-    if exact is not None and not exact.isdigit() and f"= {exact}" in text:
+    if exact is None or exact.isdigit():
+        return
+    if f"= {exact}" in text and f"= {exact}" not in statement:
         yield f"{answer.name} = {exact} is told"

@@ -28,14 +28,17 @@ ROSTER = """student,name,format
 POINTS = 18.0
 # Of the font that text is set in; indices are in the font of formulas
 TEXT = "LibertinusSerif"
+# Letters of formulas and figures: those of text and headings, their indices, and indices of indices
+FORMULA = "Math"
+FORMULA_SIZES = {round(size * part, 2) for size in (18, 20, 24) for part in (1, 0.7, 0.5)}
 
 
-def list_letters(pdf: Path) -> Iterator[tuple[str, float]]:
-    """Each piece of text with the size of its letters as printed, in points."""
+def list_letters(pdf: Path, face: str = TEXT) -> Iterator[tuple[str, float]]:
+    """Each piece of text in a font with the size of its letters as printed, in points."""
     found: list[tuple[str, float]] = []
 
     def note(text: str, cm: list[float], tm: list[float], font: dict | None, size: float) -> None:
-        if text.strip() and font and TEXT in font["/BaseFont"]:
+        if text.strip() and font and face in font["/BaseFont"]:
             found.append((text.strip(), size * abs(tm[3] * cm[3])))
 
     for page in PdfReader(pdf).pages:
@@ -131,6 +134,26 @@ def test_a_template_is_solved_in_large_print(language: str, tmp_path: Path) -> N
     assert made.exit_code == 0, made.stderr
     assert find_small(target) == []
     assert list_failed_rules(target.read_bytes()) == []
+
+
+@pytest.mark.parametrize(
+    ("name", "language"),
+    [("pin-in-two-rings", "zh"), ("planetary-gear-external-rim-velocities", "de")],
+)
+def test_no_formula_or_figure_is_made_smaller(name: str, language: str, tmp_path: Path) -> None:
+    target = tmp_path / "solution.pdf"
+    made = kinegrade("solve", name, "--large-print", "--lang", language, "-o", target)
+    assert made.exit_code == 0, made.stderr
+    sizes = {round(size, 2) for _, size in list_letters(target, FORMULA)}
+    assert sizes
+    assert sizes <= FORMULA_SIZES
+
+
+def test_figures_on_large_papers_have_large_letters(exam: Path) -> None:
+    letters = list_letters(exam / "papers" / "0012.pdf", FORMULA)
+    sizes = {round(size, 2) for _, size in letters}
+    assert sizes
+    assert sizes <= FORMULA_SIZES
 
 
 def test_late_students_have_it_too(exam: Path, tmp_path: Path) -> None:

@@ -16,5 +16,7 @@ FAILED = {
     ("printed figures", 666913698): "a letter at the beginning of an extension line",
     ("printed mathematics", 411014085): "a coordinate was left out of which the square is used",
     ("tactile sheets", 80): "scotch-yoke-driven-by-guide: a slot ran into the number of the sheet",
+    ("described figures", 907070209): "an answer that equals a given by chance was taken as told",
+    ("described figures", 907070514): "an answer that equals a given by chance was taken as told",
     ("tactile sheets", 16): "pose-four-bar-coupler: labels of axes took the room of a letter",
 }

@@ -31,6 +31,7 @@ from kinegrade.language.math.tree import (
     Space,
     Text,
     Unit,
+    split_row,
 )
 from kinegrade.language.math.units import raise_exponents, write_unit
 
@@ -128,8 +129,10 @@ def _measure(node: Node) -> float:
             return _BOLD * _find_width(row)
         case Accent("boxed", row):
             return _FRAME + _find_width(row)
-        case Group(row) | Accent(_, row) | Environment(_, row):
+        case Group(row) | Accent(_, row):
             return _find_width(row)
+        case Environment(_, row):
+            return max(map(_find_width, split_row(row, LineBreak)))
         case Letter() | Number() | Sign() | Function() | Text() | Unit():
             return _measure_alone(node)
         case Space() | LineBreak() | Mark():

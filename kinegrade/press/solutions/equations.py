@@ -17,6 +17,7 @@ from kinegrade.language.math.equation_line import (
 )
 from kinegrade.language.math.printed_size import measure_printed
 from kinegrade.language.math.tree import Mark, Row, Space, Text
+from kinegrade.press.solutions.folding import fold, part_remark
 from kinegrade.worked.document import Display
 
 _APART = Space("qquad")  # between two equations on one row
@@ -92,9 +93,11 @@ def measure_display(display: Display) -> MeasuredDisplay:
     return MeasuredDisplay(tuple(map(_measure_line, _join_continued(display.lines))))
 
 
-def arrange_equations(display: MeasuredDisplay, room: float) -> tuple[Equations, ...]:
+def arrange_equations(
+    display: MeasuredDisplay, room: float, *, folds: bool = False
+) -> tuple[Equations, ...]:
     """The rows of a display that has `room` em: one group or, where lines have a long left side,
-    several.
+    several. A piece that is too wide is folded where it `folds`.
 
     >>> from kinegrade.language.math.reading import read_math
     >>> short = Display((read_math("x_A &= 0", ""), read_math("y_A &= 1", "")))
@@ -103,7 +106,7 @@ def arrange_equations(display: MeasuredDisplay, room: float) -> tuple[Equations,
     """
     groups: list[Equations] = []
     aligned: list[_Line] = []
-    for line in display.lines:
+    for line in _fold_lines(display.lines, room) if folds else display.lines:
         if line.left.width > _LONG_LEFT * room:
             groups.extend(_align(aligned, room))
             groups.append(_hang(line, room))
@@ -137,6 +140,19 @@ def _measure_line(parts: EquationLine) -> _Line:
 def _measure_piece(row: Row) -> _Piece:
     size, signed = measure_printed(row), begins_with_sign(row)
     return _Piece(row, size.width + signed * _BEFORE_SIGN, size.height, signed)
+
+
+def _fold_lines(lines: Sequence[_Line], room: float) -> Iterator[_Line]:
+    """The lines with pieces that have room beside the left sides, set back or below a long one."""
+    short = [line.left.width for line in lines if line.left.width <= _LONG_LEFT * room]
+    beside = room - max((_INDENT_WIDTH, *short))
+    for line in lines:
+        pieces = [
+            fold(part, beside - piece.signed * (_INDENT_WIDTH + _BEFORE_SIGN))
+            for piece in line.pieces
+            for part in (part_remark(piece.row) if piece.width > beside else [piece.row])
+        ]
+        yield _measure_line(EquationLine(fold(line.left.row, room), tuple(pieces)))
 
 
 def _align(lines: Sequence[_Line], room: float) -> Iterator[Equations]:

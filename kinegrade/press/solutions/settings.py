@@ -93,12 +93,14 @@ def add_heights(settings: Iterable[Setting]) -> float:
 @dataclass(frozen=True)
 class Column:
     """A column of text: its width in millimetres, the script of its language, and how far apart
-    its blocks and lines stand.
+    its blocks and lines stand; and whether equations that are too wide are folded, where no letter
+    may be made smaller.
     """
 
     width: float
     script: str
     spread: Spread = USUAL
+    folds: bool = False
 
     def set_chain(self, chain: Chain) -> tuple[Setting, ...]:
         """The settings of blocks that stay together."""
@@ -144,7 +146,7 @@ class Column:
         return replace(paragraph, equation=row), held + 1
 
     def _arrange(self, display: MeasuredDisplay) -> tuple[Equations, ...]:
-        return arrange_equations(display, (self.width - INDENT) / EM)
+        return arrange_equations(display, (self.width - INDENT) / EM, folds=self.folds)
 
     def _estimate_height(self, body: Body) -> float:
         gap = _GAP * self.spread.blocks
