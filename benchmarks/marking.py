@@ -29,7 +29,14 @@ from kinegrade.grading.grade import grade
 STUDENTS = 20_000
 ODD_SHARE = 0.1  # of the answers in the mixed class: commas, units, roots, blanks, words
 PLAIN_PROMISE, MIXED_PROMISE = 1.8, 1 / 3
-COMMAND_PROMISE = 1 / 5  # with follow-through, exports and the checks of what it has written
+GRADE = "grade EXAM answers.csv -o MARKS"
+#: What is promised of whole commands; `grade` has exports and checks of what it has written.
+COMMANDS = {
+    GRADE: 1 / 5,
+    "report EXAM MARKS -o report.html": 1 / 9,
+    "sharing EXAM MARKS -o sharing.csv": 1 / 4,
+}
+SMALL, SMALL_GROWTH_PROMISE = (300, 3000), 1.4  # students; the most that ten times as many may take
 RUNS = 3  # the best counts: the first pays for imports and caches
 WITH_COMPLAINTS = 1  # the command's exit status where answers could not be read
 GROWTH_PROMISE = 1.5  # the most that twice the class may take of memory
@@ -46,12 +53,11 @@ def figures() -> Iterator[Figure]:
         write_class(double, 2 * STUDENTS, ODD_SHARE)
         yield speed(plain, "plain numbers", PLAIN_PROMISE)
         yield speed(mixed, "10 % not plain", MIXED_PROMISE)
-        yield Figure(
-            f"marking an answer, {STUDENTS} students, the whole command",
-            by_command(plain),
-            loop(plain),
-            COMMAND_PROMISE,
-        )
+        peer = loop(plain)
+        for words, promise in COMMANDS.items():
+            title = f"{words.split()[0]} for an answer, {STUDENTS} students, the whole command"
+            yield Figure(title, by_command(plain, words), peer, promise)
+        yield small_class_figure(Path(name))
         single, twice = memory(mixed), memory(double)
         yield Figure(
             f"marking {2 * STUDENTS} students: memory against {STUDENTS}",
@@ -60,6 +66,15 @@ def figures() -> Iterator[Figure]:
             1,
             "MB",
         )
+
+
+def small_class_figure(folder: Path) -> Figure:
+    """What marking takes of memory for a class, and for one of a tenth of its size."""
+    for students in SMALL:
+        write_class(folder / str(students), students, ODD_SHARE)
+    few, many = (memory(folder / str(students)) for students in SMALL)
+    name = f"marking {SMALL[1]} students: memory against {SMALL[0]}"
+    return Figure(name, many, few, 1 / SMALL_GROWTH_PROMISE, "MB")
 
 
 def speed(folder: Path, kind: str, promise: float) -> Figure:
@@ -133,35 +148,21 @@ def read_keys(path: Path) -> dict[str, dict[str, tuple[float, float, int]]]:
         }
 
 
-def by_command(folder: Path) -> float:
-    """Seconds for an answer by `kinegrade grade`, start and all. Raises what `memory` raises."""
+def by_command(folder: Path, words: str) -> float:
+    """Seconds for an answer by a command, start and all. Raises what `memory` raises."""
     before = getrusage(RUSAGE_CHILDREN)
-    memory(folder)
+    memory(folder, words)
     after = getrusage(RUSAGE_CHILDREN)
     seconds = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
     return seconds / (STUDENTS * len(COLUMNS))
 
 
-def memory(folder: Path) -> float:
-    """The peak of the command in megabytes. Raises RuntimeError with what it said if it could not
-    mark the class.
-    """
+def memory(folder: Path, words: str = GRADE) -> float:
+    """The peak of a command in megabytes. Raises RuntimeError with what it said if it refused."""
     told = folder / "told.txt"
     with told.open("wb") as stream:
-        process = subprocess.Popen(
-            [
-                sys.executable,
-                "-m",
-                "kinegrade",
-                "grade",
-                str(folder / "EXAM"),
-                str(folder / "answers.csv"),
-                "-o",
-                str(folder / "MARKS"),
-                "--force",
-            ],
-            stderr=stream,
-        )
+        command = [sys.executable, "-m", "kinegrade", *words.split(), "--force"]
+        process = subprocess.Popen(command, stderr=stream, cwd=folder)
         peak = peak_of_tree(process)
     if process.returncode not in (0, WITH_COMPLAINTS):
         raise RuntimeError(told.read_text(encoding="utf-8"))

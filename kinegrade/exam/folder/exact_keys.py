@@ -17,7 +17,12 @@ from kinegrade.exam.choices import Choice, fits_paper
 from kinegrade.exam.folder.contents import HEAD
 from kinegrade.exam.folder.faults import describe_damage
 from kinegrade.exam.folder.keys import NOT_ASKED, Ask, Key, list_questions
-from kinegrade.exam.folder.numbers import RATIONAL, require_not_negative, require_number
+from kinegrade.exam.folder.numbers import (
+    RATIONAL,
+    require_double,
+    require_not_negative,
+    require_number,
+)
 from kinegrade.exam.folder.records import KeyLine, StatedAnswer, StatedTolerance
 from kinegrade.language.message import Fault, Message, Quoted, list_plainly
 from kinegrade.numbers.tolerance import Tolerance
@@ -103,13 +108,15 @@ def find_exact_value(answer: StatedAnswer) -> Fraction:
     value's own digits. Raises FieldError.
     """
     plain = answer.exact if answer.exact and RATIONAL.fullmatch(answer.exact) else None
-    stated = {"exact": plain, "decimal": answer.decimal, "value": answer.value}
-    values = {name: require_number(name, text) for name, text in stated.items() if text is not None}
-    if not values:
+    named = {"exact": plain, "decimal": answer.decimal, "value": answer.value}
+    stated = {name: text for name, text in named.items() if text is not None}
+    if not stated:
         raise FieldError(Message("exam.no-right-answer"), Message("exam.the-right-answer"))
-    first, *others = values.values()
+    (name, text), *others = stated.items()
+    value = require_number(name, text)
     # A check only: floats will do
-    if not all(isclose(first, other, rel_tol=_AGREEMENT) for other in others):
-        what = Message("exam.different-numbers", names=list_plainly(values))
+    doubles = [require_double(name, text) for name, text in others]
+    if not all(isclose(value, other, rel_tol=_AGREEMENT) for other in doubles):
+        what = Message("exam.different-numbers", names=list_plainly(stated))
         raise FieldError(what, Message("exam.the-same-one"))
-    return first
+    return value
