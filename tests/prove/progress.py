@@ -23,21 +23,23 @@ class Tally:
         self._proof, self._cases = proof, cases
         self._begin = time.monotonic()
         self._lock = threading.Lock()
-        self._done, self._failed = 0, 0
+        self._done, self._failed, self._compared = 0, 0, 0
 
     def add(self, outcome: Outcome) -> None:
         """Count an outcome; a failure is shown at once."""
         with self._lock:
             self._done += 1
             self._failed += bool(outcome.fault)
+            self._compared += outcome.compared
         if outcome.fault:
             _show(write_failure(self._proof, outcome))
 
     def show(self) -> None:
         """Say how many cases are done and how many of them failed."""
         seconds = time.monotonic() - self._begin
-        failed = f"{self._failed} failed, " if self._failed else ""
-        _show(f"{self._proof.name}: {self._done} of {self._cases} done, {failed}{seconds:.0f} s")
+        counts = {"failed": self._failed, "compared": self._compared}
+        counted = "".join(f"{count} {what}, " for what, count in counts.items() if count)
+        _show(f"{self._proof.name}: {self._done} of {self._cases} done, {counted}{seconds:.0f} s")
 
 
 @contextmanager

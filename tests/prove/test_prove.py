@@ -13,6 +13,7 @@ import pytest
 from tests.prove import invented, progress, properties
 from tests.prove.__main__ import main
 from tests.prove.failed_seeds import FAILED
+from tests.prove.outcome import Outcome
 from tests.prove.proof import Proof
 from tests.prove.proofs import PROOFS
 
@@ -100,6 +101,14 @@ def test_how_far_a_proof_is_is_said_while_it_runs(
     assert any(re.fullmatch(r"invented: 0 of 3 done, \d+ s", line) for line in lines)
     assert [line for line in lines if line.startswith(" ")] == table.splitlines()[2:]
     assert "11 ends in 1" in said
+
+
+def test_what_is_said_has_the_number_of_things_compared(capsys: pytest.CaptureFixture[str]) -> None:
+    tally = progress.Tally(Proof("invented", invented.hold, 3, 3, 0), 3)
+    tally.add(Outcome(10, "", 2))
+    tally.add(Outcome(16, "", 2))
+    tally.show()
+    assert capsys.readouterr().err == "invented: 2 of 3 done, 4 compared, 0 s\n"
 
 
 def test_a_run_that_is_out_of_time_says_so_by_its_numbers(
