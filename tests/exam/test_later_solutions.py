@@ -98,6 +98,22 @@ def test_a_manner_of_its_own_is_kept_for_what_is_printed_again(
     assert contents(exam) == contents(folder / "EXAM")
 
 
+def test_the_bank_may_ask_for_graphs_over_the_cycle(tmp_path: Path) -> None:
+    folder = write_class(tmp_path)
+    bank = folder / "bank.toml"
+    bank.write_text(f"cycle = true\n{bank.read_text(encoding='utf-8')}", encoding="utf-8")
+    assert generate(folder, "WITH", "--solutions").exit_code == 0
+    assert generate(folder, "LATER").exit_code == 0
+    assert kinegrade("solutions", folder / "LATER").exit_code == 0
+    assert contents(folder / "LATER") == contents(folder / "WITH")
+    solution = tmp_path / "007.pdf"
+    again = kinegrade("paper", folder / "WITH", "007", "--solution", "-o", solution)
+    assert again.exit_code == 0, again.stderr
+    assert solution.read_bytes() == (folder / "WITH" / "solutions" / "007.pdf").read_bytes()
+    pages = (page.extract_text() for page in PdfReader(solution).pages)
+    assert any("Over the whole cycle" in text for text in pages)
+
+
 def test_a_language_for_all_takes_the_place_of_that_of_the_papers(
     exam: Path, tmp_path: Path
 ) -> None:

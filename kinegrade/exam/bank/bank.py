@@ -163,6 +163,7 @@ def _read_frame(table: Table, text: str, translations: Translations) -> Bank:
         scale=read_scale(table),
         homework=homework,
         solutions=table.with_default("solutions", flag, False),
+        cycle=table.with_default("cycle", flag, False),
         lms=table.optional("lms", choice(_SYSTEMS)),
     )
 

@@ -82,10 +82,11 @@ class Bank:
     each student; `engine` is the typesetter unless an instructor asks for another; `credit` is for
     answers that are not right, `scale` for the grades of totals, `homework` says what is set and
     when it is due; with `solutions`, feedback includes the worked solutions unless requested
-    otherwise; `lms` is the system that the exam will be imported into, if its draws have to suit
-    one; `header` is the head of the papers; the questions `by_hand` have no mechanism, and stand
-    between the others; the `formula_sheet` is bound behind every paper; of the questions of
-    `choices` each paper holds only some. `earlier` is no part of the file: what earlier exams
+    otherwise, and with `cycle` they end with graphs over it; `lms` is the system that the exam will
+    be imported into, if its draws have to suit one; `header` is the head of the papers; the
+    questions `by_hand` have no mechanism, and stand between the others; the `formula_sheet` is
+    bound behind every paper; of the questions of `choices` each paper holds only some. `earlier` is
+    no part of the file: what earlier exams
     dealt, and this one is not to deal again.
     """
 
@@ -106,6 +107,7 @@ class Bank:
     scale: StatedScale | None = None
     homework: Homework = AN_EXAM
     solutions: bool = False
+    cycle: bool = False
     lms: LMS | None = None
     header: Header = NO_HEADER
     by_hand: tuple[HandQuestion, ...] = ()

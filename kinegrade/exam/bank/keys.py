@@ -48,6 +48,9 @@ BANK = (
     "scale",
     #: `true` if feedback is to hold the worked solutions.
     "solutions",
+    #: `true` ends all worked solutions with small graphs of their answers over the whole cycle, on
+    #: which a dot marks the instant of the question.
+    "cycle",
     #: The system that will mark typed answers, where it takes only some numbers: draws whose right
     #: answers it could not take are refused.
     "lms",

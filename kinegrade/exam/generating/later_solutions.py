@@ -136,6 +136,6 @@ def _write_head(exam: ExamFolder, run: PrintRun, folder: Path) -> None:
     if lost:
         raise refuse_edited(exam.path, lost)
     editable = digest_grown(exam, folder)
-    head = structs.replace(exam.head, method=run.extras.method, cycle=run.extras.cycle)
+    head = structs.replace(exam.head, method=run.extras.method, cycle=run.cycle)
     if editable != exam.head.editable or head != exam.head:
         write_head(head, editable, folder)

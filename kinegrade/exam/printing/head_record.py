@@ -50,7 +50,7 @@ def make_exam_head(dealt: ClassDeal, candidates: Iterable[Candidate], run: Print
         engine=order.engine,
         pages=run.pages or 0,
         method=run.extras.method,
-        cycle=run.extras.cycle,
+        cycle=run.cycle,
         versions=tuple(list_version_letters(bank.versions)),
         credit=bank.credit.record() or None,
         kind=bank.homework.kind,

@@ -83,6 +83,11 @@ class PrintRun:
     extras: Extras
     pages: int | None = None
 
+    @property
+    def cycle(self) -> bool:
+        """Whether worked solutions end with graphs over the cycle: where either asks for them."""
+        return self.extras.cycle or self.bank.cycle
+
     def bind(self, paper: Printout) -> Printout:
         """A paper with the formula sheet of the bank behind it, whose pages do not count. Raises
         TypesetError.
@@ -175,7 +180,7 @@ def print_solutions(run: PrintRun, press: Press, papers: Sequence[SetPaper]) -> 
     from kinegrade.exam.printing.solution_pages import SolutionWriter, write_solution_sheet
 
     wanted = run.extras
-    writer = SolutionWriter(run.language, wanted.method, wanted.solution_language, wanted.cycle)
+    writer = SolutionWriter(run.language, wanted.method, wanted.solution_language, run.cycle)
     return press.solutions(
         {paper.student.file_name: write_solution_sheet(run.bank, paper, writer) for paper in papers}
     )

@@ -59,9 +59,9 @@ class Reprint:
             write_solution_sheet,
         )
 
-        wanted = self.run.extras
-        writer = SolutionWriter(self.run.language, wanted.method, cycle=wanted.cycle)
-        sheet = write_solution_sheet(self.run.bank, self.paper, writer)
+        run = self.run
+        writer = SolutionWriter(run.language, run.extras.method, cycle=run.cycle)
+        sheet = write_solution_sheet(run.bank, self.paper, writer)
         sheet = replace(sheet, large=large or sheet.large)
         return self._press.solutions({self._name: sheet})[self._name].pdf
 
