@@ -13,7 +13,8 @@ from kinegrade.problem.quantities.functions import needs_configurations
 from kinegrade.problem.template.template import Ask, Template
 
 _TAIL = 6.0  # per cent of the input's range
-_EQUAL = 1e-9  # of the range of values
+_EQUAL = 1e-8  # of the range of values
+_EXACT = 1e-4  # of the range of values: how well a limit is known
 _STEEP = 4.0  # times what the other positions take
 
 
@@ -64,6 +65,21 @@ class Curve:
     def greatest(self) -> int:
         """The number of the first position at which the value is greatest, likewise."""
         return self._find_first(self.values)
+
+    def find_limit(self, number: int) -> tuple[Gap, float] | None:
+        """The gap that a position is next to, and what the value goes to there, which it does not
+        reach.
+        """
+        moved, values = self.moved, self.values
+        places = {gap.displacement: gap for gap in self.gaps}
+        for behind, ahead in ((number - 1, number + 1), (number + 1, number - 1)):
+            gap = places.get(moved[ahead]) if 0 < number < len(moved) - 1 else None
+            if gap is not None:
+                slope = (values[number] - values[behind]) / (moved[number] - moved[behind])
+                limit = values[number] + slope * (gap.displacement - moved[number])
+                step = 10.0 ** np.floor(np.log10(_EXACT * np.ptp(values[np.isfinite(values)])))
+                return gap, float(np.round(limit / step) * step)
+        return None
 
     def _find_first(self, values: Array) -> int:
         known = np.where(np.isfinite(values), values, np.nan)

@@ -101,17 +101,23 @@ def _describe_swing(swing: Swing, name: Text, is_angle: bool) -> Message:
 
 def _describe_extremes(curve: Curve, name: str, is_angle: bool) -> Message:
     """The least and the greatest value of a curve, and where they are."""
-    unit = "" if curve.ask.unit.text == "1" else write_unit(curve.ask.unit.text)
     least, greatest = (
-        Message(
-            "motion.extreme",
-            value=_round(float(curve.values[number])),
-            unit=unit,
-            place=_write_place(float(curve.moved[number]), is_angle),
-        )
-        for number in (curve.least, curve.greatest)
+        _describe_extreme(curve, number, is_angle) for number in (curve.least, curve.greatest)
     )
     return Message("motion.extremes", ask=name, least=least, greatest=greatest)
+
+
+def _describe_extreme(curve: Curve, number: int, is_angle: bool) -> Message:
+    """The value at a position; beside a gap, the one that it goes to there."""
+    unit = "" if curve.ask.unit.text == "1" else write_unit(curve.ask.unit.text)
+    limit = curve.find_limit(number)
+    if limit is None:
+        place = _write_place(float(curve.moved[number]), is_angle)
+        value = _round(float(curve.values[number]))
+        return Message("motion.extreme", value=value, unit=unit, place=place)
+    gap, value_there = limit
+    place = _write_place(gap.displacement, is_angle)
+    return Message("motion.extreme-near", value=_round(value_there), unit=unit, place=place)
 
 
 def _write_place(displacement: float, is_angle: bool) -> Message:

@@ -6,18 +6,21 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from kinegrade.cycles.peaks import find_peaks
 from kinegrade.motion.path import Array
 
 ASIDE = 1e-4  # of the input's range: nearer to a gap, rounding may show
 _NOTICED = 1e-4  # of what a quantity takes over the cycle
 _ROUNDED = 1e-6  # of what it usually is
 _NOTHING = 1e-6  # in its unit: near singular positions rounding leaves almost as much of zero
-_HALVINGS = 28
+_DECISIVE = 10.0  # times what is noticed: by so much, last digits decide what a quantity is
+_HALVINGS = 32
 _NEARER = 8.0  # how much nearer the second of two places beside a gap is
 _GROWS = 3.0  # times what it is at the first one, where a quantity grows beyond bounds
 
@@ -44,11 +47,12 @@ class _Stretches(NamedTuple):
 @dataclass(frozen=True, eq=False)
 class GapSearch:
     """`read` gives rows of values at displacements of the input, one for each quantity, which are
-    known at the displacements `moved`; `periods` are what makes no difference: a turn for
-    angles, else infinity.
+    known at the displacements `moved`, and `read_shaken` those of motions that are alike to within
+    rounding; `periods` are what makes no difference: a turn for angles, else infinity.
     """
 
     read: Callable[[Array], Array]
+    read_shaken: Callable[[Array], Array]
     periods: Array
     moved: Array
 
@@ -57,24 +61,53 @@ class GapSearch:
         sides; not those at which it grows beyond bounds.
         """
         with np.errstate(all="ignore"):
-            values = self.read(self.moved)
-            noticed = np.array([_find_noticed(row) for row in values])
-            noticed = np.where(np.isfinite(self.periods), _NOTICED * self.periods, noticed)
-            changes = self._subtract(values[:, 1:], values[:, :-1], self.periods[:, None])
-            rows, places = np.nonzero(_find_uneven(changes, noticed[:, None]))
-            at_low, at_high = values[rows, places], values[rows, places + 1]
-            low, high = self.moved[places], self.moved[places + 1]
-            found = _Stretches(rows, low, high, at_low, at_high)
-            for _ in range(_HALVINGS):
-                found = self._halve(found, noticed)
+            jumps = self._find_jumps()
+            peaks = find_peaks(self._sway, self.moved, _DECISIVE * self._noticed)
             return [
                 tuple(
                     place
-                    for place in self._merge(found.high[found.rows == row])
-                    if self._is_bounded(row, place, noticed[row])
+                    for place in self._merge(np.concatenate([jumps[row], peaks[row]]))
+                    if self._is_bounded(row, place)
                 )
-                for row in range(len(values))
+                for row in range(len(self.periods))
             ]
+
+    def find_swaying(self, places: Array) -> NDArray[np.bool_]:
+        """For each quantity whether at these displacements it has no value because last digits
+        decide what it is.
+        """
+        with np.errstate(all="ignore"):
+            swaying = self._sway(places) > _DECISIVE * self._noticed[:, None]
+            for row, number in np.argwhere(swaying):
+                swaying[row, number] = self._is_bounded(int(row), float(places[number]))
+        return np.asarray(swaying)
+
+    @cached_property
+    def _values(self) -> Array:
+        return self.read(self.moved)
+
+    @cached_property
+    def _noticed(self) -> Array:
+        """Which changes of each quantity may be jumps."""
+        noticed = np.array([_find_noticed(row) for row in self._values])
+        return np.where(np.isfinite(self.periods), _NOTICED * self.periods, noticed)
+
+    def _sway(self, moved: Array) -> Array:
+        """How much last digits change; nothing where there is no value at all."""
+        swayed = self._subtract(self.read_shaken(moved), self.read(moved), self.periods[:, None])
+        return np.where(np.isfinite(swayed), swayed, 0.0)
+
+    def _find_jumps(self) -> list[Array]:
+        """For each quantity the displacements at which it jumps, or may."""
+        values, noticed = self._values, self._noticed
+        changes = self._subtract(values[:, 1:], values[:, :-1], self.periods[:, None])
+        rows, places = np.nonzero(_find_uneven(changes, noticed[:, None]))
+        at_low, at_high = values[rows, places], values[rows, places + 1]
+        low, high = self.moved[places], self.moved[places + 1]
+        found = _Stretches(rows, low, high, at_low, at_high)
+        for _ in range(_HALVINGS):
+            found = self._halve(found, noticed)
+        return [found.high[found.rows == row] for row in range(len(values))]
 
     def _halve(self, stretches: _Stretches, noticed: Array) -> _Stretches:
         """The halves over which the quantities change more, as far as that is still much."""
@@ -112,12 +145,12 @@ class GapSearch:
                 yield place
                 before = place
 
-    def _is_bounded(self, row: int, place: float, noticed: float) -> bool:
+    def _is_bounded(self, row: int, place: float) -> bool:
         """Whether a quantity stays finite on both sides of a place."""
         aside = ASIDE * (self.moved[-1] - self.moved[0])
         beside = np.array([-aside, -aside / _NEARER, aside / _NEARER, aside])
         values = np.abs(self.read(place + beside)[row])
-        grows = values[1:3] > _GROWS * values[[0, 3]] + noticed
+        grows = values[1:3] > _GROWS * values[[0, 3]] + self._noticed[row]
         return bool(np.isfinite(values).all() and not grows.any())
 
 

@@ -14,7 +14,7 @@ import numpy as np
 from kinegrade.cycles.curves import Curve, Gap
 from kinegrade.cycles.gaps import ASIDE, GapSearch
 from kinegrade.cycles.rounding import find_scales
-from kinegrade.cycles.undetermined import find_undetermined
+from kinegrade.cycles.undetermined import find_undetermined, shake_motion
 from kinegrade.errors import AtInfinity
 from kinegrade.expressions.evaluation import evaluate, make_elementary_functions
 from kinegrade.expressions.tree import find_names
@@ -79,19 +79,23 @@ class CurveTracer:
         if not self.names:
             return []
         periods = [360.0 if ask.unit.degrees else math.inf for ask in self._asks]
+        scales = find_scales(self.path)
         search = GapSearch(
-            lambda moved: self._read(self.path.place(moved).motion, moved),
+            lambda moved: self._read_beside(moved, lambda placement: placement.motion),
+            lambda moved: self._read_beside(moved, lambda each: shake_motion(each, scales)),
             np.array(periods),
             self.path.spread(_POSITIONS),
         )
         found = self._add_changes(search.find())
         shared = self._merge([place for places in found for place in places])
+        every = np.unique([shared(place) for places in found for place in places])
+        swaying = search.find_swaying(every)
         return [
             tuple(
                 Gap(each, self._find_together(ask, each))
-                for each in sorted(set(map(shared, places)))
+                for each in sorted({*map(shared, places), *every[sways].tolist()})
             )
-            for ask, places in zip(self._asks, found, strict=True)
+            for ask, places, sways in zip(self._asks, found, swaying, strict=True)
         ]
 
     def _add_changes(self, found: Sequence[tuple[float, ...]]) -> list[tuple[float, ...]]:
@@ -144,6 +148,13 @@ class CurveTracer:
             for start, end in pairwise(sorted(bounds)):
                 found[start:end] = np.unwrap(found[start:end], period=360.0)
         return found
+
+    def _read_beside(self, moved: Array, find: Callable[[Placement], Motion]) -> Array:
+        """Rows of the values of all asks in motions at displacements of the input; the instant is
+        read as well, as nothing can be said of positions that are all singular.
+        """
+        with_instant = np.append(moved, 0.0)
+        return self._read(find(self.path.place(with_instant)), with_instant)[:, :-1]
 
     def _read(self, motion: Motion, moved: Array) -> Array:
         """Rows of the values of all asks, each in its unit."""

@@ -1,21 +1,27 @@
 """What a position leaves undetermined: at a change point bodies may go on in several ways, so that
-no rates follow from the position alone.
+no rates follow from the position alone; and what is nothing divided by nothing is decided by last
+digits alone.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import math
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
+from kinegrade.cycles.rounding import Scales
 from kinegrade.mechanics.motion import Motion
+from kinegrade.mechanics.rates import Rates
+from kinegrade.mechanics.vector import Vector
 from kinegrade.motion.path import Array, MotionPath, Placement
 
 _LOOSE = 1e-4  # of the greatest singular value: change points are found less well than others
 _SHARES = (1.0, 0.7)  # of the ways in which rates, and their changes, may differ
 _SAME = 1e-9
+_SHAKEN = 1e-11  # of the mechanism's size, and of its usual rates
 
 
 def find_undetermined(
@@ -62,3 +68,32 @@ def _find_loose(placement: Placement) -> Array:
     free = np.ones(len(ways), dtype=bool)
     free[: len(sizes)] = sizes <= _LOOSE * sizes[0]
     return np.asarray(ways[free].sum(axis=0) * path.system.units[:-1])
+
+
+def shake_motion(placement: Placement, scales: Scales) -> Motion:
+    """The motion of a placement on a path of these scales, with every place and every rate moved a
+    little, in no common direction: what differs much between the two is decided by last digits.
+    """
+    motion, units = placement.motion, placement.path.system.units[:-1]
+    mechanism, size = motion.frames.mechanism, scales.length * _SHAKEN
+    directions = _list_directions()
+    points = {name: point + next(directions) * size for name, point in mechanism.points.items()}
+
+    def shake(rates: Rates, usual: float) -> Rates:
+        each = zip(placement.path.system.rates, units, _list_directions(), strict=False)
+        return {rate: rates[rate] + way.x * _SHAKEN * usual * unit for rate, unit, way in each}
+
+    return replace(
+        motion,
+        frames=replace(motion.frames, mechanism=replace(mechanism, points=points)),
+        rates=shake(motion.rates, scales.rate),
+        changes=shake(motion.changes, scales.change),
+    )
+
+
+def _list_directions() -> Iterator[Vector]:
+    """Unit vectors without end, none of which has the direction of another one."""
+    angle = 1.0
+    while True:
+        yield Vector(math.cos(angle), math.sin(angle))
+        angle += 2.0

@@ -28,6 +28,7 @@ RODS, SLEEVES, TUBE = (
     "guide-tube-rod-fixed-centrode",
 )
 GEAR, LINK = "planetary-gear-external-rim-velocities", "slotted-rocker-and-slider-two-drivers"
+LINKED = "crank-slider-in-floating-link"
 UPRIGHT, FLAT = [75, 255], [206.8103, 303.1897]  # degrees: M is at E, or at B
 CHANGE = [-0.3]  # m: the rods are in line
 GAPS: dict[str, dict[str, list[float]]] = {
@@ -40,10 +41,18 @@ GAPS: dict[str, dict[str, list[float]]] = {
         "a_M_2": UPRIGHT,
     },
     TUBE: {
-        **{ask: [300, 660] for ask in ("AS", "x_S", "y_S", "S_bis", "omega_ratio")},
-        "S_perp": [120, 300, 480, 660],
+        **{ask: [300, 660] for ask in ("AS", "x_S", "y_S", "omega_ratio")},
+        **{
+            ask: [120, 300, 480, 660] for ask in ("S_bis", "S_perp")
+        },  # O, A and B are in line at 120
     },
     GEAR: {"angle_vB_vA": [72, 360, 648, 936, 1224]},
+    # The link translates, with its pole at infinity, or is at rest, with a pole anywhere
+    LINKED: {
+        "ic_x": [182.8745, 240.8229, 305.8077],
+        **{ask: [240.8229] for ask in ("ic_y", "l_AP", "l_BP", "l_CP")},
+    },
+    "stone-crusher": {ask: [88.9130, 272.2750] for ask in ("BC2", "GC2")},  # the jaw is at rest
     "rod-ground-and-incline": {"v_B_down": [0.8453], "a_B_down": [0.8453]},  # m
     "scissor-lift": {ask: [1.7321] for ask in ("omega_AD", "v_C", "a_C")},  # m: C and D meet
     "guided-rack-and-gear": {  # m: the rack lies along the track
@@ -159,6 +168,26 @@ def test_what_rounding_leaves_of_zero_is_zero(name: str, ask: str) -> None:
         assert all(number == 0 or abs(number) > 1e-9 for number in numbers), row
 
 
+@pytest.mark.parametrize(
+    ("tag", "said"),
+    [
+        ("en", "S_bis: least -0.1 m near 300°, greatest 0 m near 120°"),
+        ("de", "S_bis: am kleinsten -0,1 m nahe 300°, am größten 0 m nahe 120°"),
+        ("zh", "S_bis：最小 -0.1 m（在 300° 附近），最大 0 m（在 120° 附近）"),
+    ],
+)
+def test_nothing_divided_by_nothing_is_a_gap_though_both_sides_agree(tag: str, said: str) -> None:
+    """At 120 degrees the bisector has no direction; beside it the component along it is almost 0,
+    and what rounding leaves of it there is no value.
+    """
+    cycle = follow(TUBE, "S_bis")
+    assert said in describe_cycle(cycle, Language(tag))
+    rows = csv.DictReader(write_table(cycle).splitlines())
+    empty = [float(row["input (deg)"]) for row in rows if not row["S_bis (m)"]]
+    assert empty == pytest.approx([120, 300, 480, 660], abs=1e-6)
+    assert draw_graphs(cycle, ENGLISH).count('stroke-width="0.4"') == 5
+
+
 def test_a_graph_is_in_parts() -> None:
     def count(*asks: str) -> int:
         return draw_graphs(follow(SLEEVES, *asks), ENGLISH).count('stroke-width="0.4"')
@@ -166,7 +195,9 @@ def test_a_graph_is_in_parts() -> None:
     assert [count("x_M"), count("v_M_2"), count("v_rel_B")] == [1, 3, 3]
 
 
-@pytest.mark.parametrize(("name", "ask"), [(SLEEVES, "v_M_2"), (SLEEVES, "v_rel_B"), (TUBE, "x_S")])
+@pytest.mark.parametrize(
+    ("name", "ask"), [(SLEEVES, "v_M_2"), (SLEEVES, "v_rel_B"), (TUBE, "x_S"), (TUBE, "S_bis")]
+)
 def test_graphs_of_practice_sheets_break_off_too(name: str, ask: str) -> None:
     solution = solve_template(load_template(name), {})
     path = find_path(solution.motion)
