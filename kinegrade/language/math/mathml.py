@@ -107,9 +107,12 @@ def _write_once(latex: str) -> str:
     return write_mathml_row(read_math(latex, ""))
 
 
-def write_mathml_row(row: Row) -> str:
-    """The `math` element of a tree."""
-    return f"<math>{_write_row(row, _Face())}</math>"
+def write_mathml_row(row: Row, said: str = "") -> str:
+    """The `math` element of a tree, with what is said of it where a cell or a button has its name
+    from the formula alone: not all that read pages aloud look into one for it.
+    """
+    label = f' aria-label="{escape(said)}"' if said else ""
+    return f"<math{label}>{_write_row(row, _Face())}</math>"
 
 
 def _write_row(row: Row, face: _Face) -> str:

@@ -21,6 +21,7 @@ from kinegrade.language.html_text import (
     write_row_html,
 )
 from kinegrade.language.math.mathml import write_mathml_row
+from kinegrade.language.math.spoken.speaking import speak_row
 from kinegrade.language.math.tree import Environment, Group, LineBreak, Mark, Row, Sign
 from kinegrade.language.message import Location, Message
 from kinegrade.language.prose import plain
@@ -47,11 +48,12 @@ _PLACED = ' style="padding:0 .5em;text-align:center"'
 
 @dataclass(frozen=True)
 class MathSetting:
-    """How formulas are written: in a row, on lines of their own, in a line of prose, in prose; the
-    elements of the titles of chapters and steps; and whether pictures are shown.
+    """How formulas are written: over a column, with what is said of them; on lines of their own,
+    in a line of prose, in prose; the elements of the titles of chapters and steps; and whether
+    pictures are shown.
     """
 
-    row: Callable[[Row], str]
+    head: Callable[[Row, str], str]
     display: Callable[[Row], str]
     line: Callable[[str, Location], str]
     prose: Callable[[str, Location], str]
@@ -59,7 +61,12 @@ class MathSetting:
     pictures: bool = False
 
 
-FOR_MATHJAX = MathSetting(write_row_html, write_display_html, write_line, write_prose)
+def _write_for_mathjax(row: Row, _: str) -> str:
+    """A formula, which MathJax puts into words itself."""
+    return write_row_html(row)
+
+
+FOR_MATHJAX = MathSetting(_write_for_mathjax, write_display_html, write_line, write_prose)
 IN_MATHML = MathSetting(
     write_mathml_row, write_mathml_row, write_page_line, write_page_prose, ("h3", "h4")
 )
@@ -144,8 +151,7 @@ def _align(row: Row) -> Row:
 
 def _write_terms(terms: Sequence[Term], words: Catalogue, setting: MathSetting) -> str:
     """The vector equation over the magnitudes and directions of its terms."""
-    symbols = [setting.row((*_print_sign(term), *term.symbol)) for term in terms]
-    heads = (f'<th scope="col"{_PLACED}>{symbol}</th>' for symbol in symbols)
+    heads = (_write_head((*_print_sign(term), *term.symbol), words, setting) for term in terms)
     first = f'<th scope="col">{write_plain_html(words.text("solution.layout.vector"))}</th>'
     rows = {
         "solution.layout.magnitude": [setting.line(term.magnitude, _WHERE) for term in terms],
@@ -161,6 +167,12 @@ def _write_terms(terms: Sequence[Term], words: Catalogue, setting: MathSetting) 
 def _print_sign(term: Term) -> Row:
     """The sign of a term, with the room that it has between two terms."""
     return (Sign(term.sign), Group(())) if term.sign else ()
+
+
+def _write_head(symbol: Row, words: Catalogue, setting: MathSetting) -> str:
+    """A symbol over a column."""
+    shown = setting.head(symbol, speak_row(symbol, words.language))
+    return f'<th scope="col"{_PLACED}>{shown}</th>'
 
 
 def _write_property(head: str, cells: Sequence[str]) -> str:

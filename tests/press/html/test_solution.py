@@ -9,7 +9,7 @@ from xml.etree import ElementTree
 import pytest
 
 from kinegrade.language import Language
-from kinegrade.press.html.solution import write_blocks
+from kinegrade.press.html.solution import IN_MATHML, write_blocks
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.library.library import load_template
 from kinegrade.worked.document import Display, Heading, Prose, TermTable
@@ -56,10 +56,7 @@ def test_the_blocks_one_by_one() -> None:
         "<p>Thus:</p>",
         r"<p>\[\begin{aligned} v &amp;= a + b = c \\ w &amp;= 1 \end{aligned}\]</p>",
         "<table><thead>",
-        '<tr><th scope="col">vector</th><th scope="col" style="padding:0 .5em;text-align:center">'
-        r"\(v_{B}\)</th>"
-        '<th scope="col" style="padding:0 .5em;text-align:center">'
-        r"\(= {}v_{A}\)</th></tr>",
+        '<tr><th scope="col">vector</th>' + head(r"\(v_{B}\)") + head(r"\(= {}v_{A}\)") + "</tr>",
         "</thead><tbody>",
         row("magnitude", "?", r"\(r\omega\)"),
         row("direction", r"\(\parallel x\)", "a &lt; b"),
@@ -67,6 +64,20 @@ def test_the_blocks_one_by_one() -> None:
     ]
 
 
+def head(symbol: str) -> str:
+    placed = 'style="padding:0 .5em;text-align:center"'
+    return f'<th scope="col" {placed}>{symbol}</th>'
+
+
 def row(head: str, *cells: str) -> str:
     entries = (f'<td style="padding:0 .5em;text-align:center">{cell}</td>' for cell in cells)
     return f'<tr><th scope="row">{head}</th>{"".join(entries)}</tr>'
+
+
+def test_a_formula_over_a_column_of_a_page_is_said_in_words() -> None:
+    terms = (read_term("=", "v_A", "?", "?"),)
+    html = write_blocks((TermTable(terms),), "de", IN_MATHML)
+    assert (
+        '<th scope="col" style="padding:0 .5em;text-align:center"><math aria-label="gleich v A">'
+        in html
+    )
