@@ -227,7 +227,7 @@ def test_what_a_mechanism_cannot_hold_is_refused_with_all_other_faults() -> None
     )
     remedy = (
         "leave it to the templates: known here: "
-        "bodies, conditions, figure, joints, lengths, parameters, points"
+        "bodies, conditions, figure, joints, lengths, parameters, points, reasons"
     )
     assert faults((('family = "crank"', 'famly = "crank"'),), shared) == [
         'crank.toml:2: famly: unknown table or key - did you mean "family"?',

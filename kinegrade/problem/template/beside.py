@@ -12,6 +12,9 @@ A translation has the keys of the file that it translates, with a text at each:
     v_B = "Geschwindigkeit des Schiebers $B$"
     a_rel = { means = "...", sign = "..." }  # where the author states a sign convention in words
 
+    [reasons]
+    l = "Die Tangenten von $O_1$ aus sind gleich lang"  # why a named length is what it is
+
     [text]
     turning = ["schneller werdend", "gleichförmig"]  # the wordings in their order
 

@@ -39,6 +39,7 @@ class Draft:
     texts: Mapping[str, Mapping[int, Wording]]
     parameters: Mapping[str, Parameter]
     lengths: Mapping[str, Expression]
+    reasons: Mapping[str, Translated]
     points: Mapping[str, Expression]
     bodies: Mapping[str, Body]
     joints: Mapping[int, JointSentence]
@@ -65,7 +66,7 @@ class Draft:
             name,
             file,
             self.about,
-            Words(self.statement, texts),
+            Words(self.statement, texts, self.reasons),
             self._scheme(),
             self.asks,
             tuple(self.published.values()),

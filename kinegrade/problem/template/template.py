@@ -177,13 +177,15 @@ class Scheme:
 
 @dataclass(frozen=True)
 class Words:
-    """What students read: the statement, and the texts in it that depend on values.
+    """What students read: the statement, the texts in it that depend on values, and why named
+    lengths are what they are, which worked solutions say.
 
     Of the wordings of one name the first whose condition holds applies.
     """
 
     statement: Translated
     texts: Mapping[str, tuple[Wording, ...]]
+    reasons: Mapping[str, Translated]
 
 
 @dataclass(frozen=True)

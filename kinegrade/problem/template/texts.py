@@ -31,8 +31,8 @@ def list_prose(template: Template) -> Iterator[tuple[Place, Translated]]:
 
 
 def list_lines(template: Template) -> Iterator[tuple[Place, Translated]]:
-    """The texts of one line with their places: the title, what things mean, the author's signs
-    and mistakes.
+    """The texts of one line with their places: the title, what things mean, why lengths are what
+    they are, the author's signs and mistakes.
     """
     yield ("title",), template.about.title
     for name, parameter in template.parameters.items():
@@ -41,6 +41,8 @@ def list_lines(template: Template) -> Iterator[tuple[Place, Translated]]:
         yield ("asks", name, "means"), ask.means
         if isinstance(ask.sign, Translated):
             yield ("asks", name, "sign"), ask.sign
+    for name, reason in template.words.reasons.items():
+        yield ("reasons", name), reason
     for mistake in template.scheme.mistakes:
         yield ("mistakes", mistake.identifier, "means"), mistake.means
 

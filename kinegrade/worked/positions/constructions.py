@@ -18,7 +18,7 @@ from kinegrade.worked.positions.axes import length_of, scale
 from kinegrade.worked.positions.construction_steps import Step
 from kinegrade.worked.positions.instance import Instance
 from kinegrade.worked.positions.intersections import explain_foot, explain_meeting
-from kinegrade.worked.positions.parts import Coordinates, Part, Placed, write_parts
+from kinegrade.worked.positions.parts import Coordinates, Part, Stated, write_parts
 from kinegrade.worked.positions.polar import find_polar_way
 from kinegrade.worked.positions.vectors import describe_vector, negate, write_way
 
@@ -45,12 +45,12 @@ def _explain_construction(step: Step, instance: Instance) -> Part:
         return _explain_toward(step, instance)
     pair = instance.axes.pair(tree) or (ZERO, ZERO)
     if pair == (ZERO, ZERO):
-        return Placed(Message("solution.origin", point=instance.letter(step.point)), ())
+        return Stated(Message("solution.origin", point=instance.letter(step.point)), ())
     sentence = _describe_place(step, instance)
     found = instance.coordinates(step.point, pair)
     if sentence is None:
         return Coordinates((instance.letter(step.point),), found)
-    return Placed(sentence, found)
+    return Stated(sentence, found)
 
 
 def _describe_place(step: Step, instance: Instance) -> Message | None:

@@ -45,7 +45,7 @@ from kinegrade.worked.formulas.symbols import (
 from kinegrade.worked.positions.algebra import Pair
 from kinegrade.worked.positions.axes import Axes, choose_axes
 from kinegrade.worked.positions.construction_steps import Step, list_steps
-from kinegrade.worked.positions.parts import Coordinate
+from kinegrade.worked.positions.parts import Derived
 
 METRE, RADIAN, DEGREE, PURE = read_unit("m"), read_unit("rad"), read_unit("deg"), read_unit("1")
 AREA = read_unit("m^2")
@@ -164,10 +164,10 @@ class Instance:
         """An equation on as many lines as it needs."""
         return Equation(left, links).break_lines(self.case.notation)
 
-    def coordinates(self, point: str, pair: Pair) -> tuple[Coordinate, Coordinate]:
+    def coordinates(self, point: str, pair: Pair) -> tuple[Derived, Derived]:
         """x = ..., y = ... of a named point worked out."""
         x, y = (name_coordinate(axis, self.symbols[point]) for axis in AXES)
-        return Coordinate(x, self.equation(x, pair[0])), Coordinate(y, self.equation(y, pair[1]))
+        return Derived(x, self.equation(x, pair[0])), Derived(y, self.equation(y, pair[1]))
 
     def coordinate_lines(self, point: str, pair: Pair) -> tuple[Row, ...]:
         """The lines of both coordinates."""

@@ -4,11 +4,11 @@ and how they are written.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence, Set
 from dataclasses import dataclass, replace
 from typing import TypeAlias, assert_never
 
-from kinegrade.language.math.tree import Row, Scripts, list_nodes
+from kinegrade.language.math.tree import Letter, Node, Row, Scripts, list_nodes
 from kinegrade.language.message import Message, list_plainly
 from kinegrade.worked.case import Case
 from kinegrade.worked.document import Block, Display
@@ -16,8 +16,8 @@ from kinegrade.worked.formulas.atoms import Symbol
 
 
 @dataclass(frozen=True)
-class Coordinate:
-    """A coordinate of a point by its symbol, and the lines that work it out."""
+class Derived:
+    """A coordinate of a point or a named length by its symbol, and the lines that work it out."""
 
     symbol: Symbol
     lines: tuple[Row, ...]
@@ -28,33 +28,33 @@ class Coordinates:
     """Points given by their coordinates alone."""
 
     letters: tuple[str, ...]
-    found: tuple[Coordinate, ...]
+    found: tuple[Derived, ...]
 
 
 @dataclass(frozen=True)
-class Placed:
-    """A point whose coordinates follow at once from where it lies, as a sentence says; the origin
-    has none to work out.
+class Stated:
+    """A point whose coordinates follow at once from where it lies, or lengths, as a sentence says;
+    the origin has none to work out.
     """
 
     sentence: Message
-    found: tuple[Coordinate, ...]
+    found: tuple[Derived, ...]
 
 
 # Or the blocks of a longer construction
-Part: TypeAlias = Coordinates | Placed | tuple[Block, ...]
+Part: TypeAlias = Coordinates | Stated | tuple[Block, ...]
 
 
 def select_used(parts: Sequence[Part], later: Iterable[Row]) -> tuple[Part, ...]:
-    """The parts without the coordinates that neither later formulas nor the parts left refer to,
-    and without the points of which nothing is left; none where that is the origin alone.
+    """The parts without the coordinates and lengths that neither later formulas nor the parts left
+    refer to, and without those of which nothing is left; none where that is the origin alone.
     """
     kept: list[Part] = []
     met = _find_symbols(later)
     for part in reversed(parts):
         match part:
-            case Coordinates() | Placed():
-                found = tuple(each for each in part.found if each.symbol.row in met)
+            case Coordinates() | Stated():
+                found = tuple(each for each in part.found if _is_met(each.symbol, met))
                 if found or not part.found:
                     kept.append(replace(part, found=found))
                     met |= _find_symbols(_display(found).lines)
@@ -63,7 +63,7 @@ def select_used(parts: Sequence[Part], later: Iterable[Row]) -> tuple[Part, ...]
                 met |= _find_symbols(list_lines(part))
             case _:
                 assert_never(part)
-    worked_out = any(not isinstance(part, Placed) or part.found for part in kept)
+    worked_out = any(not isinstance(part, Stated) or part.found for part in kept)
     return tuple(reversed(kept)) if worked_out else ()
 
 
@@ -74,10 +74,19 @@ def list_lines(blocks: Iterable[Block]) -> Iterator[Row]:
             yield from block.lines
 
 
-def _find_symbols(rows: Iterable[Row]) -> set[Row]:
-    """The symbols with an index that formulas refer to, with an exponent or without."""
+def _is_met(symbol: Symbol, met: Set[Node]) -> bool:
+    """Whether formulas refer to a symbol; one of several letters, where they have them all."""
+    return all(node in met for node in symbol.row)
+
+
+def _find_symbols(rows: Iterable[Row]) -> set[Node]:
+    """The letters, with an index or without one, that formulas refer to; exponents are left out."""
     nodes = (node for row in rows for node in list_nodes(row))
-    return {(replace(node, upper=None),) for node in nodes if isinstance(node, Scripts)}
+    return {
+        replace(node, upper=None) if isinstance(node, Scripts) else node
+        for node in nodes
+        if isinstance(node, (Letter, Scripts))
+    }
 
 
 def write_parts(parts: Iterable[Part], case: Case) -> tuple[Block, ...]:
@@ -89,7 +98,7 @@ def write_parts(parts: Iterable[Part], case: Case) -> tuple[Block, ...]:
         match part:
             case Coordinates():
                 blocks += (case.say(_announce(part.letters)), _display(part.found))
-            case Placed():
+            case Stated():
                 blocks += (case.say(part.sentence), *([_display(part.found)] if part.found else []))
             case tuple():
                 blocks += part
@@ -116,5 +125,5 @@ def _announce(letters: Sequence[str]) -> Message:
     return Message("solution.coordinates-of-several", points=points)
 
 
-def _display(found: Iterable[Coordinate]) -> Display:
+def _display(found: Iterable[Derived]) -> Display:
     return Display(tuple(line for coordinate in found for line in coordinate.lines))

@@ -6,18 +6,24 @@ Everything follows the constructions of the template, in its order, with this pa
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
 
-from kinegrade.language.math.tree import Row
 from kinegrade.language.message import Message
 from kinegrade.numbers.angle import Angle
 from kinegrade.worked.case import Case
-from kinegrade.worked.document import Block, Display
+from kinegrade.worked.document import Block
 from kinegrade.worked.positions.construction_steps import select_needed
 from kinegrade.worked.positions.constructions import explain_constructions
 from kinegrade.worked.positions.instance import METRE, RADIAN, Instance, make_instance
-from kinegrade.worked.positions.parts import Part, list_lines, select_used, write_parts
+from kinegrade.worked.positions.parts import (
+    Derived,
+    Part,
+    Stated,
+    list_lines,
+    select_used,
+    write_parts,
+)
 
 
 @dataclass(frozen=True)
@@ -25,17 +31,16 @@ class Positions:
     """The chapter: the named lengths, which come first, and a part for each point."""
 
     case: Case
-    lengths: tuple[Block, ...]
     parts: tuple[Part, ...]
 
     def write(self) -> tuple[Block, ...]:
         """A sentence and equations for each point."""
-        return self.lengths + write_parts(self.parts, self.case)
+        return write_parts(self.parts, self.case)
 
     def write_used(self, later: Sequence[Block]) -> tuple[Block, ...]:
-        """The same without coordinates to which nothing `later` in the solution refers."""
+        """The same without coordinates and lengths to which nothing `later` refers."""
         used = select_used(self.parts, (*list_lines(later), *self.case.findings.told))
-        return self.lengths + write_parts(used, self.case)
+        return write_parts(used, self.case)
 
 
 def explain_positions(case: Case, wanted: Collection[str]) -> Positions:
@@ -45,14 +50,28 @@ def explain_positions(case: Case, wanted: Collection[str]) -> Positions:
     """
     instance = make_instance(case)
     steps = select_needed(instance.steps, wanted)
-    lengths = _explain_named_lengths(instance)
-    return Positions(case, lengths, explain_constructions(steps, instance))
+    parts = (*_explain_named_lengths(instance), *explain_constructions(steps, instance))
+    return Positions(case, parts)
 
 
-def _explain_named_lengths(instance: Instance) -> tuple[Block, ...]:
-    """The lengths that follow from the given quantities."""
-    lines: tuple[Row, ...] = ()
-    for name, tree in instance.case.template.scheme.lengths.items():
-        unit = RADIAN if isinstance(instance.values[name], Angle) else METRE
-        lines += instance.equation(instance.symbols[name], tree, unit)
-    return (instance.say(Message("solution.lengths")), Display(lines)) if lines else ()
+def _explain_named_lengths(instance: Instance) -> Iterator[Stated]:
+    """The lengths that follow from the given quantities; a reason that the author gives for one in
+    the language stands before it and before those that follow without one.
+    """
+    template, language = instance.case.template, instance.case.language
+    groups = [(Message("solution.lengths"), list[Derived]())]
+    for name in template.scheme.lengths:
+        reason = template.words.reasons.get(name)
+        if reason is not None and reason.has(language):
+            text = reason.in_language(language)
+            groups.append((Message("solution.because", reason=text), []))
+        groups[-1][1].append(_state_length(name, instance))
+    yield from (Stated(saying, tuple(found)) for saying, found in groups if found)
+
+
+def _state_length(name: str, instance: Instance) -> Derived:
+    """A named length in symbols, in numbers, and its value."""
+    unit = RADIAN if isinstance(instance.values[name], Angle) else METRE
+    tree = instance.case.template.scheme.lengths[name]
+    symbol = instance.symbols[name]
+    return Derived(symbol, instance.equation(symbol, tree, unit))

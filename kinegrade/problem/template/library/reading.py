@@ -95,6 +95,7 @@ def _read_draft(table: Table, strays: Set[str]) -> Draft:
         texts=read_texts(table),
         parameters=read_parameters(table),
         lengths=read_expressions(table, "lengths"),
+        reasons=table.table("reasons").entries(translated),
         points=read_expressions(table, "points"),
         bodies=read_bodies(table),
         joints=read_joints(table),

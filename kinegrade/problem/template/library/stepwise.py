@@ -75,6 +75,7 @@ def _read_draft(table: Table) -> Draft:
         texts={},
         parameters=parameters,
         lengths={},
+        reasons={},
         points={},
         bodies={},
         joints={},

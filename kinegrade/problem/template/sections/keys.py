@@ -25,6 +25,7 @@ NEEDED = (
 )
 OPTIONAL = (
     "lengths",
+    "reasons",
     "conditions",
     "text",
     "published",
@@ -37,7 +38,7 @@ KNOWN = (*NEEDED, *OPTIONAL, *SHARING)
 NAMES = ("parameters", "points", "bodies")  # without these nothing that names them can be checked
 
 # What templates can share with others: tables, laid over by name, and lists, one after the other
-SHARED_TABLES = ("parameters", "lengths", "points", "bodies", "figure")
+SHARED_TABLES = ("parameters", "lengths", "reasons", "points", "bodies", "figure")
 SHARED_LISTS = ("joints", "conditions")
 SHARED = (*SHARED_TABLES, *SHARED_LISTS)
 

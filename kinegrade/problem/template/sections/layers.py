@@ -1,9 +1,9 @@
 """A template's file laid over that of a mechanism which it shares with other templates.
 
-Entries of `[parameters]`, `[lengths]`, `[points]` and `[bodies]` are the mechanism's, then the
-template's; of one name the template's wins, and a parameter is laid over key by key. Joints and
-conditions are the mechanism's followed by the template's; the keys of `[figure]` are the template's
-where it has them.
+Entries of `[parameters]`, `[lengths]`, `[reasons]`, `[points]` and `[bodies]` are the mechanism's,
+then the template's; of one name the template's wins, and a parameter is laid over key by key.
+Joints and conditions are the mechanism's followed by the template's; the keys of `[figure]` are the
+template's where it has them.
 """
 
 from __future__ import annotations

@@ -54,6 +54,8 @@ class _Uses:
         values = {*draft.parameters, "pi"}
         places = {*values, *draft.lengths, *BRANCHES}
         self._in_order("lengths", draft.lengths, values)
+        for name in draft.reasons:
+            self._listed(("reasons", name), "length", (name,), draft.lengths)
         self._in_order("steps", draft.steps, values)
         self._mistakes(values)
         places |= set(draft.steps)

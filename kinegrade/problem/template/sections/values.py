@@ -13,7 +13,7 @@ from kinegrade.language.message import Message, Part
 
 _Key = TypeVar("_Key")
 _Entry = TypeVar("_Entry")
-NamedKind = Literal["point", "body", "point-or-side", "parameter", "ask"]
+NamedKind = Literal["point", "body", "point-or-side", "parameter", "ask", "length"]
 
 
 def words(value: object) -> str:

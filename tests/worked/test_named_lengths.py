@@ -1,0 +1,58 @@
+"""Named lengths in worked solutions: why they are what they are, and only where they are used."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from kinegrade.problem.template.library.library import load_template
+from tests.problem.turning_crank import CRANK, faults
+from tests.worked.draws import kept
+from tests.worked.telling import lines
+
+_REASON = ('[lengths]\nhalf = "r/2"\n', '[lengths]\nhalf = "r/2"\n\n[reasons]\n')
+
+
+@pytest.mark.parametrize(
+    ("name", "said"),
+    [
+        (
+            "rolling-wheel-pin-slotted-rocker",
+            "The tangents from $D$ to the wheel, the ground and $DB$, are equal, and $DO$ bisects",
+        ),
+        ("differential-epicyclic-train", "The pitch radii of gears of one module are as"),
+    ],
+)
+def test_the_author_says_why_before_the_formula(name: str, said: str) -> None:
+    told = list(lines(kept(name)))
+    (place,) = [number for number, line in enumerate(told) if line.startswith(said)]
+    assert told[place].endswith(":")
+    assert told[place + 1].lstrip().startswith(("DB &=", r"r_{S} &="))
+
+
+@pytest.mark.parametrize("name", ["hoist-with-gears", "two-stage-belt-drive"])
+def test_a_length_that_is_drawn_and_never_used_is_not_worked_out(name: str) -> None:
+    """The rope's length in the figure does not follow from the givens."""
+    assert not [line for line in lines(kept(name)) if line.startswith("Lengths that follow")]
+
+
+def test_a_reason_of_no_length_is_refused() -> None:
+    old, new = _REASON
+    assert faults((old, f'{new}hlaf = "as it is halved"\n')) == [
+        'crank.toml:19: reasons.hlaf: no length "hlaf" - did you mean "half"? (known here: half)'
+    ]
+
+
+def test_a_reason_is_translated_beside(tmp_path: Path) -> None:
+    old, new = _REASON
+    text = CRANK.replace(old, f'{new}half = {{ en = "as it is halved", zh = "取半" }}\n')
+    file = tmp_path / "crank.toml"
+    file.write_text(text, encoding="utf-8")
+    (tmp_path / "crank.de.toml").write_text('[reasons]\nhalf = "sie ist halbiert"\n', "utf-8")
+    (reason,) = load_template(str(file)).words.reasons.values()
+    assert [reason.in_language(one) for one in ("en", "zh", "de")] == [
+        "as it is halved",
+        "取半",
+        "sie ist halbiert",
+    ]
