@@ -179,8 +179,9 @@ def _find_bases(mechanism: Mechanism, guides: Sequence[Guide | None]) -> dict[st
 def _list_base_candidates(
     mechanism: Mechanism, bases: Mapping[str, Base], guides: Sequence[Guide | None], body: Body
 ) -> Iterator[tuple[int, Base]]:
-    """Possible bases of a body with their rank: fixed pin 0, driven guide 1, translating guide 2,
-    pin on a reached body 3, other guide 4, slot of a reached body 5; none for a free body.
+    """Possible bases of a body with their rank: fixed pin 0, driven guide 1, translating guide or
+    wheel on a straight track 2, pin on a reached body 3, other guide 4, slot of a reached body 5;
+    none for a free body.
     """
     for joint in mechanism.joints:
         for shared in select_shared(joint.conditions):
@@ -207,11 +208,15 @@ def _list_pinned_bases(
 
 
 def _rank_ground(mechanism: Mechanism, guide: Guide) -> int:
-    """1 for a guided point that is driven, 2 for one of a translating body, 4 for others."""
-    place = (guide.law.point, guide.law.body)
-    if any(driver.find_driven_point() == place for driver in mechanism.drivers):
+    """1 for a guided point that is driven; 2 for one of a translating body, or the centre of a
+    wheel on a straight track, which gives the rotation as well; 4 for others.
+    """
+    law = guide.law
+    if any(driver.find_driven_point() == (law.point, law.body) for driver in mechanism.drivers):
         return 1
-    return 2 if guide.law.body in mechanism.held_parallel else 4
+    rolls = guide.joint.relate_rates(0, mechanism.points, guide.term.rate) is not None
+    straight = isinstance(law.track, Line)
+    return 2 if law.body in mechanism.held_parallel or (rolls and straight) else 4
 
 
 def _make_free_terms(point: str, body: str) -> Chain:

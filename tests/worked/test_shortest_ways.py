@@ -35,7 +35,8 @@ def test_two_points_on_circles_about_one_centre_turn_with_it_as_a_rigid_triangle
     (speed,) = find_lines(name, "v_{B} &=")
     assert speed.startswith(r"v_{B} &= OB \cdot \omega_{AB} = ")
     assert any("$OAB$ is a rigid triangle: $AB$ turns about" in text for text in proses(kept(name)))
-    assert any(text.startswith("$AB$: rotation about the fixed") for text in proses(kept(name)))
+    turning = r"$AB$ ($\omega_{AB}$): rotation about the fixed"
+    assert any(text.startswith(turning) for text in proses(kept(name)))
     assert not [block for block in kept(name) if isinstance(block, Pictures)]
 
 
@@ -105,6 +106,19 @@ def test_equal_rim_speeds_are_solved_in_symbols() -> None:
 
 def test_a_wheel_has_the_number_of_the_figure() -> None:
     assert any(
-        text.startswith("$AB$") and "wheel 1: plane" in text
+        text.startswith("$AB$") and r"wheel 1 ($\omega_{1}$): plane" in text
         for text in proses(kept("two-wheels-on-cylinder"))
     )
+
+
+def test_the_centre_of_a_wheel_on_a_straight_track_goes_along_it() -> None:
+    """The bar that pushes it gives its speed alone; the link to the rocker comes after."""
+    texts = [line.lstrip("# ") for line in lines(kept("bar-pushing-rolling-disc")) if "##" in line]
+    assert texts == [
+        "1. Composition of motions: moving point $C$, moving frame on $O_{1}A$",
+        "2. The disc $C$ rolls without slipping on a fixed straight track",
+        "3. $BC$: velocity pole",
+        "1. Composition of motions: moving point $C$, moving frame on $O_{1}A$",
+        "2. The disc $C$ rolls without slipping on a fixed straight track",
+        "3. $BC$: base point $C$",
+    ]
