@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any, assert_never
@@ -14,6 +15,7 @@ from kinegrade.language.message import Message
 from kinegrade.mechanics.motion import Motion
 from kinegrade.mechanics.rates import Rates
 from kinegrade.mechanics.relations import Term
+from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Level
 from kinegrade.problem.quantities.reader import MotionReader
 from kinegrade.problem.solution import Solution
@@ -24,6 +26,7 @@ from kinegrade.worked.findings import Findings
 from kinegrade.worked.formulas.equation import Equation
 from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.notation import Notation
+from kinegrade.worked.nearby import find_nearby_points
 from kinegrade.worked.words.naming import Naming
 
 
@@ -70,6 +73,11 @@ class Case:
     def naming(self) -> Naming:
         """The names of bodies, points and rates."""
         return Naming(self.template, self.language)
+
+    @cached_property
+    def nearby(self) -> Mapping[str, Vector] | None:
+        """The points of the mechanism with slightly other numbers, None where it has no such."""
+        return find_nearby_points(self.solution)
 
     @cached_property
     def reader(self) -> MotionReader:

@@ -66,7 +66,8 @@ class Findings:
 
     `coriolis` are the letters of Coriolis accelerations; `relatives` are the indices of the
     relative motions, each given by point, body and frame; `inclined` the lines whose angle with the
-    x axis has been found; `sized` the symbols of vectors known by components whose magnitude has
+    x axis has been found; `aligned` pairs of lines that have been said to be parallel or normal
+    at this instant; `sized` the symbols of vectors known by components whose magnitude has
     been given as well; `directed` the Coriolis accelerations whose direction has been said; `arms`
     the distances of two points that have been worked out; `turned` the printed symbols of answers
     that count in the question's sense, opposite to that of their step; `places_alone` whether all
@@ -84,6 +85,7 @@ class Findings:
     sized: set[VectorSymbol] = field(default_factory=set)
     inclined: set[tuple[str, str]] = field(default_factory=set)
     directed: set[VectorSymbol] = field(default_factory=set)
+    aligned: set[frozenset[frozenset[str]]] = field(default_factory=set)
     arms: dict[frozenset[str], Symbol] = field(default_factory=dict)
     turned: set[Row] = field(default_factory=set)
     seen: dict[tuple[Expression, Expression], Seen] = field(default_factory=dict)

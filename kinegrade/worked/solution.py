@@ -8,6 +8,7 @@ accelerations, as far as the answers need them, each answer where it is found, i
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
 
 from kinegrade.language import Language
 from kinegrade.language.message import Message
@@ -27,9 +28,10 @@ from kinegrade.worked.numbering import number_steps
 from kinegrade.worked.positions.positions import explain_positions
 from kinegrade.worked.rate_chapters import find_stages, list_found, write_rate_chapters
 from kinegrade.worked.rates.kinds import describe_motions
-from kinegrade.worked.steps.couplers import find_coupler, goes_by_pole, name_method
+from kinegrade.worked.steps.couplers import goes_by_pole, name_method
 from kinegrade.worked.steps.given_steps import is_given
 from kinegrade.worked.steps.ideas import explain_idea
+from kinegrade.worked.steps.methods import Way, find_way
 from kinegrade.worked.steps.used_points import find_placed_points, find_used_points
 from kinegrade.worked.unit_of_length import count_lengths_as_given
 from kinegrade.worked.vectors.contacts import introduce_contacts
@@ -68,11 +70,22 @@ def write_worked_solution(
 
 
 def _note_idle_method(method: Method | None, asked: Sequence[Ask], case: Case) -> Iterator[Block]:
-    """That the method asked for applies to no step."""
+    """That the method asked for applies to no step, or is the one by which all go anyway."""
+    if method is None:
+        return
+    usual = _list_ways(asked, replace(case, method=case.template.about.method))
+    ways = _list_ways(asked, case)
+    if not any(ways.values()):
+        yield case.say(Message("solution.method-idle"))
+    elif ways == usual:
+        yield case.say(Message("solution.method-usual"))
+
+
+def _list_ways(asked: Sequence[Ask], case: Case) -> Mapping[Step, Way | None]:
+    """By which way the velocities of each step are found."""
     velocities, _ = select_steps(case.motion, collect_needs(case, asked))
     stages = find_stages(velocities, case, "velocity", frozenset())
-    if method is not None and not any(map(find_coupler, stages.values())):
-        yield case.say(Message("solution.method-idle"))
+    return {step: find_way(step, stage) for step, stage in stages.items()}
 
 
 def _write_blocks(case: Case, asked: Sequence[Ask], boxes: AnswerBoxes) -> Iterator[Block]:

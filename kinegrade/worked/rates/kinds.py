@@ -22,15 +22,17 @@ def describe_motions(case: Case) -> Iterator[Block]:
 
 
 def _describe_motion(body: Body, mechanism: Mechanism, case: Case) -> Message:
-    """How one body moves."""
-    name = case.naming.body(body.name)
+    """How one body moves, with the letter of its angular velocity where it turns."""
     if body.particle:
         return Message("solution.particle", point=case.naming.point(body.name))
+    name = case.naming.body(body.name)
+    if body.name in mechanism.find_translating():
+        return Message("solution.translates", body=name)
+    omega = case.text(case.naming.omega(body.name))
+    name = Message("solution.turning-body", body=name, omega=omega)
     pivot = mechanism.find_pivots().get(body.name) or _find_common_centre(body, case)
     if pivot is not None:
         return Message("solution.rotates", body=name, point=case.naming.point(pivot))
-    if body.name in mechanism.find_translating():
-        return Message("solution.translates", body=name)
     laws = (relation.source for relation in case.motion.frames.relations)
     rolls = (law.find_rolling() for law in laws if law)
     roll = next((roll for roll in rolls if roll and roll.body == body.name), None)

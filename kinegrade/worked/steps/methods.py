@@ -8,10 +8,11 @@ given, and the step is written with a base point.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import assert_never
+from typing import Literal, TypeAlias, assert_never
 
 from kinegrade.language.message import Message
 from kinegrade.mechanics.plan import Step
+from kinegrade.problem.template.template import Method
 from kinegrade.worked.document import Block
 from kinegrade.worked.steps.couplers import (
     Coupler,
@@ -24,8 +25,24 @@ from kinegrade.worked.steps.rigid import explain_rigid_triangle, find_rigid_tria
 from kinegrade.worked.steps.steps import explain_remarks, make_term_table
 from kinegrade.worked.steps.titles import introduce_equation
 from kinegrade.worked.vectors.deductions import explain_deduction, show_solution
-from kinegrade.worked.vectors.projection import find_deductions
+from kinegrade.worked.vectors.projection import Deduction, find_deductions
 from kinegrade.worked.vectors.stage import Stage
+
+Way: TypeAlias = Method | Literal["rigid-triangle"]
+
+
+def find_way(step: Step, stage: Stage) -> Way | None:
+    """By which way the velocities of a step are found; None where no two points of a body are
+    compared.
+    """
+    if find_rigid_triangle(stage) is not None:
+        return "rigid-triangle"
+    coupler = find_coupler(stage)
+    if coupler is None:
+        return None
+    method = choose_method(coupler, stage.case)
+    without = method == "projection" and _find_theorem(coupler, step, stage) is None
+    return "base-point" if without else method
 
 
 def explain_by_method(step: Step, stage: Stage) -> Iterator[Block]:
@@ -49,20 +66,29 @@ def explain_by_method(step: Step, stage: Stage) -> Iterator[Block]:
             assert_never(method)
 
 
-def _explain_by_projection(coupler: Coupler, step: Step, stage: Stage) -> Iterator[Block]:
-    """The projection theorem for the point's speed, then the base point for the rotation."""
-    case = stage.case
+def _find_theorem(coupler: Coupler, step: Step, stage: Stage) -> tuple[Deduction, Deduction] | None:
+    """The projection on the line of the two points, which gives the speed, and what then gives the
+    rotation; None where the line is normal to a velocity.
+    """
     first, second = find_deductions(stage.equations, (), step.unknowns)
     if first.projections[0].dropped != coupler.rotation:
         first, second = second, first
     projection = first.projections[0]
-    if projection.dropped != coupler.rotation or not projection.left:
+    told = projection.dropped == coupler.rotation and projection.left
+    return (first, second) if told else None
+
+
+def _explain_by_projection(coupler: Coupler, step: Step, stage: Stage) -> Iterator[Block]:
+    """The projection theorem for the point's speed, then the base point for the rotation."""
+    case, theorem = stage.case, _find_theorem(coupler, step, stage)
+    if theorem is None:
         return
+    first, second = theorem
     base, point = case.naming.point(coupler.base.point), case.naming.point(coupler.point.point)
     body = case.naming.body(coupler.body)
     yield from explain_base_speed(coupler, case)
     yield case.say(Message("solution.equal-projections", body=body, first=base, second=point))
-    yield show_solution(stage, projection, (), first.unknowns[0])
+    yield show_solution(stage, first.projections[0], (), first.unknowns[0])
     yield case.say(introduce_equation(coupler.equation, case))
     yield make_term_table(coupler.equation, case)
     yield from explain_remarks(coupler.equation, case)

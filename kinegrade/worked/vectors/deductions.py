@@ -28,6 +28,7 @@ from kinegrade.worked.senses import (
     state_rotation_sense,
     state_sense_along,
 )
+from kinegrade.worked.vectors.alignments import explain_alignments
 from kinegrade.worked.vectors.arms import name_length
 from kinegrade.worked.vectors.inclinations import find_ends, introduce_angle
 from kinegrade.worked.vectors.magnitudes import find_path_ends
@@ -50,6 +51,7 @@ def explain_deduction(
     case, single = stage.case, len(deduction.unknowns) == 1 and not deduction.scalars
     for projection in deduction.projections:
         yield from _introduce_angles(stage, projection)
+        yield from explain_alignments(projection, case)
         yield case.say(_announce_axis(stage, projection))
         if single:
             yield show_solution(stage, projection, solved, deduction.unknowns[0])

@@ -1,0 +1,124 @@
+"""Lines that are parallel or at right angles at this instant alone, on which a projection in
+letters rests: with other numbers of the same problem its cosines would not be one or zero.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from itertools import chain
+from typing import Literal
+
+from kinegrade.language.math.tree import Letter, Row, Sign
+from kinegrade.language.message import Listing, Message
+from kinegrade.mechanics.vector import Vector
+from kinegrade.worked.case import Case
+from kinegrade.worked.document import Block
+from kinegrade.worked.formulas.atoms import Symbol
+from kinegrade.worked.formulas.measures import bearing
+from kinegrade.worked.formulas.symbols import join_letters
+from kinegrade.worked.vectors.inclinations import find_ends
+from kinegrade.worked.vectors.projection import Projection
+from kinegrade.worked.vectors.vectors import vanishes
+
+_RIGHT = 90.0
+_CLOSE = 1e-6  # degrees
+_RELATIONS: tuple[Literal[r"\parallel"], Literal[r"\perp"]] = (r"\parallel", r"\perp")
+
+
+@dataclass(frozen=True)
+class Alignment:
+    """A line through two points, parallel or normal to another one, or to the x axis (None)."""
+
+    line: tuple[str, str]
+    relation: Literal[r"\parallel", r"\perp"]
+    other: tuple[str, str] | None
+
+    @property
+    def pair(self) -> frozenset[frozenset[str]]:
+        """The two lines in any order."""
+        return frozenset((frozenset(self.line), frozenset(self.other or ())))
+
+
+def explain_alignments(projection: Projection, case: Case) -> Iterator[Block]:
+    """Which lines of a projection are aligned by this paper's numbers, each said once."""
+    new = list(_select_new(_list_alignments(projection, case), case.findings.aligned))
+    if new:
+        lines = Listing(tuple(f"${case.text(_name(one, case))}$" for one in new), "and")
+        yield case.say(Message("solution.aligned", lines=lines))
+
+
+def _select_new(
+    found: Iterable[Alignment], said: set[frozenset[frozenset[str]]]
+) -> Iterator[Alignment]:
+    """Those that have not been said, nor follow from two that have."""
+    for one in found:
+        first, second = one.pair
+        follows = any({first, third} in said and {second, third} in said for third in chain(*said))
+        if one.pair not in said and not follows:
+            said.add(one.pair)
+            yield one
+
+
+def _name(alignment: Alignment, case: Case) -> Symbol:
+    """An alignment in letters: AB parallel to CD, AB normal to x."""
+    line, sign = _join(alignment.line, case), Sign(alignment.relation)
+    other = _join(alignment.other, case) if alignment.other else (Letter("x"),)
+    return Symbol((*line, sign, *other))
+
+
+def _join(ends: tuple[str, str], case: Case) -> Row:
+    return join_letters(map(case.naming.letter, ends)).row
+
+
+def _list_alignments(projection: Projection, case: Case) -> Iterator[Alignment]:
+    """The alignments of the lines of all parts with the x axis, else with the line that gives the
+    axis of projection.
+    """
+    nearby = case.nearby
+    if nearby is None:
+        return
+    lines = dict.fromkeys(_list_lines(projection, case))
+    reference = _find_reference(projection, case)
+    for line in lines:
+        for other in dict.fromkeys((None, reference)):
+            relation = _find_relation(line, other, case.motion.points)
+            if relation is None or line == other:
+                continue
+            if _find_relation(line, other, nearby) is None:
+                yield Alignment(line, relation, other)
+            break
+
+
+def _list_lines(projection: Projection, case: Case) -> Iterator[tuple[str, str]]:
+    """The lines along or normal to which the parts of the equation lie."""
+    for part in projection.equation.parts:
+        ends = None if vanishes(part) else find_ends(part, case)
+        if ends is not None and {*ends} <= {*case.motion.points}:
+            yield ends
+
+
+def _find_reference(projection: Projection, case: Case) -> tuple[str, str] | None:
+    """The line that gives the axis: that of the part normal to it, else of one along it."""
+    along = (share.part for share in projection.shares if not share.angle)
+    part = projection.dropped or next(along, None)
+    ends = find_ends(part, case) if part else None
+    return ends if ends is not None and {*ends} <= {*case.motion.points} else None
+
+
+def _find_relation(
+    line: tuple[str, str], other: tuple[str, str] | None, points: Mapping[str, Vector]
+) -> Literal[r"\parallel", r"\perp"] | None:
+    """How two lines lie, None where they are oblique."""
+    quarters = (_measure(line, points) - _measure(other, points)) / _RIGHT
+    if abs(quarters - round(quarters)) * _RIGHT > _CLOSE:
+        return None
+    return _RELATIONS[round(quarters) % 2]
+
+
+def _measure(line: tuple[str, str] | None, points: Mapping[str, Vector]) -> float:
+    """The direction of a line in degrees, that of the x axis for None."""
+    if line is None:
+        return 0.0
+    start, end = (points[point] for point in line)
+    return bearing(end - start)
