@@ -81,12 +81,10 @@ def _is_met(symbol: Symbol, met: Set[Node]) -> bool:
 
 def _find_symbols(rows: Iterable[Row]) -> set[Node]:
     """The letters, with an index or without one, that formulas refer to; exponents are left out."""
-    nodes = (node for row in rows for node in list_nodes(row))
-    return {
-        replace(node, upper=None) if isinstance(node, Scripts) else node
-        for node in nodes
-        if isinstance(node, (Letter, Scripts))
-    }
+    nodes = [node for row in rows for node in list_nodes(row)]
+    met: set[Node] = {replace(node, upper=None) for node in nodes if isinstance(node, Scripts)}
+    met.update(node for node in nodes if isinstance(node, Letter))
+    return met
 
 
 def write_parts(parts: Iterable[Part], case: Case) -> tuple[Block, ...]:

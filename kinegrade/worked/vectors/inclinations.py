@@ -22,9 +22,9 @@ from kinegrade.worked.formulas.symbols import index_letter, join_letters
 from kinegrade.worked.positions.algebra import make_positive, over
 from kinegrade.worked.positions.instance import DEGREE, PURE, make_instance
 from kinegrade.worked.positions.marked_angles import measure_given
+from kinegrade.worked.positions.stated_angles import find_stated_angle
 from kinegrade.worked.vectors.known_vectors import find_path_term
 from kinegrade.worked.vectors.magnitudes import find_heading, find_track_ends
-from kinegrade.worked.vectors.stated_angles import find_stated_angle
 
 _RIGHT = 90.0
 _CLOSE = 1e-6  # degrees
