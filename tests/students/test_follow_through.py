@@ -120,6 +120,8 @@ def led_by_velocities(follower: Follower, mistake: Mistake, leads: Answers) -> A
         except Singular:
             return None
     rates = right.rates  # type: ignore[union-attr]
+    if any(near(rates[rate], 0.0) and not near(float(value), 0.0) for rate, value in wrong.items()):
+        return None  # no share of nothing
     changed = {
         rate: float(value) / rates[rate]
         for rate, value in wrong.items()
