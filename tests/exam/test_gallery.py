@@ -132,10 +132,11 @@ def test_a_template_that_cannot_be_read_or_printed_spoils_nothing(tmp_path: Path
         write(tmp_path, "glyph", ('en = "Crank and slotted rocker"', 'en = "Rocker 😀"')),
         write(tmp_path, "key", ("tags = []", '"😀" = 1')),
     )
+    line = 1 + files[0].read_text(encoding="utf-8").splitlines().index("[wheels]")
     status, complaints, (page,) = gallery(tmp_path, *files, "slider-crank")
     assert status == 1
     for reason in (
-        "unread.toml:72: wheels: unknown table or key",
+        f"unread.toml:{line}: wheels: unknown table or key",
         "formula, title: formula $\\nosuch$: unknown command",
         "glyph: no font prints [U+1F600]",
         "key.toml:9: [U+1F600]: unknown table or key",
