@@ -18,7 +18,7 @@ USUAL = (
     "v_B = 3.2 m/s", "ω≈12 rad/s (clockwise)", "clockwise: 5", "↻ 3", "3 ↺", "逆时针 2.5 rad/s",
     "-3 cw", "+3 to the left", "nach links 4", "ca. 7,25", "about 2 m/s", "30 rpm", "30 r/min",
     "30 1/min", "2 Hz", "5 m s^-2", "5 ms⁻²", "5 m/s/s", "5 米/秒²", "5 metres per second squared",
-    "5 cm/s", "5 km/h", "5 ft/s", "45°", "45 deg", "π/4 rad", "π/4", "50 %", "3 apples", "3 4", "3;4",
+    "5 cm/s", "1/rpm", "5 km/h", "5 ft/s", "45°", "45 deg", "π/4 rad", "π/4", "50 %", "3 apples", "3 4", "3;4",
     "1e200", "3±0.1", "<b>1</b>", "0x10", "１２．５", "½ v_B =", "1.2.3", "1'000.5", "7 (m/s)",
 )  # fmt: skip
 PIECES = (

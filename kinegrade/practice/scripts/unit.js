@@ -114,7 +114,7 @@ class UnitReader {
       if (power === undefined) continue;
       powers.delete(name);
       for (const [part, exponent] of this.readPowers(meaning) ?? []) {
-        addPower(powers, part, exponent);
+        addPower(powers, part, power * exponent);
       }
     }
     return this.findWorth(powers);
