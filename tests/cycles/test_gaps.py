@@ -42,9 +42,8 @@ GAPS: dict[str, dict[str, list[float]]] = {
     },
     TUBE: {
         **{ask: [300, 660] for ask in ("AS", "x_S", "y_S", "omega_ratio")},
-        **{
-            ask: [120, 300, 480, 660] for ask in ("S_bis", "S_perp")
-        },  # O, A and B are in line at 120
+        # O, A and B are in line at 120
+        **{ask: [120, 300, 480, 660] for ask in ("S_bis", "S_perp")},
     },
     GEAR: {"angle_vB_vA": [72, 360, 648, 936, 1224]},
     # The link translates, with its pole at infinity, or is at rest, with a pole anywhere

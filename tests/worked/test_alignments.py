@@ -10,7 +10,8 @@ from kinegrade.language import Language
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.library.library import load_template
 from kinegrade.worked.document import Prose
-from tests.worked.draws import told
+from tests.worked.draws import kept, told
+from tests.worked.telling import proses
 
 
 def _list_alignments(name: str, given: dict[str, str], language: Language = "en") -> list[str]:
@@ -36,7 +37,12 @@ def test_lines_at_right_angles_to_the_axis_of_projection_are_named() -> None:
 
 
 def test_lines_that_lie_so_with_any_numbers_are_not_named() -> None:
-    assert not _list_alignments("bar-pushing-rolling-disc", {"delta": "75", "gamma": "30"})
+    """The coupler is parallel to the ground by its construction, and a projection goes along it."""
+    name = "four-bar-parallel-coupler"
+    points = solve_template(load_template(name), {}).motion.points
+    assert points["B"].y == points["D"].y
+    assert any("on the direction from $D$ to $B$" in text for text in proses(kept(name)))
+    assert _list_alignments(name, {}) == []
 
 
 def test_a_pair_of_lines_is_named_once() -> None:

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import pytest
 
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.library.library import find_template_names, load_template
 from kinegrade.problem.template.template import METHODS, Method
-from kinegrade.worked.document import Heading, Prose
+from kinegrade.worked.document import Block, Heading, Prose
 from kinegrade.worked.solution import write_worked_solution
 from tests.worked.draws import kept
 from tests.worked.telling import proses
@@ -17,6 +19,7 @@ ALIKE = (
     "known by then."
 )
 IDLE = "The method asked for changes nothing here"
+TITLES = {"pole": ": velocity pole", "projection": ": velocity projection theorem"}
 USUAL = "The method asked for is the one by which this solution goes anyway."
 
 
@@ -100,11 +103,25 @@ def test_a_method_asked_for_changes_the_solution_or_it_says_why_not(name: str) -
     plain = kept(name)
     for method in METHODS:
         blocks = kept(name, 0, method)
-        first, *others = blocks
-        said = first.text if isinstance(first, Prose) else ""
-        unchanged = said.startswith((IDLE, USUAL))
-        assert unchanged == (tuple(others) == plain), method
-        assert unchanged or blocks[0] == plain[0], method
+        said = _read_note(blocks)
+        assert bool(said) == (blocks[bool(said) :] == plain), method
+
+
+@pytest.mark.parametrize("name", find_template_names())
+@pytest.mark.parametrize("method", TITLES)
+def test_a_method_asked_for_is_taken_in_some_step_or_applies_to_none(
+    name: str, method: Method
+) -> None:
+    blocks = kept(name, 0, method)
+    titles = [block.text for block in blocks if isinstance(block, Heading) and block.level == 2]
+    taken = any(TITLES[method] in title for title in titles)
+    assert taken != (_read_note(blocks) == IDLE)
+
+
+def _read_note(blocks: Sequence[Block]) -> str:
+    """Which of the notes a solution begins with, nothing where it has none."""
+    text = blocks[0].text if isinstance(blocks[0], Prose) else ""
+    return next((note for note in (IDLE, USUAL) if text.startswith(note)), "")
 
 
 @pytest.mark.parametrize(
@@ -116,10 +133,7 @@ def test_a_method_asked_for_changes_the_solution_or_it_says_why_not(name: str) -
     ],
 )
 def test_a_method_that_changes_nothing_has_its_reason(name: str, method: Method, note: str) -> None:
-    first = kept(name, 0, method)[0]
-    assert (first.text if isinstance(first, Prose) else "").startswith(note)
-    titles = [block.text for block in kept(name, 0, method) if isinstance(block, Heading)]
-    assert any(": velocity pole" in title for title in titles) == (not note)
+    assert _read_note(kept(name, 0, method)) == note
 
 
 @pytest.mark.parametrize(

@@ -7,6 +7,8 @@ from pathlib import Path
 import pytest
 
 from kinegrade.problem.template.library.library import load_template
+from kinegrade.worked.case import write_row
+from kinegrade.worked.formulas.symbols import name_quantity
 from tests.problem.turning_crank import CRANK, faults
 from tests.worked.draws import kept
 from tests.worked.telling import lines
@@ -31,10 +33,21 @@ def test_the_author_says_why_before_the_formula(name: str, said: str) -> None:
     assert told[place + 1].lstrip().startswith(("DB &=", r"r_{S} &="))
 
 
-@pytest.mark.parametrize("name", ["hoist-with-gears", "two-stage-belt-drive"])
-def test_a_length_that_is_drawn_and_never_used_is_not_worked_out(name: str) -> None:
-    """The rope's length in the figure does not follow from the givens."""
-    assert not [line for line in lines(kept(name)) if line.startswith("Lengths that follow")]
+@pytest.mark.parametrize(
+    ("name", "told"),
+    [
+        ("hoist-with-gears", []),  # the rope's length in the figure follows from nothing
+        ("two-stage-belt-drive", []),
+        ("belt-driven-bicycle", []),
+        ("geneva-drive", ["r"]),
+        ("differential-epicyclic-train", ["r_{S}", "r_{R}", "r_{P}"]),
+    ],
+)
+def test_a_length_is_worked_out_where_it_is_used(name: str, told: list[str]) -> None:
+    lefts = [line.partition("&=")[0].strip() for line in lines(kept(name)) if "&=" in line]
+    named = [write_row(name_quantity(each).row) for each in load_template(name).scheme.lengths]
+    assert named
+    assert [each for each in named if each in lefts] == told
 
 
 def test_a_reason_of_no_length_is_refused() -> None:

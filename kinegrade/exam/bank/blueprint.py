@@ -86,8 +86,7 @@ class Bank:
     be imported into, if its draws have to suit one; `header` is the head of the papers; the
     questions `by_hand` have no mechanism, and stand between the others; the `formula_sheet` is
     bound behind every paper; of the questions of `choices` each paper holds only some. `earlier` is
-    no part of the file: what earlier exams
-    dealt, and this one is not to deal again.
+    no part of the file: what earlier exams dealt, and this one is not to deal again.
     """
 
     title: Translated

@@ -7,32 +7,33 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from itertools import chain
-from typing import Literal
+from typing import Literal, TypeAlias
 
 from kinegrade.language.math.tree import Letter, Row, Sign
 from kinegrade.language.message import Listing, Message
 from kinegrade.mechanics.vector import Vector
+from kinegrade.mechanics.vector_equation import Part
 from kinegrade.worked.case import Case
 from kinegrade.worked.document import Block
 from kinegrade.worked.formulas.atoms import Symbol
 from kinegrade.worked.formulas.measures import bearing
 from kinegrade.worked.formulas.symbols import join_letters
-from kinegrade.worked.vectors.inclinations import find_ends
+from kinegrade.worked.vectors.inclinations import find_ends, name_axis
 from kinegrade.worked.vectors.projection import Projection
 from kinegrade.worked.vectors.vectors import vanishes
 
-_RIGHT = 90.0
-_CLOSE = 1e-6  # degrees
-_RELATIONS: tuple[Literal[r"\parallel"], Literal[r"\perp"]] = (r"\parallel", r"\perp")
+_Line: TypeAlias = tuple[str, str]  # through two points
+_Relation: TypeAlias = Literal[r"\parallel", r"\perp"]
+_RELATIONS: tuple[_Relation, _Relation] = (r"\parallel", r"\perp")  # by quarters of a turn
 
 
 @dataclass(frozen=True)
 class Alignment:
-    """A line through two points, parallel or normal to another one, or to the x axis (None)."""
+    """A line, parallel or normal to another one, or to the x axis (None)."""
 
-    line: tuple[str, str]
-    relation: Literal[r"\parallel", r"\perp"]
-    other: tuple[str, str] | None
+    line: _Line
+    relation: _Relation
+    other: _Line | None
 
     @property
     def pair(self) -> frozenset[frozenset[str]]:
@@ -67,8 +68,8 @@ def _name(alignment: Alignment, case: Case) -> Symbol:
     return Symbol((*line, sign, *other))
 
 
-def _join(ends: tuple[str, str], case: Case) -> Row:
-    return join_letters(map(case.naming.letter, ends)).row
+def _join(line: _Line, case: Case) -> Row:
+    return join_letters(map(case.naming.letter, line)).row
 
 
 def _list_alignments(projection: Projection, case: Case) -> Iterator[Alignment]:
@@ -78,9 +79,9 @@ def _list_alignments(projection: Projection, case: Case) -> Iterator[Alignment]:
     nearby = case.nearby
     if nearby is None:
         return
-    lines = dict.fromkeys(_list_lines(projection, case))
-    reference = _find_reference(projection, case)
-    for line in lines:
+    lines = (_find_line(part, case) for part in projection.equation.parts if not vanishes(part))
+    reference = _find_line(projection.reference, case) if projection.reference else None
+    for line in filter(None, dict.fromkeys(lines)):
         for other in dict.fromkeys((None, reference)):
             relation = _find_relation(line, other, case.motion.points)
             if relation is None or line == other:
@@ -90,33 +91,21 @@ def _list_alignments(projection: Projection, case: Case) -> Iterator[Alignment]:
             break
 
 
-def _list_lines(projection: Projection, case: Case) -> Iterator[tuple[str, str]]:
-    """The lines along or normal to which the parts of the equation lie."""
-    for part in projection.equation.parts:
-        ends = None if vanishes(part) else find_ends(part, case)
-        if ends is not None and {*ends} <= {*case.motion.points}:
-            yield ends
-
-
-def _find_reference(projection: Projection, case: Case) -> tuple[str, str] | None:
-    """The line that gives the axis: that of the part normal to it, else of one along it."""
-    along = (share.part for share in projection.shares if not share.angle)
-    part = projection.dropped or next(along, None)
-    ends = find_ends(part, case) if part else None
+def _find_line(part: Part, case: Case) -> _Line | None:
+    """The line along or normal to which a part lies, where points give it."""
+    ends = find_ends(part, case)
     return ends if ends is not None and {*ends} <= {*case.motion.points} else None
 
 
 def _find_relation(
-    line: tuple[str, str], other: tuple[str, str] | None, points: Mapping[str, Vector]
-) -> Literal[r"\parallel", r"\perp"] | None:
+    line: _Line, other: _Line | None, points: Mapping[str, Vector]
+) -> _Relation | None:
     """How two lines lie, None where they are oblique."""
-    quarters = (_measure(line, points) - _measure(other, points)) / _RIGHT
-    if abs(quarters - round(quarters)) * _RIGHT > _CLOSE:
-        return None
-    return _RELATIONS[round(quarters) % 2]
+    axis = name_axis(_measure(line, points) - _measure(other, points))
+    return None if axis is None else _RELATIONS[axis.quarters % 2]
 
 
-def _measure(line: tuple[str, str] | None, points: Mapping[str, Vector]) -> float:
+def _measure(line: _Line | None, points: Mapping[str, Vector]) -> float:
     """The direction of a line in degrees, that of the x axis for None."""
     if line is None:
         return 0.0

@@ -58,6 +58,12 @@ class Projection:
         """The shares of both sides."""
         return (*self.left, *self.right)
 
+    @property
+    def reference(self) -> Part | None:
+        """The part that gives the axis: the one normal to it, else one along it."""
+        along = (share.part for share in self.shares if not share.angle)
+        return self.dropped or next(along, None)
+
     def _shares(self, parts: Sequence[Part]) -> Iterator[Share]:
         for part in parts:
             if vanishes(part) or size(find_heading(part)) == 0:

@@ -179,8 +179,7 @@ def find_axis(projection: Projection, case: Case) -> Inclination | None:
     """The axis as a named direction: itself, or by the unknown normal to it, else by a part along
     it.
     """
-    along = (share.part for share in (*projection.left, *projection.right) if not share.angle)
-    part = projection.dropped or next(along, None)
+    part = projection.reference
     if part is None:
         return name_axis(projection.axis)
     return name_direction(projection.axis, part, case)
