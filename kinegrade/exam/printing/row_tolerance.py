@@ -8,6 +8,7 @@ from kinegrade.exam.printing.rules import make_decimals_rule, make_percent, writ
 from kinegrade.exam.setting.setting import SetAsk
 from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
+from kinegrade.language.decimal_mark import write_decimals_of_prose
 from kinegrade.language.message import Message, Part, list_choices
 from kinegrade.mechanics.motion import Motion
 from kinegrade.problem.tolerance import find_scale_of_mechanism
@@ -19,7 +20,8 @@ def write_row_tolerance(entry: SetAsk, motion: Motion, language: Language) -> tu
     allowed next to zero, whatever its answer is. `motion` is the instance's, in doubles.
     """
     words = open_catalogue(language)
-    return tuple(map(words.write, (*_list_stated(entry), *_list_near_zero(entry, motion))))
+    lines = map(words.write, (*_list_stated(entry), *_list_near_zero(entry, motion)))
+    return tuple(write_decimals_of_prose(line, language) for line in lines)
 
 
 def _list_stated(entry: SetAsk) -> Iterator[Message]:

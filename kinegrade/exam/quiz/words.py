@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import reduce
 
 from kinegrade.exam.printing.rules import make_marking_rule
 from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
+from kinegrade.language.decimal_mark import write_decimals_of_prose
 from kinegrade.language.message import Message, Text
 from kinegrade.numbers.tolerance import Tolerance
 
@@ -30,14 +31,18 @@ def write_marking_rules(asks: Mapping[str, AskRule], language: Language) -> str:
         symbol: make_marking_rule(ask.tolerance, ask.unit, ask.stated)
         for symbol, ask in asks.items()
     }
+    written = write_sentences(_say_rules(rules), language)
+    return write_decimals_of_prose(written, language)
+
+
+def _say_rules(rules: Mapping[str, Message]) -> Iterator[Message]:
+    """One sentence where all quantities have the same rule, else one for each."""
     distinct = set(rules.values())
     if len(distinct) == 1:
-        return open_catalogue(language).text("paper.rule", rule=distinct.pop())
-    exceptions = [
-        Message("paper.rule-of-quantity", symbol=symbol, rule=rule)
-        for symbol, rule in rules.items()
-    ]
-    return write_sentences(exceptions, language)
+        yield Message("paper.rule", rule=distinct.pop())
+        return
+    for symbol, rule in rules.items():
+        yield Message("paper.rule-of-quantity", symbol=symbol, rule=rule)
 
 
 def write_sentences(sentences: Iterable[Text], language: Language) -> str:
