@@ -64,6 +64,11 @@ class FollowThrough:
         answers = {ask: float(value) for ask, value in own.items() if ask in follower.template.asks}
         return tuple(map(Fraction, follower.consequences(answers, later)))
 
+    def is_possible(self, question: str) -> bool:
+        """Whether anything follows in a question, on whatever paper."""
+        template = self.templates.get(question)
+        return template is not None and _can_follow(template)
+
     def stages(self, question: str, asks: Sequence[str]) -> Sequence[Sequence[str]]:
         """The asks of a question in the order in which the plan comes to them: velocities before
         accelerations.
@@ -85,7 +90,7 @@ class FollowThrough:
         the key's.
         """
         template = self.templates.get(question)
-        if template is None or not _can_follow(template):
+        if template is None or not self.is_possible(question):
             return None
         kept = self.kept(student, question)
         if kept is None:

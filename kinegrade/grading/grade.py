@@ -33,7 +33,7 @@ from kinegrade.grading.totals import TotalTerms, work_out_totals
 from kinegrade.grading.typed.decimal_style import Mark as DecimalMark
 from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
-from kinegrade.marks_folder.folder import MarksFolder
+from kinegrade.marks_folder.folder import MarksFolder, open_marks
 from kinegrade.marks_folder.layout import FILES, MARKER
 from kinegrade.marks_folder.rows import StudentTotal
 from kinegrade.marks_folder.writing import MarksWriter
@@ -91,7 +91,8 @@ def grade(
     with bulk_work(), written as path:
         marks = _mark(exam, answers, MarksWriter(path, exam.language), output, wishes)
         # The cells of the sheet are let go before the marks are read again
-        _write_exports(path, wishes.exports)
+        if wishes.exports:
+            _write_exports(path, wishes.exports)
     return marks
 
 
@@ -163,8 +164,10 @@ def _write_totals(folder: MarksWriter, grades: ClassGrades, terms: TotalTerms) -
 
 
 def _write_exports(path: Path, exports: Mapping[str, Export]) -> None:
-    """Files for other systems, made from the contents of the folder."""
-    folder = MarksFolder(path)
+    """Files for other systems, made from the contents of the folder, which are read again, and held
+    against each other, before anybody receives them.
+    """
+    folder = open_marks(path)
     for name, export in exports.items():
         (path / name).write_text(export(folder), encoding="utf-8", newline="")
 

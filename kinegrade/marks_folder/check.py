@@ -7,7 +7,7 @@ so a sum of amounts may be off by half of the last place for each of them.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from pathlib import Path
 
@@ -30,7 +30,7 @@ _MOST_NAMED = 20
 
 
 def refuse_changed_totals(
-    folder: Path, totals: ClassTotals, sums: Iterable[StudentSums], scale: Scale | None
+    folder: Path, totals: ClassTotals, sums: Sequence[StudentSums], scale: Scale | None
 ) -> None:
     """Raises TableError naming each row of grades.csv that contradicts marks.csv, kept.csv or
     scale.csv.
@@ -50,8 +50,9 @@ def _explain(where: Path | str, problem: Message) -> Fault:
     return Fault(str(where), problem, AS_WRITTEN, Message("marks.grade-again-or-policy"))
 
 
-def _find_faults(path: Path, totals: ClassTotals, sums: Iterable[StudentSums]) -> Iterator[Fault]:
+def _find_faults(path: Path, totals: ClassTotals, sums: Sequence[StudentSums]) -> Iterator[Fault]:
     """The faults of grades.csv, which is at `path`."""
+    agreeing: set[tuple[object, ...]] = set()
     yield from _find_doubled(path, totals)
     rows = dict(totals.by_student)
     full = 0  # lines of the first student: no student has more
@@ -68,11 +69,25 @@ def _find_faults(path: Path, totals: ClassTotals, sums: Iterable[StudentSums]) -
                 for name in each.points.by_question
                 if name not in row.points
             )
+        shared = _list_shared(row, each)
+        if (lines, *shared) in agreeing:
+            continue
         problems = _find_problems(row, each, is_whole=lines == full)
-        if problems:
+        if not problems:
+            agreeing.add((lines, *shared))
+        else:
             yield _name_row(path, row, list_statements(problems))
     for row in rows.values():
         yield _name_row(path, row, Message("marks.no-lines", file=ANSWERS.name))
+
+
+def _list_shared(row: StudentTotal, sums: StudentSums) -> tuple[object, ...]:
+    """All on which it depends whether a row agrees with the sums; most students share it with
+    others. By identity, as hashing fractions takes longer than comparing them.
+    """
+    amounts = (row.points, row.total, row.out_of, row.percent, row.subtracted, row.kept)
+    added = (sums.points, sums.out_of, sums.bonus)
+    return (row.status, sums.answered, sums.by_hand, *map(id, (*amounts, *added)))
 
 
 def _find_doubled(path: Path, totals: ClassTotals) -> Iterator[Fault]:

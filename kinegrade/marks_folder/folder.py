@@ -205,9 +205,10 @@ class MarksFolder:
         for student, answers in groupby(self.answers(), attrgetter("student")):
             yield student, tuple(answers)
 
-    def sums(self) -> Iterator[StudentSums]:
-        """The sums of marks.csv, one student at a time."""
-        return read_sums(self.path, self.bonus, self.by_hand)
+    @cached_property
+    def sums(self) -> tuple[StudentSums, ...]:
+        """The sums of marks.csv, one student after the other."""
+        return tuple(read_sums(self.path, self.bonus, self.by_hand))
 
     def complaints(self) -> tuple[Complaint, ...]:
         """The lines of complaints.csv."""
@@ -225,7 +226,7 @@ def open_marks(path: Path) -> MarksFolder:
     it is not a marks folder.
     """
     folder = MarksFolder(path)
-    refuse_changed_totals(path, folder.totals, folder.sums(), folder.scale)
+    refuse_changed_totals(path, folder.totals, folder.sums, folder.scale)
     return folder
 
 

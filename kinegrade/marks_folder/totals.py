@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence, Set
 from dataclasses import dataclass, field
 from fractions import Fraction
 from pathlib import Path
+from typing import NamedTuple
 
 from kinegrade.errors import TableError
 from kinegrade.files.csv_writing import restore
@@ -29,10 +30,23 @@ def read_totals(folder: Path, kept: Mapping[str, KeptTotal], some: Set[str]) -> 
     return ClassTotals(questions, students)
 
 
+class _Amounts(NamedTuple):
+    """What a row holds beside whose it is; most rows share it with others."""
+
+    points: Mapping[str, Fraction]
+    total: Fraction
+    out_of: Fraction
+    percent: Fraction | None
+    status: str | None
+    grade: str
+    subtracted: Fraction
+
+
 @dataclass
 class _Reader:
-    """Reads rows by the columns of their table; `faults` are those found so far, `shared` the
-    points of students by their cells, as few rows have points of their own.
+    """Reads rows by the columns of their table; `faults` are those found so far, `known` what rows
+    without any hold, by their cells and whether they have all questions; `shared` are points by the
+    cells of the questions.
     """
 
     path: Path
@@ -41,12 +55,34 @@ class _Reader:
     kept: Mapping[str, KeptTotal]
     some: Set[str]
     faults: list[Fault] = field(default_factory=list)
+    known: dict[tuple[bool, tuple[str, ...]], _Amounts] = field(default_factory=dict)
     shared: dict[tuple[str, ...], Mapping[str, Fraction]] = field(default_factory=dict)
 
     def total(self, row: Row) -> StudentTotal:
         """A row, typed."""
-        cells = {name: row.cell(place) for place, name in enumerate(self.table.header)}
-        whole = cells["student"] not in self.some
+        cells = dict(zip(self.table.header, row.cells, strict=False))
+        student, name = cells.pop("student"), cells.pop("name")
+        key = student not in self.some, tuple(cells.values())
+        held = self.known.get(key) or self._read(row, cells, key)
+        return StudentTotal(
+            row.line,
+            student,
+            restore(name),
+            held.points,
+            held.total,
+            held.out_of,
+            held.percent,
+            held.status,
+            self.kept.get(student),
+            held.grade,
+            held.subtracted,
+        )
+
+    def _read(
+        self, row: Row, cells: Mapping[str, str], key: tuple[bool, tuple[str, ...]]
+    ) -> _Amounts:
+        """What a row holds; it is known from then on if nothing is wrong with it."""
+        whole, before = key[0], len(self.faults)
         held = [name for name in self.questions if whole or cells[name]]
         # What is subtracted is blank where of several folders put together this one says nothing
         amounts = {
@@ -54,19 +90,18 @@ class _Reader:
             for name in (*held, "total", "out_of", "percent", SUBTRACTED_POINTS)
             if cells.get(name) or (name in cells and name != SUBTRACTED_POINTS)
         }
-        return StudentTotal(
-            row.line,
-            cells["student"],
-            restore(cells["name"]),
+        found = _Amounts(
             self._share(tuple(map(cells.__getitem__, self.questions)), held, amounts),
             amounts["total"],
             amounts["out_of"],
             amounts.get("percent"),
             cells.get("status"),
-            self.kept.get(cells["student"]),
             restore(cells.get(SCALE_GRADE, "")),
             amounts.get(SUBTRACTED_POINTS, Fraction(0)),
         )
+        if len(self.faults) == before:
+            self.known[key] = found
+        return found
 
     def _share(
         self, cells: tuple[str, ...], held: Sequence[str], amounts: Mapping[str, Fraction]

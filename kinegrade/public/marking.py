@@ -157,7 +157,7 @@ def grade(
     for assumption in read.assumed:
         options.assuming(assumption)
     grades = mark_class(exam, read.files, place, options.marking(exam), force=force)
-    marks = open_marks(place)
+    marks = MarksFolder(place)  # was checked before it was put there
     written = [
         *list_written(grades, place, kept=options.never_lower is not None),
         *describe_by_hand(grades, marks),
@@ -197,4 +197,4 @@ def _read_log(place: Path) -> tuple[Record, ...]:
 
 def _choose_following(exam: ExamFolder) -> Follows:
     follow_through = FollowThrough(exam)
-    return Follows(follow_through, follow_through.stages)
+    return Follows(follow_through, follow_through.stages, follow_through.is_possible)

@@ -157,7 +157,7 @@ def compare(first: MarksFolder, second: MarksFolder) -> Comparison:
 def _answers(marks: MarksFolder, whole: Iterable[tuple[str, str]]) -> _Answers:
     """The answers, and the questions that either marking has as a whole by hand."""
     answers = {(answer.student, answer.column): answer for answer in marks.answers()}
-    possible = {each.student: each.out_of.by_question for each in marks.sums()} if whole else {}
+    possible = {each.student: each.out_of.by_question for each in marks.sums} if whole else {}
     totals = marks.totals.by_student
     for student, question in whole:
         total, mark = totals.get(student), marks.by_hand.get(student, {}).get(question)

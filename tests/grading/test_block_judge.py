@@ -241,3 +241,23 @@ def test_follow_through_is_asked_about_only_after_two_errors(tmp_path: Path) -> 
     assert kinds(off, right[1], carried_on)[1:] == ["right", "follow-through"]
     assert asked
     assert all(each == ("000", "q1", {"v_A"}, "omega") for each in asked)
+
+
+def test_nothing_is_asked_about_a_question_in_which_nothing_follows(tmp_path: Path) -> None:
+    write_class(tmp_path, Random(1), 12)
+    exam, asked = open_exam(tmp_path), set[str]()
+
+    def follows(student: str, question: str, own: Own, later: str) -> tuple[Fraction, ...]:
+        asked.add(question)
+        return ()
+
+    (tmp_path / "answers.csv").write_text(
+        "student,q1.v_A,q1.v_B,q1.omega\n" + "".join(f"{each:03},71,72,73\n" for each in range(12)),
+        encoding="utf-8",
+    )
+    table = parse_table((tmp_path / "answers.csv").read_bytes(), "answers.csv")
+    sheet = read_sheet(table, exam)
+    for possible in (lambda _: False, lambda question: question == "q1"):
+        assert not asked
+        mark(exam, sheet, MarkingTerms(follows=Follows(follows, possible=possible)))
+    assert asked == {"q1"}

@@ -4,10 +4,15 @@ are named.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import replace
+from fractions import Fraction
 from pathlib import Path
 
 import pytest
 
+from kinegrade.marks_folder.rows import Grade
+from kinegrade.marks_folder.writing import MarksWriter
 from tests.grading.marked_folder import RIGHT, mark_class
 from tests.small_class import kinegrade
 
@@ -184,3 +189,33 @@ def test_a_folder_of_an_earlier_version_without_status_is_read(marks: Path) -> N
         lines = (marks / "grades.csv").read_text(encoding="utf-8").splitlines()
         cut = [line.rpartition(",")[0] for line in lines]
         (marks / "grades.csv").write_text("\n".join(cut) + "\n", encoding="utf-8")
+
+
+def test_one_row_of_many_alike_is_named(tmp_path: Path) -> None:
+    _, marks = mark_class(tmp_path, {f"{number:02}": RIGHT for number in range(1, 31)})
+    change(marks, "29,Student 29,7,2.5,9.5,9.5,", "29,Student 29,7,2.5,9.4,9.5,")
+    assert refused(marks) == ['grades.csv:30: student "29": total is 9.4, 9.5 by marks.csv']
+
+
+def test_marks_that_contradict_themselves_are_not_handed_out(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    mark_class(tmp_path, {"7": RIGHT})
+    written = MarksWriter.grades
+
+    def write_wrongly(
+        writer: MarksWriter,
+        questions: tuple[str, ...],
+        grades: Sequence[Grade],
+        *more: object,
+        **others: object,
+    ) -> None:
+        wrong = [replace(grade, kept=Fraction(3)) for grade in grades]
+        written(writer, questions, wrong, *more, **others)  # type: ignore[arg-type]
+
+    monkeypatch.setattr(MarksWriter, "grades", write_wrongly)
+    names = ("EXAM", "answers.csv", "-o", "OUT")
+    result = kinegrade("grade", *(name if name == "-o" else str(tmp_path / name) for name in names))
+    assert result.exit_code == 2
+    assert 'student "7": total is 3, 9.5 by marks.csv' in result.stderr
+    assert not (tmp_path / "OUT").exists()

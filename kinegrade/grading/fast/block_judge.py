@@ -76,7 +76,7 @@ class BlockJudge:
         for place, names in self._compared(block, rules).items():
             block.put(place, self._decided(block, place, names))
         if self.follows is not None:
-            questions = tuple(self._led_on(block))
+            questions = tuple(self._led_on(block, self.follows))
             block.word(self._list_places(questions))
             for row, led_on in groupby(questions, _ROW):
                 self._credit(block, row, [question for _, question in led_on], self.follows)
@@ -178,12 +178,18 @@ class BlockJudge:
             block.cells.reading(place), key, self._ruling(place), self._others(block, place), reread
         )
 
-    def _led_on(self, block: JudgedBlock) -> Iterator[tuple[int, range]]:
-        """Rows and questions in which a number that is not right comes after another number."""
+    def _led_on(self, block: JudgedBlock, follows: Follows) -> Iterator[tuple[int, range]]:
+        """Rows and questions in which a number that is not right comes after another number, and
+        something may follow.
+        """
         led_on = block.are(*_LED_ON).reshape(-1, len(self.asks))
-        counts = [led_on[:, list(question)].sum(axis=1) for question in self.papers.questions]
-        for row, question in np.argwhere(np.column_stack(counts) > 1).tolist():
-            yield row, self.papers.questions[question]
+        questions = [
+            each for each in self.papers.questions if follows.possible(self.asks[each[0]].question)
+        ]
+        counts = [led_on[:, list(question)].sum(axis=1) for question in questions]
+        several = np.array(counts).reshape(len(questions), len(led_on)).T > 1
+        for row, question in np.argwhere(several).tolist():
+            yield row, questions[question]
 
     def _list_places(self, questions: Sequence[tuple[int, range]]) -> Places:
         """The places of the answers to these questions of rows."""

@@ -40,14 +40,20 @@ def _stage_as_asked(question: str, asks: Sequence[str]) -> Sequence[Sequence[str
     return [[ask] for ask in asks]
 
 
+def _is_possible_everywhere(_question: str) -> bool:
+    return True
+
+
 @dataclass(frozen=True, slots=True)
 class Follows:
     """What follows, and `stages`, which sorts the asks of a question so that none depends on a
-    later stage; those of one stage may follow from each other.
+    later stage; those of one stage may follow from each other. Of a question of which it is not
+    `possible` nothing is asked.
     """
 
     consequence: Consequence
     stages: Callable[[str, Sequence[str]], Sequence[Sequence[str]]] = _stage_as_asked
+    possible: Callable[[str], bool] = _is_possible_everywhere
 
     def sorted(self, answers: Sequence[Decided]) -> list[list[Decided]]:
         """The answers to a question in those stages."""

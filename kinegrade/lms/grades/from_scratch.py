@@ -7,7 +7,7 @@ nothing is left out, because an empty or zero grade would replace the one in the
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from fractions import Fraction
 from html import escape
 from typing import assert_never
@@ -47,6 +47,17 @@ class _Plan:
     targets: Mapping[str, Fraction | None]
     key: Field
     questions: tuple[str, ...]
+    shared: dict[tuple[object, ...], str] = field(default_factory=dict)
+
+    def feedback(self, grade: StudentGrade) -> str:
+        """The feedback on a grade; most students share theirs with others. By identity, as hashing
+        fractions takes longer.
+        """
+        amounts = grade.points, grade.out_of, grade.subtracted
+        which = grade.printed, grade.bonus, *map(id, amounts)
+        if which not in self.shared:
+            self.shared[which] = feedback_text(grade, self.questions)
+        return self.shared[which]
 
 
 def new_file(dialect: Dialect, grades: ClassGrades, options: ExportOptions) -> Fresh:
@@ -225,7 +236,7 @@ def _write_cell(plan: _Plan, column: Column, item: str, grade: StudentGrade) -> 
         case "letter":
             return neutralise(grade.scale_grade)
         case "feedback":
-            text = feedback_text(grade, plan.questions)
+            text = plan.feedback(grade)
             return escape(text, quote=False) if column.text == "html" else text
         case "feedback format" | "fixed":
             return column.text

@@ -96,7 +96,7 @@ def read_grades(marks: MarksFolder, exam: ExamFolder | None = None) -> ClassGrad
     TableError for a folder that `grade` cannot have written, ExamError for a damaged exam.
     """
     totals, orders = marks.totals, marks.printed
-    possible = {each.student: each for each in _read_possible(marks.sums())}
+    possible = {each.student: each for each in _read_possible(marks.sums)}
     students = tuple(
         _make_student_grade(
             total, points, possible.get(total.student), orders.get(total.student, ()), marks.bonus

@@ -100,15 +100,18 @@ class People:
         """The column with the most known students, the first of equals; a named one even if it has
         no known student.
         """
-        known = {
-            index: (
-                _count(rows, index, find),
-                _count(rows, index, self._likely) if find == self.by_id else 0,
-            )
-            for index in named or candidates
-        }
-        best = max(known, key=lambda index: known[index], default=None)
-        return best if best is not None and (named or any(known[best])) else None
+        if len(named) == 1:
+            return named[0]
+        known = {index: _count(rows, index, find) for index in named or candidates}
+        most = max(known.values(), default=0)
+        best = [index for index, count in known.items() if count == most]
+        if most and len(best) == 1:
+            return best[0]
+        by_id = find == self.by_id
+        likely = {index: _count(rows, index, self._likely) if by_id else 0 for index in best}
+        likeliest = max(likely, key=lambda index: likely[index], default=None)
+        is_known = likeliest is not None and (most or likely[likeliest])
+        return likeliest if named or is_known else None
 
     def find_all(
         self, rows: Sequence[Row], header: Sequence[str], columns: Columns
