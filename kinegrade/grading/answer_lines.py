@@ -36,7 +36,8 @@ def write_marks(folder: MarksWriter, blocks: Iterable[MarkedBlock]) -> Iterator[
         for block in blocks:
             write(_write_lines(block, words))
             for paper, _ in block.judged.rows:
-                put += list_put_rows(block.asks, paper)
+                if paper.put:
+                    put += list_put_rows(block.asks, paper)
             yield block
     folder.put(put)
 

@@ -7,13 +7,14 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import lru_cache, partial
 from itertools import chain, islice
 from typing import assert_never
 
 import numpy as np
+from numpy.typing import NDArray
 
 from kinegrade.exam.folder.keys import Ask, Paper, Sitting, add_counted
 from kinegrade.files.cell_text import is_answered
@@ -96,26 +97,19 @@ class _Marker:
     out_of: Fraction
     pool: Pool
     submissions: Submissions
-    known: dict[tuple[int, ...], tuple[Fraction, ...]] = field(default_factory=dict)
+    known: dict[bytes, tuple[Fraction, ...]] = field(default_factory=dict)
 
     def block(self, papers: Sequence[Paper]) -> MarkedBlock:
         """The marks of some papers."""
         rows = self._counted(papers)
         judged = self._judged(rows)
-        blank = np.isnan(judged.cells.values.reshape(len(rows), -1))
-        bare = {*np.flatnonzero(blank.all(axis=1)).tolist()}  # rows without a number
-        grades = [
-            self._make_grade(paper, points, entry, absent=row in bare and not self._answered(paper))
-            for row, ((paper, entry), points) in enumerate(
-                zip(rows, self._points(judged), strict=True)
-            )
-        ]
+        grades = self._make_grades(rows, judged)
         complaints: list[Complaint] = []
         for paper, entry in rows:
             if paper.lacks:
                 complaints += find_strange(paper, entry, self.asks, self.sheet.columns)
         for paper, entry in rows:
-            if len(self._entries(paper)) > 1:
+            if paper.student in self.sheet.repeated:
                 complaints += find_repeated(self._entries(paper), entry)
         general: dict[Text, list[Complaint]] = defaultdict(list)
         for doubt in find_doubts(judged, self.asks, self.sheet.columns):
@@ -129,15 +123,24 @@ class _Marker:
         """These rows judged, by what their papers ask alone."""
         return self.judge.judged([(row[0], leave_out(*row)) for row in rows])
 
-    def _make_grade(
-        self, paper: Paper, points: tuple[Fraction, ...], entry: Entry, *, absent: bool
-    ) -> Grade:
-        """A student's grade by an entry; that of a paper without some alternatives is of the others
+    def _make_grades(self, rows: Sequence[Row], judged: JudgedBlock) -> list[Grade]:
+        """A student's grade by each row; that of a paper without some alternatives is of the others
         alone.
         """
-        own, out_of = self._find_own(paper, points)
-        submission = self._find_submission(paper, entry)
-        return Grade(paper.student, paper.name, own, out_of, absent=absent, submission=submission)
+        all_points, penalised = self._points(judged), self.submissions.penalties.are_any
+        grades = [
+            Grade(paper.student, paper.name, *self._find_own(paper, points))
+            for (paper, _), points in zip(rows, all_points, strict=True)
+        ]
+        blank = np.isnan(judged.cells.values.reshape(len(rows), -1))
+        for row in np.flatnonzero(blank.all(axis=1)).tolist():  # without a number
+            grades[row] = replace(grades[row], absent=not self._answered(rows[row][0]))
+        if not penalised:
+            return grades
+        return [
+            replace(grade, submission=self._find_submission(*row))
+            for grade, row in zip(grades, rows, strict=True)
+        ]
 
     def _find_submission(self, paper: Paper, entry: Entry) -> Submission | None:
         """When and after how many others an entry was handed in, where that costs anything."""
@@ -207,21 +210,24 @@ class _Marker:
         _, out_of = self._find_own(paper, points)
         return total - self.submissions.penalties.subtract(submission, total, out_of)
 
-    def _points(self, judged: JudgedBlock) -> Iterator[tuple[Fraction, ...]]:
+    def _points(self, judged: JudgedBlock) -> list[tuple[Fraction, ...]]:
         """The points of each row by question; there are few combinations, and each is added up
         once.
         """
         known = self.known if len(judged.credits) == USUAL_CREDITS else {}
         add_up = lru_cache(maxsize=None)(partial(self._question_points, judged))
-        for way in map(tuple, judged.shares.reshape(-1, len(self.asks)).tolist()):
-            if way not in known:
-                known[way] = tuple(
+        shares = judged.shares.reshape(-1, len(self.asks))
+        ways = _list_keys(shares)
+        for row, key in enumerate(ways):
+            if key not in known:
+                way = tuple(shares[row].tolist())
+                known[key] = tuple(
                     [
                         add_up(each, way[each.start : each.stop])
                         for each in self.judge.papers.questions
                     ]
                 )
-            yield known[way]
+        return [known[key] for key in ways]
 
     def _question_points(
         self, judged: JudgedBlock, question: range, way: tuple[int, ...]
@@ -232,3 +238,10 @@ class _Marker:
             for number, share in zip(question, way, strict=True)
             if share
         )
+
+
+def _list_keys(shares: NDArray[np.intp]) -> list[bytes]:
+    """A key for each row of shares, the same where all of them are."""
+    rows = np.ascontiguousarray(shares)
+    keys: list[bytes] = rows.view(f"V{rows.itemsize * rows.shape[1]}").ravel().tolist()
+    return keys

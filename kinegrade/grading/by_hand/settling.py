@@ -39,7 +39,8 @@ class HandMarking:
     def watched(self, blocks: Iterable[MarkedBlock]) -> Iterator[MarkedBlock]:
         """The same blocks; what the machine gave is noted on the way."""
         for block in blocks:
-            for row, (paper, _) in enumerate(block.judged.rows):
+            rows = block.judged.rows if self.by_hand else ()
+            for row, (paper, _) in enumerate(rows):
                 if marks := self.by_hand.get(paper.student):
                     self._note(block, row, marks)
             yield block

@@ -21,6 +21,7 @@ from kinegrade.grading.fast.bounds import Numbers
 from kinegrade.grading.typed.answers import PLAIN, Reading, read
 from kinegrade.grading.typed.decimal_style import FileStyle
 from kinegrade.grading.typed.number_text import DecimalStyle
+from kinegrade.grading.typed.plain_cells import PlainCells
 
 _PLAIN = re.compile(PLAIN)
 _PLAIN_LINES = re.compile(f"(?:(?:{PLAIN})?\n)*+")
@@ -63,8 +64,8 @@ class CellReader:
     def cells(self, rows: Sequence[Sequence[str]]) -> TypedCells:
         """All cells of these rows."""
         typed = [*chain.from_iterable(rows)]
-        if _takes_plain_numbers(self.styles.style) and _are_plain(typed):
-            return TypedCells(self, typed, np.array(_read_plain(typed)), _drop_signs(typed), {}, {})
+        if _takes_plain_numbers(self.styles.style) and PlainCells.of(typed) is not None:
+            return TypedCells(self, typed, _read_plain(typed), typed, {}, {})
         return self._row_by_row(rows, typed)
 
     def _row_by_row(self, rows: Sequence[Sequence[str]], typed: Sequence[str]) -> TypedCells:
@@ -75,7 +76,7 @@ class CellReader:
         styles: dict[int, DecimalStyle] = {}
         for number, row in enumerate(rows):
             if usual and _are_plain(row):
-                values += _read_plain(row)
+                values += _read_plain(row).tolist()
                 read_as += _drop_signs(row)
                 continue
             styles[number] = self.styles.of_row(row)
@@ -117,14 +118,20 @@ def _drop_signs(cells: Sequence[str]) -> Sequence[str]:
     return [cell.removeprefix("+") for cell in cells] if "+" in "".join(cells) else cells
 
 
-def _read_plain(cells: Sequence[str]) -> list[float]:
+def _read_plain(cells: Sequence[str]) -> Numbers:
     """The values of plain or empty cells; written as in JSON, as most are, they are read several
     times faster.
     """
+    filled = [*filter(None, cells)]
     try:
-        return msgspec.convert(cells, list[float], strict=False)
+        read = msgspec.convert(filled, list[float], strict=False)
     except msgspec.ValidationError:
-        return [float(cell) if cell else nan for cell in cells]
+        read = [*map(float, filled)]
+    if len(filled) == len(cells):
+        return np.array(read, dtype=np.float64)
+    values = np.full(len(cells), nan)
+    values[[bool(cell) for cell in cells]] = read
+    return values
 
 
 def _takes_plain_numbers(style: DecimalStyle) -> bool:

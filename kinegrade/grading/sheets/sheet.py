@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import NamedTuple
 
 from kinegrade.files.answer_file import Sources
@@ -46,7 +47,7 @@ class Entry(NamedTuple):
         return self.places[number] if self.places else Place(self.file, self.line)
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Sheet:
     """Each student's entries by id, one or more in the order of the files; `columns` are the
     headers of the asks' columns.
@@ -58,6 +59,11 @@ class Sheet:
     columns: tuple[str, ...]
     entries: Mapping[str, tuple[Entry, ...]]
     complaints: tuple[Complaint, ...]
+
+    @cached_property
+    def repeated(self) -> frozenset[str]:
+        """The students who have several."""
+        return frozenset(student for student, each in self.entries.items() if len(each) > 1)
 
 
 @dataclass(frozen=True, slots=True)

@@ -14,14 +14,19 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from itertools import chain, islice
 from typing import Literal, assert_never
+
+import numpy as np
 
 from kinegrade.grading.typed.keyboard import fold
 from kinegrade.grading.typed.number_text import DecimalStyle, MarkUse, read_mantissa
+from kinegrade.grading.typed.plain_cells import PlainCells
 from kinegrade.language.message import Message, Text
 
 Mark = Literal["comma", "point"]
 _LONGEST_EVIDENCE = 200
+_BLOCK = 1000  # rows counted together
 _NUMBER = re.compile(r"[.,]?[0-9]")
 _USUAL = re.compile(
     r"[+-]?(?:(?P<decimal>0\.[0-9]+|[0-9]+\.(?:[0-9]{1,2}|[0-9]{4,}))|[0-9]{1,3}(?:\.[0-9]{3})?|)"
@@ -129,12 +134,33 @@ def find_file_style(rows: Iterable[Sequence[str]], declared: Mark | None = None)
     """
     if declared is not None:
         return FileStyle(_read_declared_style(declared), declared=True)
-    found = [gather_evidence(row) for row in rows if any(row)]
-    commas = sum("," in each.decimal for each in found)
-    points = sum("." in each.decimal for each in found)
-    comma, reason = _judge_comma(commas, points, len(found))
+    each, counted = iter(rows), np.zeros(3, dtype=np.intp)
+    while block := list(islice(each, _BLOCK)):
+        counted += _count_plain(block) or _count_any(block)
+    commas, points, count = counted.tolist()
+    comma, reason = _judge_comma(commas, points, count)
     doubt = Message("marking.point-by-rule") if commas and not points else ""
     return FileStyle(DecimalStyle(comma, "decimal", reason, doubt), commas=commas > 0)
+
+
+def _count_any(rows: Sequence[Sequence[str]]) -> tuple[int, int, int]:
+    """How many rows show a decimal comma, how many a decimal point, and how many are not blank."""
+    found = [gather_evidence(row) for row in rows if any(row)]
+    commas, points = (sum(mark in each.decimal for each in found) for mark in ",.")
+    return commas, points, len(found)
+
+
+def _count_plain(rows: Sequence[Sequence[str]]) -> tuple[int, int, int] | None:
+    """The same of rows of plain numbers, which most are, several times faster; None for others."""
+    width = len(rows[0])
+    plain = PlainCells.of([*chain.from_iterable(rows)]) if width else None
+    decimals = None if plain is None else plain.find_decimals()
+    if plain is None or decimals is None or any(len(row) != width for row in rows):
+        return None
+    show, filled = (
+        int(cells.reshape(-1, width).any(axis=1).sum()) for cells in (decimals, plain.lengths > 0)
+    )
+    return 0, show, filled
 
 
 def _read_declared_style(mark: Mark) -> DecimalStyle:
