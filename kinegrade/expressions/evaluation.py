@@ -28,7 +28,7 @@ from kinegrade.numbers.pi_multiple import PiMultiple
 from kinegrade.numbers.refusals import Inexact
 from kinegrade.numbers.surd import MAX_HEIGHT, Surd, height
 
-_MAX_POWER = 16
+MAX_POWER = 16
 
 
 def evaluate(
@@ -116,8 +116,8 @@ def read_whole_power(exponent: Expression) -> int:
         and exponent.left == Number(fmpq(0))
     )
     literal = exponent.right if negative and isinstance(exponent, Operation) else exponent
-    if not isinstance(literal, Number) or literal.value.q != 1 or literal.value > _MAX_POWER:
-        raise ExpressionError(Message("expression.no-whole-power", most=_MAX_POWER))
+    if not isinstance(literal, Number) or literal.value.q != 1 or literal.value > MAX_POWER:
+        raise ExpressionError(Message("expression.no-whole-power", most=MAX_POWER))
     return -int(literal.value) if negative else int(literal.value)
 
 

@@ -33,7 +33,7 @@ def hold(seed: int, folder: Path) -> int:
     pairs = list_pairs(seed, folder)
     unlike = [pair for pair in pairs if not pair.agrees]
     assert not unlike, " ".join(map(str, unlike))
-    compare_made_up(seed, 200)
+    compare_made_up(seed, 2000)
     return len(pairs)
 
 

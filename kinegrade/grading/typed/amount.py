@@ -80,8 +80,8 @@ def _make_exact(formula: Formula) -> Amount | None:
         value = evaluate(formula.tree, {"pi": field.turns(1)}, {"sqrt": field.sqrt}, field)
     except Inexact:
         return None
-    except ExpressionError:
-        if not formula.pi:
+    except ExpressionError as error:
+        if not formula.pi or isinstance(error.__cause__, ZeroDivisionError):
             raise
         return None  # an angle added to a number, as in 1 + pi: a ball holds both
     if isinstance(value, Angle):

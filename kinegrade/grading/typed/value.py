@@ -17,6 +17,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from unicodedata import numeric
 
+from kinegrade.expressions.evaluation import MAX_POWER
 from kinegrade.expressions.reading import read_rational
 from kinegrade.expressions.tree import (
     PRODUCTS,
@@ -240,9 +241,16 @@ def _make_literal(value: Fraction) -> Expression:
 
 def _raise(base: Expression, power: int) -> Expression:
     """base**power; powers of ten may be larger than others."""
-    if isinstance(base, Number) and base.value == 10 and abs(power) <= LARGEST_EXPONENT:
+    if isinstance(base, Number) and base.value == 10:
+        _require_at_most(LARGEST_EXPONENT, power)
         return Number(base.value**power)
+    _require_at_most(MAX_POWER, power)
     exponent = Number(read_rational(str(abs(power))))
     return Operation(
         "**", base, Operation("-", Number(read_rational("0")), exponent) if power < 0 else exponent
     )
+
+
+def _require_at_most(most: int, power: int) -> None:
+    if abs(power) > most:
+        raise Unreadable(Message("typing.large-whole-power", most=most))

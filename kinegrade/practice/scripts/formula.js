@@ -5,6 +5,7 @@
 const MOST_ROOTS = 8;
 const MOST_BRACKETS = 8;
 const MOST_ATOMS = 24;
+const MOST_POWER = 16;
 const VULGAR = "½⅓⅔¼¾⅕⅖⅗⅘⅙⅚⅛⅜⅝⅞";
 const MIXED = new RegExp(`\\s?[${VULGAR}]`, "y");
 const PI = /[πΠ𝜋]|pi(?![a-z])/iuy;
@@ -12,6 +13,7 @@ const RAISED_TO = /\s*(?:\^|\*\*)\s*(?:\(\s*([+-]?[0-9]{1,3})\s*\)|([+-]?[0-9]{1
 const HALF =
   /\s*(?:\^|\*\*)\s*(?:\(\s*1\/2\s*\)|\(\s*0?[.,]5\s*\)|0?[.,]5(?![0-9.,]))/y;
 const OPERATOR = /\s*([-+*/])(?!\*)/y;
+const TEN_ALONE = /^[\s(]*10[\s)]*$/;
 const BRACKET_OR_PI = /^\s*(?:[πΠ𝜋]|\(\s*[0-9√])/u;
 
 /** @typedef {() => number} Work what a formula is worth; it throws Unreadable where it has no value */
@@ -144,10 +146,15 @@ class FormulaReader {
 
   /** @param {number} depth @returns {Work} */
   power(depth) {
+    const start = this.place;
     const base = this.atom(depth);
+    const most = TEN_ALONE.test(this.text.slice(start, this.place)) ? LARGEST_EXPONENT : MOST_POWER;
     if (this.take(HALF)) return this.rootOf(base);
     const found = this.take(RAISED_TO);
-    return found ? () => raise(base(), Number(found[1] ?? found[2])) : base;
+    if (!found) return base;
+    const exponent = Number(found[1] ?? found[2]);
+    if (Math.abs(exponent) > most) throw new Unreadable("large-whole-power", { most });
+    return () => raise(base(), exponent);
   }
 
   /** @param {number} depth @returns {Work} */

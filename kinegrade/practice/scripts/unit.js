@@ -51,6 +51,7 @@ class UnitReader {
   /** @param {Vocabulary} vocabulary */
   constructor(vocabulary) {
     this.vocabulary = vocabulary;
+    this.names = new Map(Object.entries(vocabulary.names));
     const choose = (/** @type {string} */ name) =>
       `(?:${vocabulary.words[name].map(escapePattern).join("|")})`;
     const between = vocabulary.per.map(([word, apart]) => (apart ? `\\s+${word}\\s+` : word));
@@ -99,7 +100,8 @@ class UnitReader {
       throw new WrongUnit(pure ? "turns-for-number" : "turns-for-kind", parts);
     }
     const powers = wanted?.angle ? this.readPowers(this.foldUnit(written)) : null;
-    if (powers && powers.size === 1 && powers.get("min") === -1) {
+    const left = [...(powers ?? [])].filter(([, power]) => power !== 0);
+    if (left.length === 1 && powers?.get("min") === -1) {
       throw new Unreadable("per-minute", { typed });
     }
   }
@@ -150,8 +152,7 @@ class UnitReader {
   /** @param {string} text @param {number} place @returns {{powers: Powers, end: number} | null} */
   readFactor(text, place) {
     const found = matchAt(FACTOR, text, place);
-    const { names } = this.vocabulary;
-    const name = found && (names[found[1]] ?? names[found[1].toLowerCase()]);
+    const name = found && (this.names.get(found[1]) ?? this.names.get(found[1].toLowerCase()));
     const power = Number(found?.slice(2).find((digits) => digits) ?? "1");
     if (!found || !name || !power) return null;
     return { powers: new Map([[name, power]]), end: place + found[0].length };
