@@ -459,3 +459,20 @@ def test_the_asks_are_known_ahead_of_the_papers(small_class: Path) -> None:
         for ask in question.asks
     ]
     assert ahead == of_papers
+
+
+def test_a_solution_has_graphs_where_those_of_the_exam_have(
+    small_class: Path, tmp_path: Path
+) -> None:
+    exam = copied(small_class, tmp_path)
+    drawn = count_pictures(exam)
+    head = json.loads((exam / "exam.json").read_text(encoding="utf-8"))
+    (exam / "exam.json").write_text(json.dumps(head | {"cycle": True}), encoding="utf-8")
+    moving = [len(question.asks) for question in papers(exam, variants=1)[0].questions]
+    assert count_pictures(exam) == [few + asked for few, asked in zip(drawn, moving, strict=True)]
+
+
+def count_pictures(exam: Path) -> list[int]:
+    """The pictures of each solution of the first paper."""
+    (paper,) = papers(exam, variants=1, wishes=QuizWishes(solutions=True))
+    return [len(question.solution.pictures) for question in paper.questions]

@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any
 
+from kinegrade.cycles.chapter import write_cycle_chapter
 from kinegrade.description.description import describe
 from kinegrade.errors import ExamError, FieldError, KinegradeError
 from kinegrade.exam.folder.contents import HEAD
@@ -31,7 +32,6 @@ from kinegrade.exam.printing.rules import count_digits
 from kinegrade.exam.quiz.document import QuizAsk, QuizMistake, QuizPaper, QuizQuestion
 from kinegrade.exam.quiz.source import QuizSource
 from kinegrade.exam.quiz.words import write_marking_rules
-from kinegrade.language import Language
 from kinegrade.language.message import Fault, Message
 from kinegrade.press.html.solution import NOT_SHOWN, Illustrated, illustrate
 from kinegrade.problem.assemble import assemble
@@ -125,7 +125,7 @@ def _make_question(
             f"{source.identifier}-{code}-{name}",
             replace(sheet, described=describe(solved, language, tuple(entry.asks))),
             asks,
-            _write_solution(solution, tuple(entry.asks), language, wishes.method)
+            _write_solution(source, solution, tuple(entry.asks), wishes.method)
             if solution
             else NOT_SHOWN,
             write_marking_rules(rules, language),
@@ -139,10 +139,15 @@ def _make_question(
 
 
 def _write_solution(
-    solution: Solution, asks: Sequence[str], language: Language, method: Method | None
+    source: QuizSource, solution: Solution, asks: Sequence[str], method: Method | None
 ) -> Illustrated:
-    """The worked solution as HTML. Raises TypesetError for texts that cannot be shown."""
-    return illustrate(write_worked_solution(solution, asks, language, method).blocks, language)
+    """The worked solution as HTML, with graphs over the cycle where the exam's solutions have them.
+    Raises TypesetError for texts that cannot be shown.
+    """
+    language = source.language
+    blocks = write_worked_solution(solution, asks, language, method).blocks
+    graphs = write_cycle_chapter(solution, asks, language) if source.exam.head.cycle else ()
+    return illustrate((*blocks, *graphs), language)
 
 
 def show_instance(
