@@ -83,11 +83,29 @@ def draw_centrodes(
     """The centrodes and poles in mm, as far as they lie in a frame; the letter of each body's pole
     is one about the origin.
     """
-    still = [part for each in traced.fixed for part in _draw_curve(each * scale, frame, _FIXED)]
+    still = _draw_fixed(traced, scale, frame)
     moving = (
         tuple(_draw_moving(traced, number, scale, frame, letters)) for number in range(traced.count)
     )
-    return CentrodeDrawing(tuple(still), tuple(moving))
+    return CentrodeDrawing(still, tuple(moving))
+
+
+def draw_curves(
+    traced: TracedCentrodes, number: int, scale: float, frame: Box
+) -> tuple[Primitive, ...]:
+    """The centrodes of one drawing in mm, as far as they lie in a frame."""
+    return (*_draw_fixed(traced, scale, frame), *_draw_carried(traced, number, scale, frame))
+
+
+def _draw_fixed(traced: TracedCentrodes, scale: float, frame: Box) -> tuple[Primitive, ...]:
+    return tuple(part for each in traced.fixed for part in _draw_curve(each * scale, frame, _FIXED))
+
+
+def _draw_carried(
+    traced: TracedCentrodes, number: int, scale: float, frame: Box
+) -> Iterator[Primitive]:
+    for curve in traced.carried:
+        yield from _draw_curve(curve[:, :, number] * scale, frame, _MOVING)
 
 
 def _find_last(path: MotionPath, moved: Array) -> float:
@@ -109,8 +127,7 @@ def _draw_moving(
     letters: Mapping[str, Primitive],
 ) -> Iterator[Primitive]:
     """The moving centrodes and the poles of one drawing."""
-    for curve in traced.carried:
-        yield from _draw_curve(curve[:, :, number] * scale, frame, _MOVING)
+    yield from _draw_carried(traced, number, scale, frame)
     for body, pole in traced.find_poles(number, scale, frame).items():
         yield Disc(pole, _POLE, None, "black")
         if body in letters:

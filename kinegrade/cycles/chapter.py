@@ -10,7 +10,7 @@ from kinegrade.cycles.curves import find_followed
 from kinegrade.cycles.cycle import Cycle, make_cycle
 from kinegrade.cycles.facts import describe_gaps
 from kinegrade.cycles.graph import Panel, choose_across, choose_upward, draw_graph
-from kinegrade.cycles.wording import name_input
+from kinegrade.cycles.wording import Quantities, name_input
 from kinegrade.figure.scene import Box, Scene, find_common_box, move
 from kinegrade.language import Language
 from kinegrade.language.message import Message
@@ -53,8 +53,9 @@ def _write_blocks(cycle: Cycle, language: Language) -> Iterator[Block]:
     yield say(Message("solution.cycle-axis", axis=axis), language)
     if any(curve.is_steep for curve in cycle.curves):
         yield say(Message("solution.cycle-cut-off"), language)
+    written = Quantities(language, cycle.path.input.is_angle)
     for curve in cycle.curves:
-        for gap in describe_gaps(curve, f"${curve.ask.symbol}$", cycle.path.input.is_angle):
+        for gap in describe_gaps(curve, f"${curve.ask.symbol}$", written):
             yield say(gap, language)
     graphs = (
         Picture(_draw(cycle, number, language), _name_curve(curve.ask))

@@ -2,19 +2,16 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Iterator
-from decimal import Decimal
+from dataclasses import replace
 from typing import assert_never
 
 from kinegrade.cycles.curves import Curve
 from kinegrade.cycles.cycle import Cycle
 from kinegrade.cycles.swings import Swing
-from kinegrade.cycles.wording import name_point
+from kinegrade.cycles.wording import Quantities, name_point
 from kinegrade.language import Language
-from kinegrade.language.math.units import write_unit
 from kinegrade.language.message import Message, Text, list_all
-from kinegrade.mechanics.geometry import round_short
 from kinegrade.motion.ends import Blocked, ChangePoint, Closed, End, Limit, Open, Receding
 from kinegrade.problem.template.template import Ask
 from kinegrade.worked.words.naming import Naming
@@ -25,29 +22,27 @@ def list_facts(
 ) -> Iterator[Message]:
     """A sentence for each thing worth saying of a cycle, in prose, with asks named as the
     reader knows them."""
-    path, is_angle = cycle.path, cycle.path.input.is_angle
+    path, written = cycle.path, Quantities(language, cycle.path.input.is_angle)
     for end in (path.start, path.end):
         if end is not None:
-            yield _describe_end(end, is_angle)
+            yield _describe_end(end, written)
     for change in path.changes:
-        yield _describe_change(change, is_angle)
+        yield _describe_change(change, written)
     naming = Naming(cycle.solution.template, language)
     for swing in cycle.swings:
         name = naming.body(swing.name) if swing.is_angle else name_point(swing.name)
-        yield _describe_swing(swing, name, is_angle)
+        yield _describe_swing(swing, name, written)
     for curve in cycle.curves:
         if not curve.is_steep:
-            yield _describe_extremes(curve, name_ask(curve.ask), is_angle)
-        yield from describe_gaps(curve, name_ask(curve.ask), is_angle)
+            yield _describe_extremes(curve, name_ask(curve.ask), written)
+        yield from describe_gaps(curve, name_ask(curve.ask), written)
 
 
-def describe_gaps(curve: Curve, name: str, is_angle: bool) -> Iterator[Message]:
+def describe_gaps(curve: Curve, name: str, written: Quantities) -> Iterator[Message]:
     """Where a curve breaks off, a sentence for each reason."""
     for together in dict.fromkeys(gap.together for gap in curve.gaps):
         places = list_all(
-            _write_place(gap.displacement, is_angle)
-            for gap in curve.gaps
-            if gap.together == together
+            written.place(gap.displacement) for gap in curve.gaps if gap.together == together
         )
         if together:
             points = list_all(map(name_point, together))
@@ -56,9 +51,9 @@ def describe_gaps(curve: Curve, name: str, is_angle: bool) -> Iterator[Message]:
             yield Message("motion.gap", ask=name, places=places)
 
 
-def _describe_end(end: End, is_angle: bool) -> Message:
+def _describe_end(end: End, written: Quantities) -> Message:
     """Why the input goes no further."""
-    place = _write_place(end.displacement, is_angle)
+    place = written.place(end.displacement)
     match end:
         case Closed(turns=turns):
             return Message("motion.closed", turns=turns)
@@ -76,57 +71,44 @@ def _describe_end(end: End, is_angle: bool) -> Message:
             assert_never(end)
 
 
-def _describe_change(change: ChangePoint, is_angle: bool) -> Message:
-    place = _write_place(change.displacement, is_angle)
+def _describe_change(change: ChangePoint, written: Quantities) -> Message:
+    place = written.place(change.displacement)
     if change.line is None:
         return Message("motion.change-point", place=place)
     return Message("motion.change-point-in-line", place=place, line=change.line)
 
 
-def _describe_swing(swing: Swing, name: Text, is_angle: bool) -> Message:
+def _describe_swing(swing: Swing, name: Text, written: Quantities) -> Message:
     """A stroke in m, or a swing in degrees, with its ends and its time ratio."""
     kind = "swing" if swing.is_angle else "stroke"
     stated = Message(
         f"motion.way-{kind}",
         name=name,
-        extent=_write_place(swing.extent, swing.is_angle),
-        start=_write_place(swing.at_least, is_angle),
-        end=_write_place(swing.at_greatest, is_angle),
+        extent=replace(written, is_angle=swing.is_angle).place(swing.extent),
+        start=written.place(swing.at_least),
+        end=written.place(swing.at_greatest),
     )
     if swing.time_ratio is None:
         return stated
-    ratio = round_short(swing.time_ratio)
+    ratio = written.write(swing.time_ratio)
     return Message("motion.with-ratio", swing=stated, ratio=ratio)
 
 
-def _describe_extremes(curve: Curve, name: str, is_angle: bool) -> Message:
+def _describe_extremes(curve: Curve, name: str, written: Quantities) -> Message:
     """The least and the greatest value of a curve, and where they are."""
     least, greatest = (
-        _describe_extreme(curve, number, is_angle) for number in (curve.least, curve.greatest)
+        _describe_extreme(curve, number, written) for number in (curve.least, curve.greatest)
     )
     return Message("motion.extremes", ask=name, least=least, greatest=greatest)
 
 
-def _describe_extreme(curve: Curve, number: int, is_angle: bool) -> Message:
+def _describe_extreme(curve: Curve, number: int, written: Quantities) -> Message:
     """The value at a position; beside a gap, the one that it goes to there."""
-    unit = "" if curve.ask.unit.text == "1" else write_unit(curve.ask.unit.text)
-    limit = curve.find_limit(number)
+    unit, limit = curve.ask.unit.text, curve.find_limit(number)
     if limit is None:
-        place = _write_place(float(curve.moved[number]), is_angle)
-        value = _round(float(curve.values[number]))
-        return Message("motion.extreme", value=value, unit=unit, place=place)
+        value = written.write(float(curve.values[number]), unit)
+        place = written.place(float(curve.moved[number]))
+        return Message("motion.extreme", value=value, place=place)
     gap, value_there = limit
-    place = _write_place(gap.displacement, is_angle)
-    return Message("motion.extreme-near", value=_round(value_there), unit=unit, place=place)
-
-
-def _write_place(displacement: float, is_angle: bool) -> Message:
-    """A displacement in degrees or m."""
-    if is_angle:
-        return Message("motion.degrees", number=_round(math.degrees(displacement)))
-    return Message("motion.metres", number=_round(displacement))
-
-
-def _round(value: float) -> Decimal | str:
-    """Four significant figures; what rounding leaves of zero is zero."""
-    return round_short(0.0 if abs(value) < 1e-9 else value)
+    value, place = written.write(value_there, unit), written.place(gap.displacement)
+    return Message("motion.extreme-near", value=value, place=place)

@@ -4,14 +4,19 @@ to one scale.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import starmap
 from types import MappingProxyType
 
 import numpy as np
 
-from kinegrade.cycles.centrode_drawing import TracedCentrodes, draw_centrodes, trace_drawn_centrodes
+from kinegrade.cycles.centrode_drawing import (
+    TracedCentrodes,
+    draw_centrodes,
+    draw_curves,
+    trace_drawn_centrodes,
+)
 from kinegrade.cycles.centrodes import find_poled_bodies
 from kinegrade.cycles.cycle import Cycle
 from kinegrade.cycles.frame import (
@@ -99,15 +104,17 @@ def draw_moving_figure(
     scale, frame = _choose_frame(find_extent(mechanisms), traced)
     seen = traced.find_poles(first, scale, frame)
     now = scale_to_paper(mechanisms[first], scale)
-    letters = _place_letters(now, hints, {poles[body]: place for body, place in seen.items()})
+    traces = _trace_points(path, moved, scale)
+    named = {poles[body]: place for body, place in seen.items()}
+    ways = (*traces, *draw_curves(traced, first, scale, frame))
+    letters = _place_letters(now, hints, named, ways)
     marks = {body: letters[name] for body, name in poles.items() if name in letters}
     centrodes = draw_centrodes(traced, scale, frame, marks)
     drawn = [
         (*_draw(scale_to_paper(each, scale), hints, letters), *beside)
         for each, beside in zip(mechanisms, centrodes.moving, strict=True)
     ]
-    traces = (*_trace_points(path, moved, scale), *centrodes.still)
-    return _frame(traces, drawn, moved, first, path.is_closed)
+    return _frame((*traces, *centrodes.still), drawn, moved, first, path.is_closed)
 
 
 def _choose_frame(extent: Box, traced: TracedCentrodes) -> tuple[float, Box]:
@@ -172,10 +179,10 @@ def _take(mechanism: Mechanism, number: int, shape: tuple[int, ...]) -> Mechanis
 
 
 def _place_letters(
-    paper: Mechanism, hints: FigureHints, poles: Mapping[str, Vector]
+    paper: Mechanism, hints: FigureHints, poles: Mapping[str, Vector], ways: Sequence[Primitive]
 ) -> dict[str, Primitive]:
-    """The letters of points that move and of poles, by name, placed as in a figure, each about its
-    point as the origin.
+    """The letters of points that move and of poles, by name, placed as in a figure and off the ways
+    of points, each about its point as the origin.
     """
     drawing = draw(paper, hints)
     named = {name: paper.points[name] for name in find_carriers(paper)}
@@ -185,7 +192,7 @@ def _place_letters(
         label_point(write_point_symbol(name), place, drawing, around)
         for name, place in others.items()
     )
-    layout = Layout.of(drawing.primitives)
+    layout = Layout.of((*drawing.primitives, *ways))
     layout = layout.written((*label_points(paper, hints, drawing), *wishes))
     places = {
         hints.labels.get(name, write_point_symbol(name)): (name, place)

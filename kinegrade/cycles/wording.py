@@ -2,23 +2,59 @@
 
 from __future__ import annotations
 
+import math
+from dataclasses import dataclass
+
 from kinegrade.language import Language
-from kinegrade.language.catalogue import open_catalogue
-from kinegrade.language.decimal_mark import write_decimal_text
+from kinegrade.language.decimal_mark import write_decimal_text, write_decimals_of_math
 from kinegrade.language.message import Message
 from kinegrade.language.prose.plain import write_prose
+from kinegrade.mechanics.geometry import round_short
 from kinegrade.mechanics.ground import GROUND
 from kinegrade.motion.path import MotionPath
 from kinegrade.problem.template.notation import write_point_symbol
 from kinegrade.problem.template.template import Template
+from kinegrade.worked.document import write_sentence
 from kinegrade.worked.words.naming import Naming
 
 _WHERE = Message("typesetting.place-cycle")
+_NOTHING = 1e-9
+
+
+@dataclass(frozen=True)
+class Quantities:
+    """Writes quantities of a cycle in prose, as formulas; `is_angle` is whether the input turns."""
+
+    language: Language
+    is_angle: bool
+
+    def place(self, displacement: float) -> str:
+        """A displacement of the input from rad in degrees, or in m."""
+        if self.is_angle:
+            return self.write(math.degrees(displacement), "deg")
+        return self.write(displacement, "m")
+
+    def write(self, value: float, unit: str = "1") -> str:
+        """To four significant figures; what rounding leaves of zero is zero."""
+        short = round_short(0.0 if abs(value) < _NOTHING else value)
+        digits, _, power = str(short).partition("e")
+        number = rf"{digits} \cdot 10^{{{int(power)}}}" if power else digits
+        return f"${write_decimals_of_math(number, self.language)}{_write_unit(unit)}$"
+
+
+def _write_unit(unit: str) -> str:
+    match unit:
+        case "1":
+            return ""
+        case "deg":
+            return r"^\circ"
+        case _:
+            return rf"\,\unit{{{unit}}}"
 
 
 def say_plainly(message: Message, language: Language) -> str:
     """A message of prose as plain text. Raises TypesetError for a symbol that is none."""
-    return write_prose(open_catalogue(language).write(message), _WHERE)
+    return write_prose(write_sentence(message, language), _WHERE)
 
 
 def name_point(name: str) -> str:

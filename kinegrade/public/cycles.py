@@ -25,6 +25,7 @@ from kinegrade.press.typst.press import TypstPress
 from kinegrade.problem.solution import Solution
 from kinegrade.problem.template.template import Ask
 from kinegrade.problem.template.texts import require_language
+from kinegrade.worked.document import write_sentence
 
 CycleFormat = Literal["pdf", "svg", "csv", "html"]
 
@@ -73,8 +74,8 @@ def write_cycle(cycle: Cycle, language: Language, kind: CycleFormat) -> bytes:
 
 def _print_facts(cycle: Cycle, language: Language) -> tuple[str, ...]:
     """What a page says of a cycle, a line of prose each."""
-    words = open_catalogue(language)
-    return tuple(words.write(fact) for fact in list_facts(cycle, language, _print_symbol))
+    facts = list_facts(cycle, language, _print_symbol)
+    return tuple(write_sentence(fact, language) for fact in facts)
 
 
 def _print_symbol(ask: Ask) -> str:

@@ -54,6 +54,41 @@ def test_the_table_has_the_input_the_moving_points_and_the_asks() -> None:
     assert [float(cell) for cell in rows[-1][1:]] == pytest.approx(list(map(float, rows[0][1:])))
 
 
+@pytest.mark.parametrize(
+    ("name", "centrodes"),
+    [("bent-rod-two-sleeves", False), ("watt-linkage", False), ("slider-crank", True)],
+)
+def test_at_the_instant_no_way_and_no_centrode_goes_through_a_letter(
+    name: str, *, centrodes: bool
+) -> None:
+    figure = draw_cycle(make_cycle(solve_template(load_template(name), {}), centrodes=centrodes))
+    letters = [find_common_box([part]) for part in figure.at_instant if isinstance(part, Label)]
+    curves = [part for part in figure.at_instant if isinstance(part, Outline) and not part.closed]
+    places = np.array([corner for curve in curves for corner in _refine(curve)])
+    assert letters
+    for box in letters:
+        across = (box.left < places[:, 0]) & (places[:, 0] < box.right)
+        assert not (across & (box.bottom < places[:, 1]) & (places[:, 1] < box.top)).any()
+
+
+def _refine(curve: Outline) -> list[tuple[float, float]]:
+    """Places on a curve, of which many lie in a letter that it goes through."""
+    corners = np.array(curve.corners)
+    shares = np.linspace(0, 1, 20)[:, None, None]
+    places = corners[:-1] + shares * np.diff(corners, axis=0)
+    return [(x, y) for x, y in places.reshape(-1, 2).tolist()]
+
+
+def test_a_page_writes_numbers_as_formulas() -> None:
+    solution = solve_template(load_template("slider-crank"), {"omega": "1/1000"})
+    page = write_cycle(make_cycle(solution, ("a_B",)), Language("de"), "html").decode()
+    said = page[page.index("<ul") : page.index("</ul>")]
+    assert "<mo>·</mo><msup><mn>10</mn>" in said
+    text = re.sub("<[^>]*>", "", said)
+    assert "am kleinsten −" in text
+    assert not re.search(r"-[0-9]|[0-9]e-|[0-9][.][0-9]", text), text
+
+
 def test_the_page_says_what_the_terminal_says(tmp_path: Path) -> None:
     cycle = make_cycle(solve_template(load_template("stone-crusher"), {}))
     pdf = write_cycle(cycle, ENGLISH, "pdf")
