@@ -62,15 +62,11 @@ class MarksWriter:
     language: Language
 
     @contextmanager
-    def answers(self) -> Iterator[Callable[[str], None]]:
+    def answers(self) -> Iterator[Callable[[bytes], object]]:
         """Gives a function that appends lines to marks.csv; their cells are safe as they stand."""
         with (self.path / ANSWERS.name).open("wb") as stream:
             stream.write(encode(write_csv_text(ANSWERS.columns, [])))
-
-            def write(lines: str) -> None:
-                stream.write(encode(lines))
-
-            yield write
+            yield stream.write
 
     def put(self, rows: Sequence[tuple[str, str, str, str]]) -> None:
         """Whose line of the key each answer was marked by, where it is not always the student's

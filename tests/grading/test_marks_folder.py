@@ -49,8 +49,8 @@ COMPLAINT = Complaint("a.csv", None, "q1.v", "=1+1", "unreadable", "no points")
 def test_what_is_written_is_read_again(tmp_path: Path) -> None:
     writer, folder = MarksWriter(tmp_path, ENGLISH), MarksFolder(tmp_path)
     with writer.answers() as write:
-        write("7,q1,v,'=1,,m/s,mistake,0.5,2,,no-pole sense-reversed,\n")
-        write('7,q2,v,"0,5",0.5,1,right,2,2,key,,policy\n')
+        write(b"7,q1,v,'=1,,m/s,mistake,0.5,2,,no-pole sense-reversed,\n")
+        write(b'7,q2,v,"0,5",0.5,1,right,2,2,key,,policy\n')
     writer.grades(("q1", "q2"), [replace(ANNA, kept=Fraction(3), grade="=A")], SCALE)
     writer.subtracted([SUBTRACTED])
     writer.complaints([COMPLAINT])

@@ -23,8 +23,8 @@ from kinegrade.grading.fast.another_paper import PapersAnswered
 from kinegrade.grading.fast.bounds import Flags, Places, Rules, tabulate_rules
 from kinegrade.grading.fast.comparison import compare
 from kinegrade.grading.fast.judged_block import NO_SHARE, JudgedBlock, Row
-from kinegrade.grading.fast.mistaken import Mistakes, find_best
-from kinegrade.grading.fast.reasons import surround_comparison
+from kinegrade.grading.fast.mistaken import Leading, Mistakes, find_best
+from kinegrade.grading.fast.reasons import Sentence
 from kinegrade.grading.fast.typed_cells import CellReader
 from kinegrade.grading.judging.decision import Decision, decide, name_mistakes, void
 from kinegrade.grading.judging.follow import Decided, Follows, follow_answers, withhold
@@ -34,6 +34,7 @@ from kinegrade.grading.policy.policy import NO_ROOM, Policy, Ruling
 from kinegrade.grading.typed.decimal_style import FileStyle
 from kinegrade.language import Language
 from kinegrade.numbers.tolerance import Tolerance
+from kinegrade.stated_marking import find_identifier
 
 # Places to be decided one by one: the mistakes to consider there, or all
 _Open = dict[int, Collection[str] | None]
@@ -91,8 +92,7 @@ class BlockJudge:
         """Records every certain verdict, and gives the places still open."""
         comparison = block.comparison
         certain = np.flatnonzero(comparison.certain)
-        rulings = (self.policy.ruling(ask.column) for ask in self.asks)
-        changed = np.array([ruling.room != NO_ROOM for ruling in rulings])
+        changed = np.array([self.policy.ruling(ask.column).room != NO_ROOM for ask in self.asks])
         block.put_compared(certain, changed[certain % len(self.asks)])
         wrong = np.flatnonzero(comparison.certain & ~comparison.right)
         return self._uncertain(block, comparison.certain) | self._mistaken(block, wrong, rules)
@@ -129,38 +129,36 @@ class BlockJudge:
         found: _Open = {place: None for place in open_to if self._others(block, place)}
         keys, width = [paper.keys for paper, _ in block.rows], len(self.asks)
         mistakes = Mistakes.of(wrong, read_mistakes(keys, wrong, width))
-        leading = mistakes.leading(block.cells.values, rules, self.language)
+        leading = mistakes.leading(block.cells.values, rules)
         shares = [self.policy.ruling(ask.column).mistakes for ask in self.asks]
-        led: list[tuple[int, tuple[str, ...], str]] = [
-            each for each in leading.list_single() if each[0] not in found
-        ]
+        single = np.flatnonzero(leading.single)
+        if found:
+            single = single[~np.isin(leading.places[single], [*found])]
+        names = [find_identifier(name) for name in leading.known]
+        alone = np.array([block.find_sentence(Sentence((name,))) for name in names], dtype=np.intp)
+        self._put_mistakes(block, leading, single, alone[leading.names[single]])
+        named: dict[int, int] = {}
         for place, ways in leading.group_others():
             best = find_best(ways, shares[place % width])
             if best is None:
                 found.setdefault(place, {way.name for way in ways})
             elif place not in found:
-                names = name_mistakes(best.name, [way.name for way in ways])
-                led.append((place, names, best.comparison))
-        self._put_mistakes(block, led, shares)
+                together = name_mistakes(best.name, [way.name for way in ways])
+                named[best.number] = block.find_sentence(Sentence(together))
+        others, said = (np.array([*each], dtype=np.intp) for each in (named, named.values()))
+        self._put_mistakes(block, leading, others, said)
         return found
 
     def _put_mistakes(
-        self,
-        block: JudgedBlock,
-        led: Sequence[tuple[int, tuple[str, ...], str]],
-        shares: Sequence[Mapping[str, Fraction]],
+        self, block: JudgedBlock, leading: Leading, ways: Places, said: Places
     ) -> None:
-        """Records answers with the mistakes that lead to them, and how far they are from these."""
-        places, mistakes, comparisons = zip(*led, strict=True) if led else ((), (), ())
-        around = {names: surround_comparison(names, self.language) for names in {*mistakes}}
-        reasons = [
-            comparison.join(around[names])
-            for names, comparison in zip(mistakes, comparisons, strict=True)
-        ]
-        block.put_mistakes(places, mistakes, reasons)
+        """Records the answers to which these ways lead, each with the number of what is said."""
+        block.put_mistakes(leading, ways, said)
+        shares = [self.policy.ruling(ask.column).mistakes for ask in self.asks]
         if any(shares):
-            for place, names in zip(places, mistakes, strict=True):
-                block.put_share(place, shares[place % len(shares)].get(names[0], Fraction(0)))
+            for place in leading.places[ways].tolist():
+                first, *_ = block.find_mistakes(place)
+                block.put_share(place, shares[place % len(shares)].get(first, Fraction(0)))
 
     def _others(self, block: JudgedBlock, place: int) -> Sequence[Alternative]:
         row, number = divmod(place, len(self.asks))

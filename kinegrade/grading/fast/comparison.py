@@ -19,19 +19,17 @@ from kinegrade.grading.fast.bounds import (
     Bounds,
     Flags,
     Numbers,
-    Places,
     Rules,
 )
 from kinegrade.grading.fast.number_texts import scale_numbers
-from kinegrade.grading.fast.reasons import Form, Forms
 
 _ALIKE = 1e-5  # a difference and a tolerance this close may be written with the same digits
 
 
 @dataclass(frozen=True, slots=True)
 class Comparison:
-    """The outcome of comparing: `right` is valid where `decided` holds, and `reasons` where
-    `certain` holds.
+    """The outcome of comparing: `right` is valid where `decided` holds, and the numbers
+    that are `stated` where `certain` holds.
     """
 
     right: Flags
@@ -41,21 +39,11 @@ class Comparison:
     difference: Numbers
     bounds: Bounds
 
-    def reasons(self, places: Places, forms: Forms) -> list[str]:
-        """The comparisons at these places in words, exactly as `judge` words them."""
-        to_figures = self.bounds.to_figures[places]
-        if not to_figures.any():
-            return self._fill(forms.within, places)
-        texts = np.empty(len(places), dtype=object)
-        for chosen, form in ((to_figures, forms.to_figures), (~to_figures, forms.within)):
-            texts[chosen] = self._fill(form, places[chosen])
-        listed: list[str] = texts.tolist()
-        return listed
-
-    def _fill(self, form: Form, places: Places) -> list[str]:
+    @property
+    def stated(self) -> Numbers:
+        """The numbers that reasons state, a row for each of those that `reasons.Form` counts."""
         bounds = self.bounds
-        known = self.centres, self.difference, bounds.room, bounds.low, bounds.high
-        return form.fill([each[places] for each in known])
+        return np.stack([self.centres, self.difference, bounds.room, bounds.low, bounds.high])
 
 
 def compare(values: Numbers, centres: Numbers, rules: Rules) -> Comparison:

@@ -6,7 +6,7 @@ each answer, because a large class gives a million answers.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import get_args
@@ -15,9 +15,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinegrade.exam.folder.keys import Paper
-from kinegrade.grading.fast.bounds import Flags, Places
+from kinegrade.grading.fast.bounds import Flags, Numbers, Places
 from kinegrade.grading.fast.comparison import Comparison
-from kinegrade.grading.fast.reasons import read_cells, read_reasons
+from kinegrade.grading.fast.mistaken import Leading
+from kinegrade.grading.fast.reasons import Sentence, read_reasons
 from kinegrade.grading.fast.typed_cells import TypedCells
 from kinegrade.grading.judging.decision import Decision
 from kinegrade.grading.judging.judge import Kind, Verdict
@@ -37,10 +38,11 @@ class JudgedBlock:
     """All answers of some rows, row after row: the kinds of the verdicts, as indices into `KINDS`,
     and the shares of the points, as indices into `credits`, which holds the few distinct ones.
 
-    Where an answer is `compared`, its reason is its place in the `comparison`, in the words of
-    `language`; of the others `reasons` are those that are not empty. `mistakes` are those that lead
-    to the answers at some places, `by_policy` is where the rule was not the paper's. `worded` are
-    comparisons that have been put in words already.
+    Most reasons are one of few `sentences` of the `language`, whose number is `said` of the answer,
+    filled in with the numbers that are `stated` of it, and worded otherwise where an answer is
+    right `to_figures`. Where none is said, which is 0, `reasons` are those that are not empty, and
+    `mistakes` those that lead to the answer. `by_policy` is where the rule was not the paper's.
+    `worded` are reasons that have been put in words already.
     """
 
     rows: Sequence[Row]
@@ -49,8 +51,12 @@ class JudgedBlock:
     language: Language
     kinds: NDArray[np.uint8]
     shares: NDArray[np.intp]
-    compared: Flags
+    said: Places
+    stated: Numbers
+    to_figures: Flags
     by_policy: Flags
+    sentences: list[Sentence] = field(default_factory=lambda: [Sentence()])
+    numbers: dict[Sentence, int] = field(default_factory=dict)
     reasons: dict[int, Text] = field(default_factory=dict)
     credits: list[Fraction] = field(default_factory=lambda: [Fraction(0), Fraction(1)])
     mistakes: dict[int, tuple[str, ...]] = field(default_factory=dict)
@@ -64,8 +70,12 @@ class JudgedBlock:
         count = len(cells.typed)
         blank = np.full(count, _NUMBERS["blank"], dtype=np.uint8)
         shares = np.full(count, NO_SHARE, dtype=np.intp)
-        compared, by_policy = (np.zeros(count, dtype=np.bool_) for _ in range(2))
-        return cls(rows, cells, comparison, language, blank, shares, compared, by_policy)
+        said, by_policy = np.zeros(count, dtype=np.intp), np.zeros(count, dtype=np.bool_)
+        stated, to_figures = comparison.stated, comparison.bounds.to_figures.copy()
+        return cls(
+            *(rows, cells, comparison, language, blank, shares),
+            *(said, stated, to_figures, by_policy),
+        )
 
     def kind(self, place: int) -> Kind:
         """The kind of the verdict on an answer."""
@@ -80,30 +90,32 @@ class JudgedBlock:
         """Sets the decision on an answer."""
         verdict, share = decision
         self.kinds[place] = _NUMBERS[verdict.kind]
-        self.compared[place] = False
+        self.said[place] = 0
         self.by_policy[place] = verdict.by_policy
         self.reasons[place] = verdict.reason
         self.mistakes[place] = verdict.mistakes
         self.put_share(place, share)
 
-    def put_mistakes(
-        self, places: Sequence[int], mistakes: Sequence[tuple[str, ...]], reasons: Sequence[str]
-    ) -> None:
-        """Sets answers to which mistakes lead, without points."""
-        chosen = np.array(places, dtype=np.intp)
+    def put_mistakes(self, leading: Leading, ways: Places, said: Places) -> None:
+        """Sets the answers to which these ways lead, without points; the numbers of the sentences
+        are those that `find_sentence` gives.
+        """
+        chosen = leading.places[ways]
         self.kinds[chosen] = _NUMBERS["mistake"]
         self.shares[chosen] = NO_SHARE
-        self.compared[chosen] = self.by_policy[chosen] = False
-        self.mistakes.update(zip(places, mistakes, strict=True))
-        self.reasons.update(zip(places, reasons, strict=True))
+        self.by_policy[chosen] = False
+        self.said[chosen] = said
+        self.stated[:, chosen] = leading.stated[:, ways]
+        self.to_figures[chosen] = leading.to_figures[ways]
 
     def put_compared(self, places: Places, by_policy: Flags) -> None:
         """Sets answers that are certainly right or wrong by the key, or by the policy's rule."""
         right = self.comparison.right[places]
         self.kinds[places] = np.where(right, _NUMBERS["right"], _NUMBERS["wrong"])
         self.shares[places] = np.where(right, FULL_SHARE, NO_SHARE)
-        self.compared[places] = True
         self.by_policy[places] = by_policy
+        by_rule = [self.find_sentence(Sentence(by_policy=rule)) for rule in (False, True)]
+        self.said[places] = np.where(by_policy, by_rule[True], by_rule[False])
 
     def put_share(self, place: int, share: Fraction) -> None:
         """Sets the share of the points of an answer."""
@@ -114,45 +126,43 @@ class JudgedBlock:
             self.credits.append(share)
         self.shares[place] = self.credits.index(share)
 
-    def write_compared(self) -> list[str]:
-        """The reasons of all answers that are compared, in their order, as cells of a CSV file."""
-        words = np.empty(len(self.compared), dtype=object)
-        for by_policy, places in self._part_by_policy(np.flatnonzero(self.compared)):
-            forms = read_cells(self.language, by_policy=by_policy)
-            words[places] = self.comparison.reasons(places, forms)
-        listed: list[str] = words[self.compared].tolist()
-        return listed
+    def find_sentence(self, sentence: Sentence) -> int:
+        """The number of a sentence, which may be said from then on."""
+        if sentence not in self.numbers:
+            self.numbers[sentence] = len(self.sentences)
+            self.sentences.append(sentence)
+        return self.numbers[sentence]
 
     def word(self, places: Places) -> None:
-        """Puts the comparisons at these places in words, all at once: one by one takes longer."""
-        for by_policy, chosen in self._part_by_policy(places[self.compared[places]]):
-            forms = read_reasons(self.language, by_policy=by_policy)
-            reasons = self.comparison.reasons(chosen, forms)
-            self.worded.update(zip(chosen.tolist(), reasons, strict=True))
-
-    def _part_by_policy(self, places: Places) -> Iterator[tuple[bool, Places]]:
-        """Those judged by the paper's rule, and those by the policy's; neither is empty."""
-        for by_policy in (False, True):
-            chosen = places[self.by_policy[places] == by_policy]
-            if len(chosen):
-                yield by_policy, chosen
+        """Puts the reasons at these places in words, all at once: one by one takes longer."""
+        ways = 2 * self.said[places] + self.to_figures[places]
+        for way in np.flatnonzero(np.bincount(ways)).tolist():
+            said, to_figures = divmod(way, 2)
+            if said:
+                chosen = places[ways == way]
+                forms = read_reasons(self.language, self.sentences[said])
+                reasons = forms.choose(to_figures=bool(to_figures)).fill(self.stated[:, chosen])
+                self.worded.update(zip(chosen.tolist(), reasons, strict=True))
 
     def reason(self, place: int) -> Text:
         """Why an answer is what it is."""
-        if not self.compared[place]:
+        if not self.said[place]:
             return self.reasons.get(place, "")
-        if place in self.worded:
-            return self.worded[place]
-        forms = read_reasons(self.language, by_policy=bool(self.by_policy[place]))
-        (reason,) = self.comparison.reasons(np.array([place]), forms)
-        return reason
+        if place not in self.worded:
+            self.word(np.array([place]))
+        return self.worded[place]
+
+    def find_mistakes(self, place: int) -> tuple[str, ...]:
+        """The mistakes that lead to an answer."""
+        said = self.said[place]
+        return self.sentences[said].mistakes if said else self.mistakes.get(place, ())
 
     def decision(self, place: int) -> Decision:
         """The decision on an answer."""
         verdict = Verdict(
             self.kind(place),
             self.reason(place),
-            mistakes=self.mistakes.get(place, ()),
+            mistakes=self.find_mistakes(place),
             by_policy=bool(self.by_policy[place]),
         )
         return verdict, self.credits[self.shares[place]]

@@ -19,26 +19,22 @@ import numpy as np
 from kinegrade.exam.folder.columns.gathering import LedTo
 from kinegrade.grading.fast.bounds import Flags, Numbers, Places, Rules
 from kinegrade.grading.fast.comparison import compare
-from kinegrade.grading.fast.reasons import read_comparisons
 from kinegrade.grading.judging.decision import rank_mistake
-from kinegrade.language import Language
-from kinegrade.stated_marking import find_identifier
 
 _TOO_NEAR = 1e-9  # relative: of two mistakes this near to each other, either may be the nearer one
 _PLACE = itemgetter(0)
 
 
 class Way(NamedTuple):
-    """A mistake that may lead to the answer at a place: its distance from the answer, also in
-    words.
+    """A mistake that may lead to the answer at a place, and its distance from the answer; `number`
+    is its own among all ways.
     """
 
-    place: int
+    number: int
     name: str
     certain: bool
     difference: float
     value: float
-    comparison: str
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,7 +49,7 @@ class Mistakes:
         """The mistakes at each of these places."""
         return cls(led_to, np.repeat(places, led_to.counts))
 
-    def leading(self, answers: Numbers, rules: Rules, language: Language) -> Leading:
+    def leading(self, answers: Numbers, rules: Rules) -> Leading:
         """The ways that may lead to the answers; `answers` and `rules` are those of all places."""
         values = self.led_to.values
         agreeing = rules.at(self.places).may_agree(answers[self.places], values)
@@ -66,59 +62,43 @@ class Mistakes:
             self.led_to.names[near[likely]],
             self.led_to.known,
             led.certain[likely],
-            led.difference[likely],
-            led.centres[likely],
-            led.reasons(likely, read_comparisons(language)),
+            led.stated[:, likely],
+            led.bounds.to_figures[likely],
         )
 
 
 @dataclass(frozen=True, slots=True)
 class Leading:
-    """The ways that may lead to answers, in the order of their places, as columns of `Way`; `names`
-    are numbers of those that are `known`.
+    """The ways that may lead to answers, in the order of their places, as columns; `names` are
+    numbers of those that are `known`, `stated` and `to_figures` what their reasons say.
     """
 
     places: Places
     names: Places
     known: Sequence[str]
     certain: Flags
-    differences: Numbers
-    values: Numbers
-    comparisons: Sequence[str]
-
-    def list_single(self) -> Iterator[tuple[int, tuple[str, ...], str]]:
-        """The answers to which certainly one mistake leads, as most: place, identifier and
-        comparison.
-        """
-        identifiers = [(find_identifier(name),) for name in self.known]
-        single = np.flatnonzero(self._single)
-        named = [identifiers[number] for number in self.names[single].tolist()]
-        comparisons = [self.comparisons[each] for each in single.tolist()]
-        return zip(self.places[single].tolist(), named, comparisons, strict=True)
+    stated: Numbers
+    to_figures: Flags
 
     def group_others(self) -> Iterator[tuple[int, list[Way]]]:
         """The other answers, each with its ways."""
-        ways = map(self._way, np.flatnonzero(~self._single).tolist())
-        for place, group in groupby(ways, _PLACE):
-            yield place, list(group)
+        others = np.flatnonzero(~self.single)
+        placed = zip(self.places[others].tolist(), others.tolist(), strict=True)
+        for place, group in groupby(placed, _PLACE):
+            yield place, [self._way(number) for _, number in group]
 
     @property
-    def _single(self) -> Flags:
-        """Which ways are certain, and lead to an answer to which no other does."""
+    def single(self) -> Flags:
+        """Which ways are certain, and lead to an answer to which no other does: most."""
         changes = np.ones(len(self.places) + 1, dtype=np.bool_)
         changes[1:-1] = self.places[1:] != self.places[:-1]
-        single: Flags = changes[:-1] & changes[1:] & self.certain
-        return single
+        found: Flags = changes[:-1] & changes[1:] & self.certain
+        return found
 
     def _way(self, number: int) -> Way:
-        return Way(
-            int(self.places[number]),
-            self.known[self.names[number]],
-            bool(self.certain[number]),
-            float(self.differences[number]),
-            float(self.values[number]),
-            self.comparisons[number],
-        )
+        value, difference, *_ = self.stated[:, number].tolist()
+        name, certain = self.known[self.names[number]], bool(self.certain[number])
+        return Way(number, name, certain, difference, value)
 
 
 def find_best(ways: Sequence[Way], shares: Mapping[str, Fraction]) -> Way | None:

@@ -21,6 +21,7 @@ FORMAT = "%.6g"
 _DIGITS, _HALF = 6, 3
 _WORD = 64  # bits
 _LETTER = 8
+_LONGEST = 2 * _WORD // _LETTER
 _LOWEST, _HIGHEST = -20, 20  # powers of ten that the tables know
 _POWERS = np.array([10.0**power for power in range(_LOWEST - _DIGITS, _HIGHEST + _DIGITS + 1)])
 _THOUSAND = 10**_HALF
@@ -55,6 +56,12 @@ def scale_numbers(numbers: Numbers) -> Scaled:
 
 def write_numbers(numbers: Numbers) -> list[bytes]:
     """The texts of some numbers, in ASCII."""
+    texts: list[bytes] = write_letters(numbers).view(f"S{_LONGEST}").ravel().tolist()
+    return texts
+
+
+def write_letters(numbers: Numbers) -> NDArray[np.uint8]:
+    """The same as rows of letters, zeros behind them."""
     scaled = scale_numbers(numbers)
     with np.errstate(all="ignore"):
         last, power = scaled.last, scaled.power
@@ -64,10 +71,11 @@ def write_numbers(numbers: Numbers) -> list[bytes]:
     carried = known & (rounded == 10**_DIGITS)  # 999999.7 is 1 with the next power
     digits = np.where(known & ~carried, rounded, 10 ** (_DIGITS - 1)).astype(np.intp)
     words = _assemble(digits, power + carried, numbers < 0)
-    texts: list[bytes] = words.view(f"S{2 * _WORD // _LETTER}").ravel().tolist()
+    letters = words.view(np.uint8)
     for place in np.flatnonzero(~known).tolist():
-        texts[place] = (FORMAT % numbers[place]).encode("ascii")
-    return texts
+        text = (FORMAT % numbers[place]).encode("ascii")
+        letters[place] = np.frombuffer(text.ljust(_LONGEST, b"\0"), dtype=np.uint8)
+    return letters
 
 
 def _assemble(digits: Places, power: Places, negative: Flags) -> Words:

@@ -5,7 +5,6 @@ words in a language, filled in with many numbers in a single step.
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
 from itertools import chain
@@ -27,18 +26,29 @@ _TO_FIGURES = Message(
 
 
 @dataclass(frozen=True, slots=True)
-class Form:
-    """A text for the % operator, and which number stands at each of its places: 0 for the right
-    value, then the difference, what is allowed, the lowest and the highest right value.
+class Sentence:
+    """What a reason says beside the comparison: the mistakes that lead to the answer, none where it
+    is compared with the key, and then whether that is by the policy's rule.
     """
 
-    text: str
+    mistakes: tuple[str, ...] = ()
+    by_policy: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Form:
+    """The texts between which numbers stand, and which numbers these are: 0 for the right value,
+    then the difference, what is allowed, the lowest and the highest right value.
+    """
+
+    texts: tuple[str, ...]
     order: tuple[int, ...]
 
-    def fill(self, numbers: Sequence[Numbers]) -> list[str]:
-        """A text for each row of these five columns of numbers."""
+    def fill(self, numbers: Numbers) -> list[str]:
+        """A text for each column of these five rows of numbers."""
         columns = [write_numbers(numbers[number]) for number in self.order]
-        texts = f"{self.text}\n".encode() * len(columns[0])
+        form = "%s".join(text.replace("%", "%%") for text in self.texts)
+        texts = f"{form}\n".encode() * len(columns[0])
         filled = texts % tuple(chain.from_iterable(zip(*columns, strict=True)))
         return filled.decode("utf-8").split("\n")[:-1]
 
@@ -50,47 +60,41 @@ class Forms:
     within: Form
     to_figures: Form
 
-
-@cache
-def read_comparisons(language: Language) -> Forms:
-    """The comparisons alone, as reasons quote them."""
-    return Forms(_make_form(_WITHIN, language), _make_form(_TO_FIGURES, language))
+    def choose(self, *, to_figures: bool) -> Form:
+        """One of them."""
+        return self.to_figures if to_figures else self.within
 
 
 @cache
-def read_reasons(language: Language, *, by_policy: bool) -> Forms:
-    """The reasons of answers compared with the key, by the paper's rule or by the policy's."""
+def read_reasons(language: Language, sentence: Sentence) -> Forms:
+    """The reasons that say this."""
     within, to_figures = (
-        Message("marking.key", comparison=comparison) for comparison in (_WITHIN, _TO_FIGURES)
+        _split(open_catalogue(language).write(_say(sentence, comparison)))
+        for comparison in (_WITHIN, _TO_FIGURES)
     )
-    if by_policy:
-        within = Message("marking.by-policy", reason=within)
-        to_figures = Message("marking.by-policy", reason=to_figures)
-    return Forms(_make_form(within, language), _make_form(to_figures, language))
+    return Forms(within, to_figures)
 
 
 @cache
-def read_cells(language: Language, *, by_policy: bool) -> Forms:
+def read_cells(language: Language, sentence: Sentence) -> Forms:
     """The same reasons as cells of a CSV file; numbers need no quotation marks."""
-    forms = read_reasons(language, by_policy=by_policy)
+    forms = read_reasons(language, sentence)
     return Forms(_make_cell(forms.within), _make_cell(forms.to_figures))
 
 
-@cache
-def surround_comparison(mistakes: tuple[str, ...], language: Language) -> tuple[str, str]:
-    """What stands before and behind the comparison in the reason of an answer that these mistakes
-    lead to.
-    """
-    text = open_catalogue(language).write(explain_mistakes(mistakes, _VALUE))
-    before, _, after = text.partition(_VALUE)
-    return before, after
+def _say(sentence: Sentence, comparison: Message) -> Message:
+    if sentence.mistakes:
+        return explain_mistakes(sentence.mistakes, comparison)
+    reason = Message("marking.key", comparison=comparison)
+    return Message("marking.by-policy", reason=reason) if sentence.by_policy else reason
 
 
-def _make_form(message: Message, language: Language) -> Form:
-    text = open_catalogue(language).write(message)
-    order = tuple(int(number) for number in _HOLE.findall(text))
-    return Form(_HOLE.sub("%s", text.replace("%", "%%")), order)
+def _split(text: str) -> Form:
+    pieces = _HOLE.split(text)
+    return Form(tuple(pieces[::2]), tuple(map(int, pieces[1::2])))
 
 
 def _make_cell(form: Form) -> Form:
-    return Form(write_csv_cell(neutralise(form.text)), form.order)
+    holes = [*(f"\x00{number}" for number in form.order), ""]
+    whole = "".join(chain.from_iterable(zip(form.texts, holes, strict=True)))
+    return _split(write_csv_cell(neutralise(whole)))

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from kinegrade.exam.folder.keys import Key
 from kinegrade.grading.fast.bounds import tabulate_rules
 from kinegrade.grading.fast.comparison import compare
-from kinegrade.grading.fast.reasons import read_reasons
+from kinegrade.grading.fast.reasons import Sentence, read_reasons
 from kinegrade.grading.judging.judge import judge
 from kinegrade.grading.typed.answers import read
 from kinegrade.language import Language
@@ -43,8 +43,11 @@ def test_what_is_certain_is_what_judging_one_by_one_says(
     values, centres = (np.array([float(each) for each in numbers]) for numbers in (typed, rights))
     found = compare(values, centres, tabulate_rules([rules]))
     places = np.flatnonzero(found.certain)
-    reasons = found.reasons(places, read_reasons(Language(language), by_policy=by_policy))
-    said = dict(zip(places.tolist(), reasons, strict=True))
+    forms = read_reasons(Language(language), Sentence(by_policy=by_policy))
+    said: dict[int, str] = {}
+    for place in places.tolist():
+        form = forms.choose(to_figures=bool(found.bounds.to_figures[place]))
+        (said[place],) = form.fill(found.stated[:, [place]])
     words = open_catalogue(Language(language))
     for place, (rule, right, number) in enumerate(several):
         verdict = judge(read(number, "1"), Key(right, rule))

@@ -12,8 +12,8 @@ from hypothesis import strategies as st
 from kinegrade.exam.folder.columns.gathering import LedTo
 from kinegrade.exam.folder.keys import Key
 from kinegrade.grading.fast.bounds import tabulate_rules
-from kinegrade.grading.fast.mistaken import Mistakes, find_best
-from kinegrade.grading.fast.reasons import surround_comparison
+from kinegrade.grading.fast.mistaken import Leading, Mistakes, find_best
+from kinegrade.grading.fast.reasons import Sentence, read_reasons
 from kinegrade.grading.judging.decision import find_mistaken, name_mistakes
 from kinegrade.grading.policy.policy import Ruling
 from kinegrade.grading.typed.answers import read
@@ -49,16 +49,14 @@ def test_the_best_mistake_is_the_one_that_deciding_exactly_finds(
     expected = find_mistaken(read(typed, "1"), key, Ruling(mistakes=credits))
     mistakes = Mistakes.of(np.array([0]), LedTo.of([key.mistakes]))
     rules = tabulate_rules([(key.rule,)])
-    leading = mistakes.leading(np.array([float(typed)]), rules, ENGLISH)
-    single = list(leading.list_single())
+    leading = mistakes.leading(np.array([float(typed)]), rules)
     ways = dict(leading.group_others()).get(0, [])
-    if single:
-        ((_, names, comparison),) = single
+    if leading.single.any():
+        assert leading.single.tolist() == [True]
         assert not ways
         assert expected is not None
-        assert expected[0].mistakes == names
-        before, after = surround_comparison(expected[0].mistakes, ENGLISH)
-        assert f"{before}{comparison}{after}" == said(expected[0].reason)
+        assert expected[0].mistakes == (find_identifier(leading.known[leading.names[0]]),)
+        assert reason(leading, 0, expected[0].mistakes) == said(expected[0].reason)
         return
     if expected is not None:
         assert set(expected[0].mistakes) <= {find_identifier(way.name) for way in ways}
@@ -67,15 +65,24 @@ def test_the_best_mistake_is_the_one_that_deciding_exactly_finds(
         names = name_mistakes(best.name, [way.name for way in ways])
         assert expected is not None
         assert (names, credits.get(names[0], 0)) == (expected[0].mistakes, expected[1])
-        before, after = surround_comparison(names, ENGLISH)
-        assert f"{before}{best.comparison}{after}" == said(expected[0].reason)
+        assert reason(leading, best.number, names) == said(expected[0].reason)
+
+
+def reason(leading: Leading, way: int, names: tuple[str, ...]) -> str:
+    """What is said of an answer to which a way leads."""
+    forms = read_reasons(ENGLISH, Sentence(names))
+    (filled,) = forms.choose(to_figures=bool(leading.to_figures[way])).fill(
+        leading.stated[:, [way]]
+    )
+    return filled
 
 
 def test_a_single_mistake_is_certain() -> None:
     mistakes = Mistakes.of(np.array([1]), LedTo.of([{"wrong-pole": 2.5}]))
     rules = tabulate_rules([(Tolerance(), Tolerance(Fraction(1, 100)))])
-    leading = mistakes.leading(np.array([9.0, 2.51]), rules, ENGLISH)
-    assert [each[:2] for each in leading.list_single()] == [(1, ("wrong-pole",))]
+    leading = mistakes.leading(np.array([9.0, 2.51]), rules)
+    assert (leading.single.tolist(), leading.places.tolist()) == ([True], [1])
+    assert [leading.known[name] for name in leading.names] == ["wrong-pole"]
     assert list(leading.group_others()) == []
 
 

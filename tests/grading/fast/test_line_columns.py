@@ -1,0 +1,50 @@
+"""Lines put together column by column are those put together text by text."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from kinegrade.grading.fast.line_columns import LineColumns
+
+SIZE = 5
+TEXTS = st.binary(max_size=3) | st.sampled_from(
+    [b"", b"\0", b"\1", b"a\1b\0", b"x" * 32, b"x" * 33, b"y" * 500]
+)
+COLUMNS = st.lists(st.lists(TEXTS, min_size=SIZE, max_size=SIZE), min_size=1, max_size=4)
+FEW = st.tuples(
+    st.lists(TEXTS, min_size=1, max_size=3),
+    st.lists(st.integers(0, 10**6), min_size=SIZE, max_size=SIZE),
+)
+
+
+@given(COLUMNS, FEW, st.lists(st.booleans(), min_size=SIZE, max_size=SIZE))
+def test_lines_are_their_cells_one_behind_the_other(
+    columns: list[list[bytes]], few: tuple[list[bytes], list[int]], kept: list[bool]
+) -> None:
+    texts, chosen = few
+    which = np.array(chosen) % len(texts)
+    lines = LineColumns(SIZE)
+    for column in columns:
+        lines.add(column)
+    lines.add(texts, which)
+    lines.add_again(0)
+    expected = [
+        b"".join([*(column[line] for column in columns), texts[which[line]], columns[0][line]])
+        for line in range(SIZE)
+    ]
+    assert lines.write(np.arange(SIZE)) == b"".join(expected)
+    some = np.flatnonzero(kept)
+    assert lines.write(some) == b"".join(expected[line] for line in some)
+
+
+@pytest.mark.parametrize("width", [0, 1, 4])
+def test_letters_are_as_wide_as_the_longest_text(width: int) -> None:
+    letters = np.zeros((2, 4), dtype=np.uint8)
+    letters[0, :width] = ord("x")
+    lines = LineColumns(2)
+    lines.add_letters(letters)
+    lines.add([b",", b";"])
+    assert lines.write(np.arange(2)) == b"x" * width + b",;"
