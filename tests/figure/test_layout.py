@@ -152,3 +152,20 @@ def test_a_mark_whose_label_would_stand_on_its_own_line_gives_way_to_another() -
     assert alone.crowded == ("l",)
     layout = Layout.of(()).marked([on_itself, beside_itself])
     assert (layout.crowded, layout.marks, len(layout.labels)) == ((), (beside_itself,), 1)
+
+
+def test_a_label_leaves_the_row_of_another_one_for_a_spot_farther_down_its_list() -> None:
+    beside = np.array([[3.0, 0.2]] * 14)
+    wish = Wish("l", np.concatenate((beside, np.array([[3.0, 6.0]]))))
+    other = Label("m", Vector(0.0, 0.0), 2.5, 2.5)
+    written = replace(Layout.of(()), labels=(other,)).captioned(wish)
+    assert written.labels[-1].centre == Vector(3.0, 6.0)
+    assert written.crowded == ()
+
+
+def test_a_label_stays_in_the_row_of_another_one_where_it_has_no_other_place() -> None:
+    wish = Wish("l", np.array([[3.0, 0.2]]))
+    other = Label("m", Vector(0.0, 0.0), 2.5, 2.5)
+    written = replace(Layout.of(()), labels=(other,)).captioned(wish)
+    assert written.labels[-1].centre == Vector(3.0, 0.2)
+    assert written.crowded == ()

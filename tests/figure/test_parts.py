@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from math import hypot
 from typing import Any
 
@@ -101,6 +102,16 @@ def test_a_construction_far_away_does_not_shrink_the_figure() -> None:
 def test_a_reference_line_is_thin_and_runs_from_point_to_point() -> None:
     parts = drawing_of(trammel(lines=[["O", "B"]])).primitives
     assert Strokes(((ORIGIN, Vector(0.0, 30.0)),), THIN) in parts
+
+
+def test_a_reference_line_to_a_pin_in_a_slot_lies_over_the_slotted_bar() -> None:
+    mechanism, hints = slotted_bar(0.3, 30.0)
+    parts = drawing_of((mechanism, replace(hints, lines=(("A", "B"),)))).primitives
+    ends = tuple(mechanism.points[name] * 100.0 for name in "AB")
+    line = Strokes(((ends[0], ends[1]),), THIN)
+    bars = [part for part in parts if isinstance(part, Outline) and part.fill == "grey"]
+    assert bars
+    assert all(parts.index(line) > parts.index(bar) for bar in bars)
 
 
 def prolonged(angle_to: str) -> Scene:

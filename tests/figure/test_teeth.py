@@ -118,6 +118,14 @@ def test_a_rack_narrows_towards_the_eye_about_its_pin_and_has_no_tooth_there() -
     assert min(corner.x for corner in plain if corner.y == -2.0) == 0.0
 
 
+def test_a_rack_ends_in_an_arm_about_the_pin_and_without_a_hook() -> None:
+    contour = contour_of_rack(ORIGIN)
+    assert {corner.y for corner in contour if corner.x == 0.0} == {-1.2, 1.2}
+    solid = [corner.x for corner in contour if corner.y == 0.0]
+    assert (min(solid), max(solid)) == pytest.approx((27.8, 30.0))
+    assert max(corner.x for corner in contour if corner.y == TOOTH_TIP) < 27.0
+
+
 def test_a_rack_that_slides_in_a_guide_has_the_ground_along_its_back_and_no_pin() -> None:
     mechanism, hints = rack_in_a_guide()
     drawing = draw(scale_to_paper(mechanism, 100.0), hints)

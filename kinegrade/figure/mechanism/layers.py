@@ -7,7 +7,7 @@ and those that slide in sleeves above all others and above the pins of these.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 from kinegrade.figure.joints.symbol import Rim, Symbol
@@ -30,8 +30,10 @@ from kinegrade.figure.mechanism.straight_parts import (
     is_slender,
 )
 from kinegrade.figure.mechanism.tracks import draw_tracks
+from kinegrade.figure.plane import NEAR, length
 from kinegrade.figure.scene import THIN, Primitive, Strokes
 from kinegrade.mechanics.mechanism import Mechanism
+from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import FigureHints
 
 
@@ -69,11 +71,13 @@ def _draw_layers(
     for part in anatomy.parts:
         if isinstance(part, Plate | SlottedDisc | GenevaWheel):
             yield from draw_straight_part(part, anatomy.rims)
-    yield from _draw_reference_lines(anatomy)
+    behind, before = _sort_reference_lines(anatomy)
+    yield from behind
     yield from stands
     for part in anatomy.parts:
         if isinstance(part, Bar) and not is_slender(part):
             yield from draw_straight_part(part, anatomy.rims)
+    yield from before
     yield from draw_blocks(anatomy)
     arms = [arm for arm, _ in find_welded_arms(anatomy.parts, anatomy.symbols)]
     for arm in arms:
@@ -93,7 +97,16 @@ def _draw_layers(
     yield from draw_points(anatomy)
 
 
-def _draw_reference_lines(anatomy: Anatomy) -> Iterator[Primitive]:
-    at, lines = anatomy.mechanism.points, anatomy.hints.lines
-    if lines:
-        yield Strokes(tuple((at[start], at[end]) for start, end in lines), THIN)
+def _sort_reference_lines(anatomy: Anatomy) -> Iterator[tuple[Strokes, ...]]:
+    """The lines behind the bars, then those before broad ones, in whose slot they end."""
+    at = anatomy.mechanism.points
+    slotted = (part for part in anatomy.parts if isinstance(part, Bar) and part.use == "slot")
+    inner = [action for bar in slotted for action in bar.actions]
+    lines = [(at[start], at[end]) for start, end in anatomy.hints.lines]
+    for before in (False, True):
+        sorted_lines = tuple(line for line in lines if _ends_at(line, inner) == before)
+        yield (Strokes(sorted_lines, THIN),) if sorted_lines else ()
+
+
+def _ends_at(line: tuple[Vector, Vector], points: Iterable[Vector]) -> bool:
+    return any(length(point - end) < NEAR for point in points for end in line)

@@ -12,8 +12,9 @@ from kinegrade.figure.placing.place import Wish, measure_gap
 from kinegrade.figure.scene import Label
 from kinegrade.mechanics.vector import Vector
 
-# Millimetres between a letter and a label that make one word of them, and its demerit: no fault
-_ADJOINS, _ONE_WORD = 1.5, 0.45
+# Millimetres between a letter and a label that make one word of them, and its demerit, as of a spot
+# so much later that a letter still stands at its mark
+_ADJOINS, _ONE_WORD = 1.5, 1.3
 # Millimetres between two labels in one row that do not read as a product, and the share of its
 # height by which one of them may be raised and still stand in the row
 _SPACE, _IN_ROW = 3.0, 0.5

@@ -78,9 +78,8 @@ class Layout:
         for wish in wishes:
             placed = layout._keep_off_lines(wish, place_letter(wish, layout.obstacles))
             leader = trace_wished_leader(wish, placed.label)
-            if leader and adjoins(placed.label, layout.labels):
-                placed = place_label(keep_from_labels(wish, layout.labels), layout.obstacles)
-            elif makes_word(placed.label, layout.labels):
+            close = leader and adjoins(placed.label, layout.labels)
+            if close or makes_word(placed.label, layout.labels):
                 placed = layout._keep_apart(wish, placed, layout.obstacles)
             leader = trace_wished_leader(wish, placed.label)
             useful = leader is not None and layout._is_useful(leader, wish.amid)
