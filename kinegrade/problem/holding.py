@@ -71,6 +71,21 @@ def _meets_relation(relation: Relation, sign: int) -> bool:
             assert_never(relation)
 
 
+def is_surely_unmet(relation: Relation, room: Any, margin: float) -> Any:
+    """Whether doubles show that a relation does not hold, one by one: `room` is the right side less
+    the left, and off by less than `margin`.
+    """
+    match relation:
+        case "<" | "<=":
+            return room < -margin
+        case "==":
+            return abs(room) > margin
+        case "!=":
+            return False  # two doubles alike may stand for different numbers
+        case _:
+            assert_never(relation)
+
+
 def _count_half_turns(angle: Angle) -> Any:
     """An angle over pi, as a rational. Raises Inexact where it is not one."""
     if angle.parts:

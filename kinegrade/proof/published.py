@@ -15,6 +15,7 @@ from kinegrade.language.message import Fault, Message
 from kinegrade.numbers.angle import Angle
 from kinegrade.numbers.balls import Undecided
 from kinegrade.numbers.refusals import Inexact
+from kinegrade.problem.holding import condition_holds
 from kinegrade.problem.quantity import Quantity
 from kinegrade.problem.solution import Solution
 from kinegrade.problem.solving import solve_template
@@ -44,9 +45,20 @@ def prove_published(report: Report, published: Published) -> None:
             place = Message("template.at-instance", where=where, values=_write_instance(solution))
             wrong.setdefault(name, Fault(place, fault))
     report.faults += wrong.values()
-    if not proofs:
+    if proofs:
+        report.remarks += _note_unmet(report, published, where)
+    else:
         what = Message("template.no-instance-solved", reason=problem)
         report.faults.append(Fault(where, what))
+
+
+def _note_unmet(report: Report, published: Published, where: str) -> Iterator[Message]:
+    """The conditions that hold at none of the source's values: seldom what their author means."""
+    template = report.template
+    instances = _choose_settled(report, published, _INSTANCES)
+    for condition in template.scheme.conditions:
+        if not any(condition_holds(template, condition, values) for values in instances):
+            yield Message("template.source-unmet", where=where, condition=condition.text)
 
 
 def _compare_instances(

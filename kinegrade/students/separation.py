@@ -19,7 +19,7 @@ import numpy as np
 from kinegrade.errors import KinegradeError
 from kinegrade.mechanics.plan import Plan
 from kinegrade.numbers.floats import Floats
-from kinegrade.problem.holding import find_room
+from kinegrade.problem.holding import find_room, is_surely_unmet
 from kinegrade.problem.template.template import Ask, Template
 from kinegrade.students.mistaking.mistake_kinds import Mistake, find_candidates
 from kinegrade.students.mistaking.mistake_outcomes import SAME, Outcomes, find_outcomes
@@ -255,7 +255,8 @@ def _find_unmet(template: Template, arrays: Mapping[str, Any]) -> Any:
                 room = find_room(template, condition, arrays, floats)
         except KinegradeError:
             continue
-        unmet[np.broadcast_to(room, unmet.shape) < -SAME] = place
+        surely = is_surely_unmet(condition.relation, room, SAME)
+        unmet[np.broadcast_to(surely, unmet.shape)] = place
     return unmet
 
 

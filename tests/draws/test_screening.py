@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from dataclasses import replace
 from fractions import Fraction
+from typing import get_args
 
 import pytest
 
@@ -12,8 +13,11 @@ from kinegrade.draws.draw_filter import DrawFilter
 from kinegrade.draws.examining import Refused, require_room, solve_sensible
 from kinegrade.draws.screening import screen
 from kinegrade.numbers.tolerance import Tolerance
+from kinegrade.problem.holding import condition_holds
 from kinegrade.problem.template.library.library import load_template
+from kinegrade.problem.template.template import Relation
 from kinegrade.students.separation import collect_columns
+from tests.problem.crank import crank
 from tests.problem.draws import draw_filter
 
 DRAWS = 60
@@ -35,6 +39,23 @@ def exactly(question: DrawFilter, place: int, bounds: dict[str, float]) -> str:
     except Refused as refusal:
         return str(refusal)
     return "fit"
+
+
+@pytest.mark.parametrize("mark", [*get_args(Relation), ">", ">="])
+def test_no_relation_is_refused_where_it_holds(mark: str) -> None:
+    """`u != v` was refused wherever u was greater than v, in silence."""
+    template = crank(("omega < 10000000", f"h {mark} r/4"), ("draw = [1, 2]", "draw = [1, 2, 3]"))
+    question = draw_filter(template)
+    separation = question.separation
+    assert separation is not None
+    draws = [question.deck.combination(place) for place in range(question.deck.size)]
+    unmet = separation.compare(collect_columns(draws)).unmet
+    [condition] = template.scheme.conditions
+    held = [condition_holds(template, condition, values) for values in draws]
+    refused = [place >= 0 for place in unmet]
+    assert True in held
+    assert False in held
+    assert not any(each and wrongly for each, wrongly in zip(held, refused, strict=True))
 
 
 @pytest.mark.parametrize(("name", "honest"), CASES)

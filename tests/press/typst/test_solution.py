@@ -4,9 +4,11 @@ alone.
 
 from __future__ import annotations
 
+import subprocess
 from collections.abc import Callable
 from dataclasses import replace
 from io import BytesIO
+from pathlib import Path
 from struct import unpack
 from unicodedata import normalize
 from zlib import decompress
@@ -164,6 +166,20 @@ def test_the_unit_of_a_caption_stands_on_one_line(compiler: typst.Compiler) -> N
     assert isinstance(pdf, bytes)
     text = "\n".join(page.extract_text() for page in PdfReader(BytesIO(pdf)).pages)
     assert text.count("0.1 m/s") == 29
+
+
+def test_chinese_before_a_long_formula_is_not_drawn_out_over_the_line(
+    compiler: typst.Compiler, tmp_path: Path
+) -> None:
+    long = r"$\sqrt{(x_{E} - x_{D})^{2} + (y_{E} - y_{D})^{2} + (x_{B} - x_{C})^{2}}$"
+    prose = (Prose("由线轴上的接触点" + "算" * length + f" {long} 可知。") for length in range(30))
+    source = write_solution_source(worked(*prose, sheet=CHINESE_SOLUTION))
+    pdf = tmp_path / "solution.pdf"
+    compiler.compile(source.encode(), format="pdf", output=pdf)
+    read = subprocess.run(["pdftotext", pdf, "-"], capture_output=True, text=True, check=True)
+    drawn_out = "由 线"
+    assert drawn_out not in read.stdout
+    assert "由线轴上的接触点" in read.stdout
 
 
 def test_a_long_line_goes_on_in_further_rows(compiler: typst.Compiler) -> None:
