@@ -146,7 +146,11 @@ def parse_table(
         body = drop_lines(text, skipped) if skipped else text
         separator, width = find_separator(body)
         records, stray_quotes = read_records(body, separator, width)
-    filled = [Row(line + skipped, cells) for line, cells in records if any(map(trim, cells))]
+    filled = [
+        Row(line + skipped, cells)
+        for line, cells in records
+        if cells and (cells[0].isalnum() or any(map(trim, cells)))
+    ]
     if not filled:
         raise TableError(Fault(file, Message("files.empty-table")))
     header, *rows = filled

@@ -9,6 +9,8 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import assert_never
 
+import msgspec
+
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.files.answer_file import AnswerFile
 from kinegrade.files.output import output_folder
@@ -129,7 +131,8 @@ def _mark(
 
 
 def _leave_out_names(grades: ClassGrades) -> ClassGrades:
-    return replace(grades, grades=tuple(replace(each, name="") for each in grades.grades))
+    nameless = (msgspec.structs.replace(each, name="") for each in grades.grades)
+    return replace(grades, grades=tuple(nameless))
 
 
 def _write_by_hand(folder: MarksWriter, settled: Settled, exam: ExamFolder) -> None:

@@ -12,6 +12,8 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import TypeVar
 
+import msgspec
+
 from kinegrade.files.tables import Complaint
 from kinegrade.grading.marks import ClassGrades
 from kinegrade.language.message import Message, Quoted
@@ -32,7 +34,9 @@ def never_lower(
     """
     kept = {each.student: each for each in _find_kept(marks, before)}
     grades = tuple(
-        replace(grade, kept=kept[grade.student].stands) if grade.student in kept else grade
+        msgspec.structs.replace(grade, kept=kept[grade.student].stands)
+        if grade.student in kept
+        else grade
         for grade in marks.grades
     )
     known = {grade.student for grade in marks.grades}

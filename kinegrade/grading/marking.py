@@ -7,12 +7,13 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import lru_cache, partial
 from itertools import chain, islice
 from typing import assert_never
 
+import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
@@ -134,11 +135,12 @@ class _Marker:
         ]
         blank = np.isnan(judged.cells.values.reshape(len(rows), -1))
         for row in np.flatnonzero(blank.all(axis=1)).tolist():  # without a number
-            grades[row] = replace(grades[row], absent=not self._answered(rows[row][0]))
+            absent = not self._answered(rows[row][0])
+            grades[row] = msgspec.structs.replace(grades[row], absent=absent)
         if not penalised:
             return grades
         return [
-            replace(grade, submission=self._find_submission(*row))
+            msgspec.structs.replace(grade, submission=self._find_submission(*row))
             for grade, row in zip(grades, rows, strict=True)
         ]
 

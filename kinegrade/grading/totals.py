@@ -8,6 +8,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
+import msgspec
+
 from kinegrade.grade_scale.scale import Scale
 from kinegrade.grading.kept_totals import never_lower
 from kinegrade.grading.lateness.rule import NO_PENALTIES, Penalties
@@ -52,7 +54,9 @@ def work_out_totals(marks: ClassGrades, terms: TotalTerms) -> Totals:
         marks, kept = never_lower(marks, terms.earlier)
     if terms.scale is not None:
         scale = terms.scale
-        graded = tuple(replace(each, grade=find_grade(each, scale)) for each in marks.grades)
+        graded = tuple(
+            msgspec.structs.replace(each, grade=find_grade(each, scale)) for each in marks.grades
+        )
         marks = replace(marks, grades=graded)
     return Totals(marks, kept, subtracted)
 
@@ -62,7 +66,7 @@ def _subtract(total: Grade, penalties: Penalties) -> Grade:
     if total.submission is None:
         return total
     points = penalties.subtract(total.submission, total.total, total.out_of)
-    return replace(total, subtracted=points) if points else total
+    return msgspec.structs.replace(total, subtracted=points) if points else total
 
 
 def _describe(total: Grade, penalties: Penalties, submission: Submission) -> Subtracted:

@@ -63,20 +63,22 @@ def read_records(folder: Path, file: TableFile) -> Iterator[tuple[int, Record]]:
             required = [name for name in missing if name not in file.optional]
             if required:
                 raise TableError(explain_missing(path, required))
-            blank = [""] * len(missing)
-            chosen = _choose(list(map([*header, *missing].index, file.columns)))
+            found = [*header, *missing]
+            choose = tuple if found == [*file.columns] else _choose(found, file.columns)
+            blank, width = [""] * len(missing), len(header)
             for cells in reader:
-                if len(cells) != len(header):
-                    width = Message("marks.width", count=len(cells), header=len(header))
-                    raise TableError(explain_edited(f"{path}:{reader.line_num}", width))
-                yield reader.line_num, chosen(cells + blank)
+                if len(cells) != width:
+                    wrong = Message("marks.width", count=len(cells), header=width)
+                    raise TableError(explain_edited(f"{path}:{reader.line_num}", wrong))
+                yield reader.line_num, choose(cells + blank if blank else cells)
     except (UnicodeDecodeError, csv.Error) as fault:
         problem = Message("marks.not-csv", fault=str(fault))
         raise TableError(explain_edited(path, problem)) from fault
 
 
-def _choose(places: Sequence[int]) -> Callable[[Sequence[str]], Record]:
-    """Gives the cells at these places; `itemgetter` of a single one gives no tuple."""
+def _choose(header: Sequence[str], columns: Sequence[str]) -> Callable[[Sequence[str]], Record]:
+    """Gives the cells of these columns; `itemgetter` of a single one gives no tuple."""
+    places = list(map(header.index, columns))
     if len(places) > 1:
         return itemgetter(*places)
     (only,) = places

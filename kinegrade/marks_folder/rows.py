@@ -10,6 +10,8 @@ from datetime import datetime, timedelta
 from fractions import Fraction
 from functools import cached_property
 
+import msgspec
+
 from kinegrade.language.message import Text
 from kinegrade.marks_folder.hand_marks import BY_HAND, HandMark, work_out_total
 from kinegrade.marks_folder.layout import Status
@@ -106,8 +108,7 @@ class Subtracted:
     tries_share: Fraction = Fraction(0)
 
 
-@dataclass(frozen=True, slots=True)
-class Grade:
+class Grade(msgspec.Struct, frozen=True, gc=False):  # there are many
     """One line of grades.csv as it is written: a student's points for each question of the exam,
     None for an alternative that the paper does not hold, and the total.
 
@@ -146,8 +147,7 @@ class Grade:
         return 100 * self.share
 
 
-@dataclass(frozen=True, slots=True)
-class StudentTotal:
+class StudentTotal(msgspec.Struct, frozen=True, gc=False):  # there are many
     """One line of grades.csv as it is read; `kept` is the student's line of kept.csv.
 
     `points` are those of the questions that the paper holds, `line` is its line number. `percent`
@@ -216,8 +216,7 @@ class QuestionSums:
         return sum(self.counts.values())
 
 
-@dataclass(frozen=True, slots=True)
-class StudentSums:
+class StudentSums(msgspec.Struct, frozen=True, gc=False):  # there are many
     """The sums of one student's lines in marks.csv, with marks by hand in their place; `line` is
     the line number of the last.
 

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence, Set
-from dataclasses import replace
 from fractions import Fraction
 from functools import lru_cache
 from itertools import groupby
 from operator import itemgetter
 from pathlib import Path
+
+import msgspec
 
 from kinegrade.errors import TableError
 from kinegrade.files.cell_text import is_answered
@@ -107,7 +108,7 @@ def _settle(
     out_of = {**sums.out_of.by_question, **only_by_hand}
     nothing = dict.fromkeys(only_by_hand, Fraction(0))
     points = settle_points({**sums.points.by_question, **nothing}, marks.values())
-    return replace(
+    return msgspec.structs.replace(
         sums,
         points=QuestionSums(points, sums.points.counts),
         out_of=QuestionSums(out_of, sums.out_of.counts),

@@ -5,10 +5,10 @@ are named.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
 
+import msgspec
 import pytest
 
 from kinegrade.marks_folder.rows import Grade
@@ -210,7 +210,7 @@ def test_marks_that_contradict_themselves_are_not_handed_out(
         *more: object,
         **others: object,
     ) -> None:
-        wrong = [replace(grade, kept=Fraction(3)) for grade in grades]
+        wrong = [msgspec.structs.replace(grade, kept=Fraction(3)) for grade in grades]
         written(writer, questions, wrong, *more, **others)  # type: ignore[arg-type]
 
     monkeypatch.setattr(MarksWriter, "grades", write_wrongly)

@@ -4,11 +4,11 @@ way.
 
 from __future__ import annotations
 
-from dataclasses import replace
 from datetime import timedelta
 from fractions import Fraction
 from pathlib import Path
 
+import msgspec
 import pytest
 
 from kinegrade.errors import TableError
@@ -51,7 +51,9 @@ def test_what_is_written_is_read_again(tmp_path: Path) -> None:
     with writer.answers() as write:
         write(b"7,q1,v,'=1,,m/s,mistake,0.5,2,,no-pole sense-reversed,\n")
         write(b'7,q2,v,"0,5",0.5,1,right,2,2,key,,policy\n')
-    writer.grades(("q1", "q2"), [replace(ANNA, kept=Fraction(3), grade="=A")], SCALE)
+    writer.grades(
+        ("q1", "q2"), [msgspec.structs.replace(ANNA, kept=Fraction(3), grade="=A")], SCALE
+    )
     writer.subtracted([SUBTRACTED])
     writer.complaints([COMPLAINT])
     writer.kept([KEPT_ANNA])

@@ -84,11 +84,13 @@ def test_all_faults_of_columns_are_told_at_once(tmp_path: Path) -> None:
 def test_a_header_can_state_one_maximum_only(tmp_path: Path) -> None:
     from dataclasses import replace
 
+    import msgspec
+
     from kinegrade.lms.grades.from_scratch import new_file
 
     grades = grades_of(tmp_path)
     first, *others = grades.students
-    less = replace(
+    less = msgspec.structs.replace(
         first, points={**first.points, "": Fraction(1)}, out_of={**first.out_of, "": Fraction(5)}
     )
     mixed = replace(grades, students=(less, *others))

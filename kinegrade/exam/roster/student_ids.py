@@ -73,6 +73,11 @@ class StudentIds:
         found = known.get(cell) or known.get(make_student_key(cell)) or known.get(_unwrap(cell))
         return found or self.coded(cell)
 
+    def all_exact(self, cells: Iterable[str]) -> list[str | None]:
+        """The same for many cells."""
+        known = self._exact
+        return [known.get(cell) or self.exact(cell) for cell in cells]
+
     def coded(self, cell: str) -> str | None:
         """The student whose paper has that code, however it is spaced."""
         return self._coded.get(_fold_code(cell))

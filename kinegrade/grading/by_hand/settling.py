@@ -6,6 +6,8 @@ from collections.abc import Iterable, Iterator, Mapping, Set
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 
+import msgspec
+
 from kinegrade.exam.folder.records import ExamHead
 from kinegrade.files.tables import Complaint
 from kinegrade.grading.marks import ClassGrades, MarkedBlock
@@ -102,7 +104,7 @@ class HandMarking:
         machine = {name: points for name, points in given if points is not None}
         points = settle_points({**machine, **dict.fromkeys(only, Fraction(0))}, marks)
         more = add_amounts(worth for name, worth in only.items() if name not in self.bonus)
-        return replace(
+        return msgspec.structs.replace(
             grade,
             points=tuple(map(points.get, questions)),
             out_of=grade.out_of + more,

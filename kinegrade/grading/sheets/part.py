@@ -47,7 +47,7 @@ def read_part(answers: AnswerFile, exam: Sitting) -> Part:
         when = answers.submitted.get(row.line, "")
         return Entry(row.line, given, kept, table.file, sources, at, submitted=when)
 
-    entries = {student: _make_entries(rows[student], make_entry) for student in rows}
+    entries = {student: _make_entries(several, make_entry) for student, several in rows.items()}
     names = ("" if index is None else table.header[index] for index in columns.asks)
     said = (*table.complaints, *_find_extra_columns(table, columns), *complaints)
     return Part(table.file, tuple(names), entries, said)
@@ -57,7 +57,9 @@ def _group_rows(
     table: Table, columns: Columns, exam: Sitting
 ) -> tuple[Mapping[str, Sequence[Row]], list[Complaint]]:
     ids = StudentIds(exam.students, exam.codes)
-    found = [(row, ids.exact(row.cell(columns.student))) for row in drop_headers(table)]
+    kept = drop_headers(table)
+    exactly = ids.all_exact([row.cell(columns.student) for row in kept])
+    found = list(zip(kept, exactly, strict=True))
     strange = [row.cell(columns.student) for row, student in found if student is None]
     taken = {student for _, student in found if student is not None} if strange else set()
     restored = ids.restored(strange, taken)

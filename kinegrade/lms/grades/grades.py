@@ -8,10 +8,12 @@ files.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Set
+from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import NamedTuple, assert_never
+
+import msgspec
 
 from kinegrade.errors import ExamError
 from kinegrade.exam.folder.exam_folder import ExamFolder
@@ -30,8 +32,7 @@ from kinegrade.question_numbers import find_bank_number, number_printed
 TOTAL = ""  # the item that is the sum of all questions
 
 
-@dataclass(frozen=True, slots=True)
-class StudentGrade:
+class StudentGrade(msgspec.Struct, frozen=True, gc=False):  # there are many
     """One student's points by question and in total (item TOTAL), and the maximum of each.
 
     `name` is that of grades.csv, neutralised against spreadsheets; `email` is empty where no exam
@@ -121,11 +122,12 @@ def _read_possible(sums: Iterable[StudentSums]) -> Iterator[_Possible]:
         yield _Possible(each.student, shared, each.answered)
 
 
-def _add_totals(totals: Iterable[StudentTotal]) -> Iterator[Mapping[str, Fraction]]:
+def _add_totals(totals: Sequence[StudentTotal]) -> Iterator[Mapping[str, Fraction]]:
     """Points by question and in total; students share them where they share those by question."""
-    shared: dict[tuple[int, Fraction], Mapping[str, Fraction]] = {}
+    shared: dict[tuple[int, int], Mapping[str, Fraction]] = {}
     for each in totals:
-        key = id(each.points), each.total
+        # By identity, as hashing a fraction takes longer than the rest
+        key = id(each.points), id(each.total)
         if key not in shared:
             shared[key] = {**each.points, TOTAL: each.total}
         yield shared[key]
@@ -192,7 +194,7 @@ def _write_points(grade: StudentGrade, number: str, question: str) -> str:
 def _add_person(grade: StudentGrade, candidate: Candidate) -> StudentGrade:
     """The address; and the name, where the class was marked without names."""
     name = grade.name or neutralise(candidate.name)
-    return replace(grade, name=name, email=trim(candidate.email))
+    return msgspec.structs.replace(grade, name=name, email=trim(candidate.email))
 
 
 def _add_exam(grades: ClassGrades, exam: ExamFolder) -> ClassGrades:

@@ -6,8 +6,10 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Literal
+
+import msgspec
 
 from kinegrade.exam.folder.records import Candidate
 from kinegrade.exam.roster.student_ids import StudentIds
@@ -19,8 +21,7 @@ from kinegrade.language.message import Message, Quoted, Text, list_all
 Kind = Literal["id", "email", "code"]
 
 
-@dataclass(frozen=True, slots=True)
-class Found:
+class Found(msgspec.Struct, frozen=True, gc=False):  # there are many
     """The student of a row; else the column at fault, why, and the students who may be meant.
 
     `restored` is the id as it stands in the file where it is not the exam's; `code` is that of the
@@ -149,7 +150,7 @@ class People:
         if self._ids.coded(cell) == found.student:
             return found
         meant = self._ids.exact(cell) or _only(self._ids.near(cell))
-        return replace(found, restored=cell) if meant == found.student else found
+        return msgspec.structs.replace(found, restored=cell) if meant == found.student else found
 
     def _other_address(self, row: Row, columns: Columns) -> bool:
         """Whether a row has the address of a student; its id is then not that of another."""
@@ -159,6 +160,10 @@ class People:
 
     def find(self, row: Row, header: Sequence[str], columns: Columns) -> Found:
         """The student of a row; none where id and address are those of different students."""
+        if columns.email is None and columns.identifier is not None:
+            exact = self.by_id(row.cell(columns.identifier))  # as in most files
+            if exact is not None:
+                return Found(exact)
         cells = {index: row.cell(index) for index in columns.indices}
         named = {who for cell in cells.values() if (who := self.by_id(cell) or self.by_email(cell))}
         if len(named) == 1:
