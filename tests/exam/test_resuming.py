@@ -31,9 +31,10 @@ draw = { h = "0 .. 10 step 1", omega = "1 .. 40 step 1" }
 Moment = Callable[[Path], bool]  # of the unfinished folder: whether it is time
 
 
-def write_files(folder: Path) -> Path:
-    """A bank with its template, and a roster."""
-    students = "".join(f"{number:02},Student {number}\n" for number in range(COUNT))
+def write_files(folder: Path, count: int = COUNT) -> Path:
+    """A bank with its template, and a roster of so many students."""
+    digits = len(str(count - 1))
+    students = "".join(f"{number:0{digits}},Student {number}\n" for number in range(count))
     (folder / "roster.csv").write_text(f"student,name\n{students}", encoding="utf-8")
     (folder / "bank.toml").write_text(BANK, encoding="utf-8")
     (folder / "crank.toml").write_text(crank_text(), encoding="utf-8")

@@ -45,7 +45,7 @@ def test_what_once_failed_holds_now(name: str, seed: int, folder: Path) -> None:
 
 def test_every_proof_has_a_sample() -> None:
     without = [proof.name for proof in PROOFS if not proof.sample]
-    # whose samples are the suite, tests/figures, tests/by_hand and tests/practice
+    # whose samples are the suite, tests/figures, tests/by_hand, tests/exam and tests/practice
     assert without == [
         "properties",
         "solution pages",
@@ -53,6 +53,7 @@ def test_every_proof_has_a_sample() -> None:
         "graded figures",
         "by hand",
         "whole papers",
+        "resumed papers",
         "printed pages",
         "practice sheets",
         "practice sheet size",
