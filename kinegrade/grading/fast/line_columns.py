@@ -51,7 +51,7 @@ class LineColumns:
 
     def add_letters(self, letters: Letters) -> None:
         """A column of letters, a row for each line, zeros where there is none."""
-        used = np.flatnonzero(letters.any(axis=0))
+        used = np.flatnonzero(letters.max(axis=0, initial=0))
         self.columns.append(letters[:, : used[-1] + 1 if len(used) else 0])
 
     def add_again(self, column: int) -> None:

@@ -105,21 +105,22 @@ def gather_evidence(cells: Sequence[str]) -> Evidence:
     lines = "\n".join([*cells, ""])
     if _USUAL_LINES.fullmatch(lines):  # most rows of most files
         return _POINT if _DECIMAL_LINE.search(lines) else _NOTHING
-    decimal, groups = set(), set()
+    decimal, groups = set[str | None](), set[str | None]()
     for cell in cells:
-        before_decimals, between_groups = _find_marks(cell)
-        decimal.add(before_decimals)
-        groups.add(between_groups)
+        if len(cell) > _LONGEST_EVIDENCE:
+            continue
+        usual = _USUAL.fullmatch(cell)  # most cells of most files
+        if usual is None:
+            before_decimals, between_groups = _find_marks(cell)
+            decimal.add(before_decimals)
+            groups.add(between_groups)
+        elif usual["decimal"]:
+            decimal.add(".")
     return Evidence(frozenset(filter(None, decimal)), frozenset(filter(None, groups)))
 
 
 def _find_marks(cell: str) -> tuple[str | None, str | None]:
     """The decimal and the grouping mark of the first number in a cell, where they are certain."""
-    if len(cell) > _LONGEST_EVIDENCE:
-        return None, None
-    usual = _USUAL.fullmatch(cell)  # most cells of most files
-    if usual:
-        return ("." if usual["decimal"] else None), None
     text = fold(cell)
     if "," not in text and "." not in text:
         return None, None
