@@ -13,7 +13,9 @@ from kinegrade.problem.quantities.functions import needs_configurations
 from kinegrade.problem.template.template import Ask, Template
 
 _TAIL = 6.0  # per cent of the input's range
-_EQUAL = 1e-8  # of the range of values
+_EQUAL = 1e-8  # of the greatest value
+_NEARLY = 0.01  # of the range of values: how much less a peak may be between positions
+_MOST = 40  # peaks that are nearly equal
 _EXACT = 1e-4  # of the range of values: how well a limit is known
 _STEEP = 4.0  # times what the other positions take
 
@@ -27,6 +29,17 @@ class Gap:
 
     displacement: float
     together: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Extreme:
+    """The least or greatest value, in the unit of the ask, and the displacement of the input, rad
+    or m; one that `is_near` is only come near to there.
+    """
+
+    value: float
+    displacement: float
+    is_near: bool = False
 
 
 @dataclass(frozen=True, eq=False)
@@ -53,18 +66,27 @@ class Curve:
     def is_steep(self) -> bool:
         """Whether values grow beyond bounds somewhere, as at dead points."""
         known = self.values[np.isfinite(self.values)]
-        width = self.usual[1] - self.usual[0]
+        width = 0.0 if self.constant is not None else self.usual[1] - self.usual[0]
         return float(known.max() - known.min()) > _STEEP * width > 0
 
     @cached_property
-    def least(self) -> int:
-        """The number of the first position at which the value is least, to within rounding."""
-        return self._find_first(-self.values)
+    def constant(self) -> float | None:
+        """The one value that all are to within rounding, which may be much at the ends of the
+        input's range and beside gaps; None where there is none.
+        """
+        known = np.isfinite(self.values)
+        inner = self.values[1:-1][known[:-2] & known[1:-1] & known[2:]]
+        if not inner.size or np.ptp(inner) > _EQUAL * np.abs(inner).max():
+            return None
+        return float(np.median(inner))
 
-    @cached_property
-    def greatest(self) -> int:
-        """The number of the first position at which the value is greatest, likewise."""
-        return self._find_first(self.values)
+    def list_tops(self, sign: float) -> tuple[int, ...]:
+        """The numbers of the positions beside which the values, times `sign`, may be greatest."""
+        heights = np.where(np.isfinite(self.values), sign * self.values, -np.inf)
+        around = np.concatenate([[-np.inf], heights, [-np.inf]])
+        high = heights >= heights.max() - _NEARLY * np.ptp(heights[np.isfinite(heights)])
+        tops = np.flatnonzero(high & (heights >= np.maximum(around[:-2], around[2:])))
+        return tuple(sorted(tops[np.argsort(-heights[tops], kind="stable")][:_MOST].tolist()))
 
     def find_limit(self, number: int) -> tuple[Gap, float] | None:
         """The gap that a position is next to, and what the value goes to there, which it does not
@@ -80,11 +102,6 @@ class Curve:
                 step = 10.0 ** np.floor(np.log10(_EXACT * np.ptp(values[np.isfinite(values)])))
                 return gap, float(np.round(limit / step) * step)
         return None
-
-    def _find_first(self, values: Array) -> int:
-        known = np.where(np.isfinite(values), values, np.nan)
-        slack = _EQUAL * (np.nanmax(known) - np.nanmin(known))
-        return int(np.flatnonzero(known >= np.nanmax(known) - slack)[0])
 
 
 def find_followed(template: Template) -> tuple[str, ...]:

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import assert_never
 
 import numpy as np
 
-from kinegrade.cycles.curves import Curve, find_followed
+from kinegrade.cycles.curves import Curve, Extreme, find_followed
+from kinegrade.cycles.peaks import find_extremes
 from kinegrade.cycles.swings import Swing, find_swings
 from kinegrade.cycles.tracing import CurveTracer
 from kinegrade.errors import MechanismError, TemplateError
@@ -34,6 +36,24 @@ class Cycle:
     instant: tuple[float, ...]
     swings: tuple[Swing, ...]
     centrodes: bool = False
+
+    @cached_property
+    def extremes(self) -> Mapping[str, tuple[Extreme, Extreme]]:
+        """The least and the greatest value of each ask that is not constant and does not grow
+        beyond bounds.
+        """
+        return measure_extremes(self.solution, self.path, self.curves)
+
+
+def measure_extremes(
+    solution: Solution, path: MotionPath, curves: Sequence[Curve]
+) -> Mapping[str, tuple[Extreme, Extreme]]:
+    """The same of curves at any positions of a path."""
+    measured = [each for each in curves if each.constant is None and not each.is_steep]
+    if not measured:
+        return {}
+    tracer = CurveTracer(solution, path, tuple(each.ask.name for each in measured))
+    return dict(zip(tracer.names, find_extremes(tracer.read, measured), strict=True))
 
 
 def make_cycle(

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import replace
 from typing import assert_never
 
-from kinegrade.cycles.curves import Curve
+from kinegrade.cycles.curves import Curve, Extreme
 from kinegrade.cycles.cycle import Cycle
 from kinegrade.cycles.swings import Swing
 from kinegrade.cycles.wording import Quantities, name_point
@@ -33,8 +33,7 @@ def list_facts(
         name = naming.body(swing.name) if swing.is_angle else name_point(swing.name)
         yield _describe_swing(swing, name, written)
     for curve in cycle.curves:
-        if not curve.is_steep:
-            yield _describe_extremes(curve, name_ask(curve.ask), written)
+        yield from _describe_values(cycle, curve, name_ask(curve.ask), written)
         yield from describe_gaps(curve, name_ask(curve.ask), written)
 
 
@@ -94,21 +93,21 @@ def _describe_swing(swing: Swing, name: Text, written: Quantities) -> Message:
     return Message("motion.with-ratio", swing=stated, ratio=ratio)
 
 
-def _describe_extremes(curve: Curve, name: str, written: Quantities) -> Message:
-    """The least and the greatest value of a curve, and where they are."""
-    least, greatest = (
-        _describe_extreme(curve, number, written) for number in (curve.least, curve.greatest)
-    )
-    return Message("motion.extremes", ask=name, least=least, greatest=greatest)
+def _describe_values(
+    cycle: Cycle, curve: Curve, name: str, written: Quantities
+) -> Iterator[Message]:
+    """The one value of a curve, or the least and the greatest, and where they are."""
+    unit = curve.ask.unit.text
+    if curve.constant is not None:
+        yield Message("motion.constant", ask=name, value=written.write(curve.constant, unit))
+    elif curve.ask.name in cycle.extremes:
+        least, greatest = (
+            _describe_extreme(each, unit, written) for each in cycle.extremes[curve.ask.name]
+        )
+        yield Message("motion.extremes", ask=name, least=least, greatest=greatest)
 
 
-def _describe_extreme(curve: Curve, number: int, written: Quantities) -> Message:
-    """The value at a position; beside a gap, the one that it goes to there."""
-    unit, limit = curve.ask.unit.text, curve.find_limit(number)
-    if limit is None:
-        value = written.write(float(curve.values[number]), unit)
-        place = written.place(float(curve.moved[number]))
-        return Message("motion.extreme", value=value, place=place)
-    gap, value_there = limit
-    value, place = written.write(value_there, unit), written.place(gap.displacement)
-    return Message("motion.extreme-near", value=value, place=place)
+def _describe_extreme(extreme: Extreme, unit: str, written: Quantities) -> Message:
+    value, place = written.write(extreme.value, unit), written.place(extreme.displacement)
+    key = "motion.extreme-near" if extreme.is_near else "motion.extreme"
+    return Message(key, value=value, place=place)

@@ -58,6 +58,8 @@ def choose_upward(curve: Curve, most: int) -> Axis:
     known = np.isfinite(curve.values)
     if not known.any():
         return make_axis(0.0, 1.0, most)
+    if curve.constant is not None:
+        return make_axis(curve.constant, curve.constant, most)
     low, high = float(curve.values[known].min()), float(curve.values[known].max())
     if curve.is_steep:
         width = curve.usual[1] - curve.usual[0]

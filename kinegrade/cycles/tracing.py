@@ -55,6 +55,15 @@ class CurveTracer:
             found.append(Curve(ask, moved, values, gaps))
         return found
 
+    def read(self, moved: Array) -> Array:
+        """Rows of the values at displacements of the input, whatever is at gaps; angles within a
+        turn.
+        """
+        scales = find_scales(self.path)
+        rows = self._read_beside(moved, lambda placement: placement.motion)
+        cleared = (scales.clear(row, ask.unit) for row, ask in zip(rows, self._asks, strict=True))
+        return np.array(list(cleared))
+
     def add_gaps(self, moved: Array) -> Array:
         """Displacements of the input with those at all gaps, and those from which on curves have
         values on both sides; those too near to a gap are left out.

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from kinegrade.cycles.curves import Curve
+from kinegrade.cycles.cycle import measure_extremes
 from kinegrade.cycles.graph import convert_displacements
 from kinegrade.cycles.tracing import CurveTracer
 from kinegrade.motion.path import Array, MotionPath
@@ -136,11 +137,13 @@ def _write_curves(
     tracer = CurveTracer(solution, path, asks)
     coarse = tracer.trace(table.placement)
     fine = tracer.trace(path.place(tracer.add_gaps(_spread_finely(table))))
+    extremes = measure_extremes(solution, path, fine)
     for curve, dense in zip(coarse, fine, strict=True):
         low, high = dense.usual
         bounds = 2 * low - high, 2 * high - low
         known = np.clip(np.nan_to_num(dense.values, nan=high), *bounds)
-        least, most = float(known.min()), float(known.max())
+        ends = [each.value for each in extremes.get(dense.ask.name, ())]
+        least, most = min([float(known.min()), *ends]), max([float(known.max()), *ends])
         values = np.clip(np.nan_to_num(curve.values, nan=high), least, most)
         width, size = most - least, max(abs(least), abs(most))
         steps = (values - least) / width if width > _NOTHING * size else np.zeros(len(values))

@@ -11,7 +11,7 @@ from kinegrade.cycles.curves import find_followed
 from kinegrade.cycles.cycle import make_cycle
 from kinegrade.cycles.graphs import draw_graphs
 from kinegrade.errors import TemplateError
-from kinegrade.language import ENGLISH
+from kinegrade.language import ENGLISH, Language
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.library.library import find_template_names, load_template
 from kinegrade.public.cycles import describe_cycle
@@ -46,8 +46,45 @@ def test_what_is_said_of_a_cycle() -> None:
     assert describe_cycle(make_cycle(solution, ("v_B",)), ENGLISH) == [
         "full turns of the input until the mechanism is as at the instant: 1",
         "stroke of B: 0.4 m, its ends at 120° and 300°; time ratio 1",
-        "v_B: least 0 m/s at 120°, greatest 0.2109 m/s at 13°",
+        "v_B: least 0 m/s at 120°, greatest 0.2109 m/s at 13.18°",
     ]
+
+
+@pytest.mark.parametrize(("crank", "rod"), [(0.2, 3.0), (0.35, 1.75)])
+def test_extremes_are_those_between_positions(crank: float, rod: float) -> None:
+    """The slider is fastest where its acceleration is zero: Newton on the closed form of the speed."""
+    given = {"r": str(crank), "k": str(rod), "phi": "10", "omega": "1"}
+    cycle = make_cycle(solve_template(load_template("slider-crank"), given), ("v_B",))
+    _, greatest = cycle.extremes["v_B"]
+    angles = np.radians(np.linspace(45, 135, 900_001))
+    lag = np.arcsin(np.sin(angles) / rod)
+    speeds = crank * np.sin(angles + lag) / np.cos(lag)
+    top = speeds.argmax()
+    assert greatest.value == pytest.approx(speeds[top], rel=1e-9)
+    assert np.degrees(greatest.displacement) == pytest.approx(
+        np.degrees(angles[top]) - 10, abs=1e-3
+    )
+
+
+def test_what_comes_to_zero_between_positions_is_zero_there() -> None:
+    solution = solve_template(load_template("wheel-inside-circular-track"), {"beta": "100.1"})
+    least, _ = make_cycle(solution, ("v_B",)).extremes["v_B"]
+    assert least.value == 0
+
+
+@pytest.mark.parametrize(
+    ("tag", "name", "said"),
+    [
+        ("en", "wheel-inside-circular-track", "v_O: 1.44 m/s throughout"),
+        ("de", "pin-in-two-rings", "a_M_x: überall 0 m/s²"),
+        ("zh", "guided-rack-and-gear", "a_rel_O：始终为 0 cm/s²"),
+    ],
+)
+def test_one_value_is_said_once(tag: str, name: str, said: str) -> None:
+    cycle = make_cycle(
+        solve_template(load_template(name), {}), (said.partition(":")[0].partition("：")[0],)
+    )
+    assert said in describe_cycle(cycle, Language(tag))
 
 
 def test_dead_points_are_said_and_extremes_there_are_not() -> None:

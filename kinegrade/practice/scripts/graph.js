@@ -23,7 +23,8 @@ class Graph {
     this.gaps = poses.repeat(gaps);
     this.whole = poses.shareAt(poses.last);
     const [low, high] = [least, greatest].map((value) => words.writeNumber(value, 3));
-    box.innerHTML = `<figcaption>${ask.label}: ${low} … ${high} ${ask.shown}</figcaption>`;
+    const range = low === high ? low : `${low} … ${high}`;
+    box.innerHTML = `<figcaption>${ask.label}: ${range} ${ask.shown}</figcaption>`;
     const graph = makeShape("svg", { viewBox: `0 0 ${GRAPH_WIDTH} ${GRAPH_HEIGHT}`, class: "graph", "aria-hidden": "true" });
     for (const part of this.parts(gaps)) {
       const corners = part.map((place) => this.corner(place));
