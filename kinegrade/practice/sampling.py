@@ -9,11 +9,12 @@ from operator import itemgetter
 import numpy as np
 
 from kinegrade.cycles.centrodes import list_unpinned_bodies
+from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.vector import Vector
 from kinegrade.motion.ends import Open
 from kinegrade.motion.path import Array, MotionPath, Placement
 from kinegrade.motion.placing import Placing
-from kinegrade.practice.skeleton import list_guides
+from kinegrade.practice.skeleton import Guide, list_guides
 
 NEIGHBOURS = 8  # positions of which the script makes the one between them
 _COUNTS = (36, 72, 144, 288)  # positions of a turn, or of a swing
@@ -22,6 +23,7 @@ _TURNS = 2  # of an input after which the mechanism never is as it was: the rest
 _TRUE = 0.00003  # of the drawing's longer side: what interpolated positions may be off
 _SURE = 0.0003  # the same, from where on velocity poles are not to be told
 _FAR = 2.0  # sizes of the mechanism that a point may go
+_ON_LINE = 1e-9  # of the mechanism's size
 _BEYOND = 0.06  # sizes of the mechanism: of a guide behind the last place of what moves there
 
 
@@ -119,8 +121,21 @@ def _list_rows(path: MotionPath, placement: Placement) -> Iterator[Array]:
         now = placing.place(guide.of, guide.line.point)
         ahead = placing.place(guide.of, guide.line.point + unit) - now
         along = np.broadcast_to((places[guide.rider] - now).dot(ahead), shape)
-        for reach in (along.min() - beyond, along.max() + beyond):
+        held = [*along, *_list_held(path, guide)]
+        for reach in (min(held) - beyond, max(held) + beyond):
             yield from _broadcast(now + ahead * float(reach), shape)
+
+
+def _list_held(path: MotionPath, guide: Guide) -> Iterator[float]:
+    """How far along a guide, m, the points of its body are that lie on it: it reaches to them."""
+    motion, line = path.motion, guide.line
+    length = float(np.hypot(line.direction.x, line.direction.y))
+    if guide.of == GROUND:
+        return
+    for point in motion.frames.mechanism.body(guide.of).points:
+        from_line = motion.points[point] - line.point
+        if abs(from_line.cross(line.direction)) < _ON_LINE * path.size * length:
+            yield float(from_line.dot(line.direction)) / length
 
 
 def _list_marks(path: MotionPath, placement: Placement) -> Iterator[Array]:

@@ -11,7 +11,8 @@ from kinegrade.cycles.cycle import make_cycle
 from kinegrade.motion.path import MotionPath, find_path
 from kinegrade.motion.placing import find_carriers
 from kinegrade.practice.poses import frame_poses, write_motion
-from kinegrade.practice.skeleton import make_skeleton
+from kinegrade.practice.sampling import choose_poses
+from kinegrade.practice.skeleton import list_guides, make_skeleton
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.library.library import find_template_names, load_template
 from tests.practice.node import move_in_node
@@ -36,6 +37,21 @@ def find_motion(name: str) -> MotionPath:
 @pytest.mark.parametrize("name", [*DRIVEN[::4], "crank-slider-in-floating-link"])
 def test_positions_between_those_that_are_baked_are_the_engines(name: str) -> None:
     assert measure_error(name, SHARES) <= PIXEL
+
+
+def test_a_guide_reaches_the_pin_about_which_its_body_turns() -> None:
+    """The slotted rocker is drawn from its pin on, however far from it the block slides."""
+    path = find_motion("rocker-driven-by-two-slider-link")
+    mechanism = path.motion.frames.mechanism
+    names, guides = list(mechanism.points), list_guides(mechanism)
+    (number,) = (place for place, guide in enumerate(guides) if guide.of == "OA")
+    places = choose_poses(path).places
+    pin, *ends = (
+        places[2 * row : 2 * row + 2]
+        for row in (names.index("O"), *(len(names) + 2 * number + each for each in (0, 1)))
+    )
+    apart, halves = (np.hypot(*(ends[1] - ends[0])), [np.hypot(*(end - pin)) for end in ends])
+    np.testing.assert_allclose(sum(halves), apart, rtol=1e-9)
 
 
 def test_the_last_position_leads_to_the_first_over_several_turns() -> None:
@@ -146,3 +162,12 @@ def test_a_skeleton_has_what_moves() -> None:
     assert [order[pivot] for pivot in skeleton.pivots] == ["O"]
     assert [order[rider] for rider in skeleton.riders] == ["B"]
     assert skeleton.blocks == (True,)
+
+
+def test_the_range_of_a_graph_has_the_extremes_between_positions() -> None:
+    """The rim point comes to rest for a moment, at no position of the table."""
+    solution = solve_template(load_template("wheel-inside-circular-track"), {"beta": "100.1"})
+    path = find_path(solution.motion)
+    assert isinstance(path, MotionPath)
+    ((least, *_),) = write_motion(path, solution, ("v_B",)).curves
+    assert least == 0

@@ -200,6 +200,35 @@ def test_arrows_and_curves_are_drawn(page: Page) -> None:
     assert not page.run("/NaN|undefined/.test(document.querySelector('.motion').innerHTML)")
 
 
+LETTERS_ON_BARS = """(() => {
+  const stage = document.querySelector(".stage svg"), slider = document.querySelector(".motion input[type=range]");
+  const found = [];
+  for (let share = 0; share < 1; share += 0.07) {
+    slider.value = String(share * slider.max);
+    slider.dispatchEvent(new Event("input"));
+    for (const letter of stage.querySelectorAll("text.letter")) {
+      const [x, y] = [letter.getAttribute("x"), letter.getAttribute("y") - 1.1];
+      const bars = [...stage.querySelectorAll(".bar")].filter((bar) =>
+        [...bar.points].some((corner) => Math.hypot(corner.x - x, corner.y - y) < 5));
+      for (const bar of bars) {
+        const length = bar.getTotalLength();
+        for (let along = 0; along <= length; along += 0.5) {
+          const place = bar.getPointAtLength(along);
+          if (letter.textContent && Math.hypot(place.x - x, place.y - y) < 1.5) found.push([share, letter.textContent]);
+        }
+      }
+    }
+  }
+  return found;
+})()"""
+
+
+def test_letters_keep_off_the_bars_of_their_points(page: Page) -> None:
+    page.run("document.querySelector('.motion').open = true")
+    page.wait("document.querySelector('.stage .bar')")
+    assert page.run(LETTERS_ON_BARS) == []
+
+
 def test_paths_poles_and_centrodes_are_drawn_when_they_are_asked_for(page: Page) -> None:
     page.run("document.querySelector('.motion').open = true")
     page.wait("document.querySelector('.stage .bar')")

@@ -17,7 +17,10 @@
 const LONGEST_ARROW = 18; // mm
 const NEXT_TO_NOTHING = 0.03;
 const SEEN = 0.6; // mm: shorter arrows are not drawn
-const BESIDE_BLOCK = 4.5; // mm from a point to its letter, past the block at it
+const LETTER_AWAY = 3.4; // mm from a point to the middle of its letter
+const BESIDE_BLOCK = 4.5; // the same, past the block at the point
+/** @type {[number, number]} */
+const UP_RIGHT = [0.7, -0.7];
 const ROOM = 6; // mm between what is seen and the edge
 
 /** @typedef {{velocities: boolean, accelerations: boolean, paths: boolean, poles: boolean, centrodes: boolean}} Wanted */
@@ -117,7 +120,9 @@ class Drawing {
     this.showGuides(points);
     labels.forEach((_, row) => {
       moveCircle(this.joints[row], points[row]);
-      moveLetter(this.letters[row], points[row], this.findBlock(row, points));
+      const turn = this.findBlock(row, points);
+      if (turn === null) moveLetter(this.letters[row], points[row], this.findFree(row, points));
+      else moveLetter(this.letters[row], points[row], findBesideBlock(turn), BESIDE_BLOCK);
     });
     for (const trace of this.traces) trace.toggleAttribute("hidden", !wanted.paths);
     for (const pole of this.poles) pole.show(place, wanted);
@@ -142,6 +147,28 @@ class Drawing {
   findBlock(row, points) {
     const number = this.skeleton.riders.findIndex((rider, each) => rider === row && this.skeleton.blocks[each]);
     return number < 0 ? null : findTurn(this.findEnds(points, number));
+  }
+
+  /**
+   * The direction of a point's letter: amid the widest angle between the bars there and the support
+   * under a pivot.
+   * @param {number} row
+   * @param {[number, number][]} points
+   * @returns {[number, number]}
+   */
+  findFree(row, points) {
+    const { bars, pivots } = this.skeleton;
+    const ends = bars.filter((each) => each.includes(row)).flat().map((corner) => points[corner]);
+    const apart = ends.filter(([x, y]) => Math.hypot(x - points[row][0], y - points[row][1]) > SEEN);
+    const angles = apart.map((end) => findTurn([points[row], end]));
+    if (pivots.includes(row)) angles.push(Math.PI / 3, (2 * Math.PI) / 3);
+    if (!angles.length) return UP_RIGHT;
+    angles.sort((one, other) => one - other);
+    const next = [...angles.slice(1), angles[0] + 2 * Math.PI];
+    const widths = angles.map((angle, number) => next[number] - angle);
+    const widest = widths.indexOf(Math.max(...widths));
+    const middle = angles[widest] + widths[widest] / 2;
+    return [Math.cos(middle), Math.sin(middle)];
   }
 
   /** @param {[number, number][]} points @param {number} number @returns {[number, number][]} of a guide */
@@ -189,19 +216,23 @@ function findTurn([[left, top], [right, bottom]]) {
   return Math.atan2(bottom - top, right - left);
 }
 
+/** @param {number} turn @returns {[number, number]} across a block along a line of this angle */
+function findBesideBlock(turn) {
+  const side = Math.cos(turn) < 0 ? -1 : 1;
+  return [side * Math.sin(turn), -side * Math.cos(turn)];
+}
+
 /**
- * Moves a letter beside its point: past the block there, if there is one along a line of this angle.
+ * Moves a letter beside its point.
  * @param {SVGElement} letter
  * @param {[number, number]} point
- * @param {number | null} turn
+ * @param {[number, number]} direction
+ * @param {number} [far] mm
  */
-function moveLetter(letter, [x, y], turn) {
-  const side = turn === null || Math.cos(turn) < 0 ? -1 : 1;
-  const [across, down] = turn === null ? [1.6, -1.6] : [side * Math.sin(turn), -side * Math.cos(turn)];
-  const far = turn === null ? 1 : BESIDE_BLOCK;
+function moveLetter(letter, [x, y], [across, down], far = LETTER_AWAY) {
   letter.setAttribute("x", String(x + far * across));
-  letter.setAttribute("y", String(y + far * down + (turn === null ? 0 : 1.1)));
-  letter.setAttribute("text-anchor", turn === null ? "start" : "middle");
+  letter.setAttribute("y", String(y + far * down + 1.1));
+  letter.setAttribute("text-anchor", "middle");
 }
 
 /** @param {number} size @param {number[]} seen @returns {[number, number]} ends that hold all of it */

@@ -70,7 +70,7 @@ class MotionView {
     for (const graph of this.graphs ?? []) graph.show(place);
     const { unit } = /** @type {Skeleton} */ (this.question.skeleton);
     const moved = this.poses.inputAt(place);
-    const said = unit === "m" ? `${this.words.writeNumber(Number(moved.toFixed(4)), 3)} m` : `${Math.round(moved)}°`;
+    const said = unit === "m" ? `${this.words.writeNumber(Number(moved.toFixed(4)), 3)} m` : `${this.words.writeNumber(Math.round(moved))}°`;
     find(this.box, "output").textContent = said;
     this.player.slider.setAttribute("aria-valuetext", said);
   }

@@ -96,7 +96,7 @@ class PoleDrawing {
     const lines = this.ends.map((end) => writeCurve([pole.at, points[end]], Infinity));
     this.lines.setAttribute("d", lines.join(""));
     moveCircle(this.mark, pole.at);
-    moveLetter(this.letter, pole.at, null);
+    moveLetter(this.letter, pole.at, UP_RIGHT);
   }
 }
 
