@@ -21,8 +21,7 @@ Put = Mapping[str, Mapping[str, str]]  # whose line of the key, by student and a
 Orders = Mapping[str, tuple[str, ...]]  # the questions as printed, by student
 
 
-@dataclass(frozen=True, slots=True)
-class MarkedAnswer:
+class MarkedAnswer(msgspec.Struct, frozen=True, gc=False):  # there are many
     """One line of marks.csv; `read_as` is in plain digits and in `unit`. Both are empty where
     nothing was read.
 

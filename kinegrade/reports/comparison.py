@@ -7,8 +7,10 @@ means by points where both markings have the same maximum.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from fractions import Fraction
+
+import msgspec
 
 from kinegrade.grading.verdict_names import name_verdict
 from kinegrade.language.message import Message, Part, list_plainly
@@ -162,7 +164,7 @@ def _answers(marks: MarksFolder, whole: Iterable[tuple[str, str]]) -> _Answers:
     for student, question in whole:
         total, mark = totals.get(student), marks.by_hand.get(student, {}).get(question)
         if total is not None and question in total.points:
-            answers[student, question] = replace(
+            answers[student, question] = msgspec.structs.replace(
                 _NOTHING,
                 student=student,
                 question=question,

@@ -17,7 +17,7 @@ from kinegrade.errors import ExamError, FieldError
 from kinegrade.exam.folder.exact_keys import find_exact_value, read_rule
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.faults import decoding, name_paper
-from kinegrade.exam.folder.numbers import require_number
+from kinegrade.exam.folder.numbers import require_double
 from kinegrade.exam.folder.records import KeyLine, StatedAnswer
 from kinegrade.language.message import Fault, Message, Quoted
 from kinegrade.marks_folder.rows import Put
@@ -48,8 +48,14 @@ class StatedAnswers(Mapping[str, RightAnswer]):
     student: str
     stated: Mapping[str, StatedAnswer]
     rounding: Mapping[str, float]
+    known: dict[str, RightAnswer] = field(default_factory=dict)
 
     def __getitem__(self, column: str) -> RightAnswer:
+        if column not in self.known:
+            self.known[column] = self._read(column)
+        return self.known[column]
+
+    def _read(self, column: str) -> RightAnswer:
         stated = self.stated[column]
         with decoding(self.key, name_paper(self.student)):
             try:
@@ -166,4 +172,4 @@ def _read_parameters(line: KeyLine) -> Iterator[tuple[tuple[str, str], float]]:
     """The drawn numbers, by question and parameter. Raises FieldError."""
     for question in line.questions:
         for name, stated in question.parameters.items():
-            yield (question.question, name), float(require_number(name, stated.value))
+            yield (question.question, name), require_double(name, stated.value)

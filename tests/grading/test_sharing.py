@@ -14,6 +14,7 @@ from itertools import chain
 from pathlib import Path
 from random import Random
 
+import msgspec
 import numpy as np
 import pytest
 from click.testing import CliRunner, Result
@@ -113,11 +114,11 @@ def test_right_blank_explained_and_zero_answers_are_never_counted() -> None:
     assert len(find_pairs(sitting.exam, answers).reported) == 1
     for verdict in ("right", "blank", "mistake", "accepted", "unreadable", "wrong unit", "void"):
         assert not find_pairs(
-            sitting.exam, [replace(answer, verdict=verdict) for answer in answers]
+            sitting.exam, [msgspec.structs.replace(answer, verdict=verdict) for answer in answers]
         ).reported
     for text in ("", "0.000", "1e999"):
         assert not find_pairs(
-            sitting.exam, [replace(answer, read_as=text) for answer in answers]
+            sitting.exam, [msgspec.structs.replace(answer, read_as=text) for answer in answers]
         ).reported
 
 
@@ -253,7 +254,14 @@ def test_marks_that_are_not_as_written_are_refused_with_all_faults_at_once() -> 
     sitting = sitting_class(3, 1)
     first, second, *others = sitting.answers(lambda place: {})
     with pytest.raises(ExamError) as caught:
-        find_pairs(sitting.exam, [replace(first, read_as="=1"), replace(second, ask="x"), *others])
+        find_pairs(
+            sitting.exam,
+            [
+                msgspec.structs.replace(first, read_as="=1"),
+                msgspec.structs.replace(second, ask="x"),
+                *others,
+            ],
+        )
     assert caught.value.problems == (
         'marks.csv: student "s0", q1.v: "=1" stands where a number should - expected the file as '
         "kinegrade grade wrote "
