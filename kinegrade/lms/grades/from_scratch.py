@@ -7,7 +7,7 @@ nothing is left out, because an empty or zero grade would replace the one in the
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from fractions import Fraction
 from html import escape
 from typing import assert_never
@@ -21,7 +21,7 @@ from kinegrade.language.known import read_language
 from kinegrade.language.message import Message, Quoted, list_plainly
 from kinegrade.lms.grades.cells import BYTE_ORDER_MARK
 from kinegrade.lms.grades.dialect import FIELDS, Column, Dialect, ExportOptions, Field, NewFile
-from kinegrade.lms.grades.grades import TOTAL, ClassGrades, StudentGrade, feedback_text, known_as
+from kinegrade.lms.grades.grades import TOTAL, ClassGrades, FeedbackTexts, StudentGrade, known_as
 from kinegrade.lms.grades.item_candidates import number
 from kinegrade.lms.grades.item_columns import item_title, items_of
 from kinegrade.lms.grades.maximum import maximum_faults, scaled, target_maximum
@@ -46,18 +46,7 @@ class _Plan:
     columns: tuple[tuple[Column, str, str], ...]
     targets: Mapping[str, Fraction | None]
     key: Field
-    questions: tuple[str, ...]
-    shared: dict[tuple[object, ...], str] = field(default_factory=dict)
-
-    def feedback(self, grade: StudentGrade) -> str:
-        """The feedback on a grade; most students share theirs with others. By identity, as hashing
-        fractions takes longer.
-        """
-        amounts = grade.points, grade.out_of, grade.subtracted
-        which = grade.printed, grade.bonus, *map(id, amounts)
-        if which not in self.shared:
-            self.shared[which] = feedback_text(grade, self.questions)
-        return self.shared[which]
+    feedback: FeedbackTexts
 
 
 def new_file(dialect: Dialect, grades: ClassGrades, options: ExportOptions) -> Fresh:
@@ -141,7 +130,7 @@ def _plan(
             for item in several
         ]
         columns += [] if several else [(column, _write_header(header, title, set()), TOTAL)]
-    return _Plan(dialect, layout, tuple(columns), targets, key, grades.questions)
+    return _Plan(dialect, layout, tuple(columns), targets, key, FeedbackTexts(grades.questions))
 
 
 def _write_grades(header: str, title: str, item: str, maxima: Mapping[str, set[Fraction]]) -> str:
@@ -236,7 +225,7 @@ def _write_cell(plan: _Plan, column: Column, item: str, grade: StudentGrade) -> 
         case "letter":
             return neutralise(grade.scale_grade)
         case "feedback":
-            text = plan.feedback(grade)
+            text = plan.feedback.write(grade)
             return escape(text, quote=False) if column.text == "html" else text
         case "feedback format" | "fixed":
             return column.text

@@ -9,7 +9,7 @@ files.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from typing import NamedTuple, assert_never
 
@@ -180,6 +180,24 @@ def feedback_text(grade: StudentGrade, questions: tuple[str, ...]) -> str:
     shown = (_write_points(grade, number, name) for number, name in numbered)
     less = f"-{write_amount(grade.subtracted)}" if grade.subtracted else ""
     return "; ".join(filter(None, (*shown, less)))
+
+
+@dataclass(frozen=True, slots=True)
+class FeedbackTexts:
+    """The feedback on the grades of a class with these questions; most students share theirs with
+    others. Grades are told apart by identity, as hashing fractions takes longer than writing them.
+    """
+
+    questions: tuple[str, ...]
+    known: dict[tuple[object, ...], str] = field(default_factory=dict)
+
+    def write(self, grade: StudentGrade) -> str:
+        """The feedback on a grade, which has to be kept as long as this is."""
+        amounts = grade.points, grade.out_of, grade.subtracted
+        which = grade.printed, grade.bonus, *map(id, amounts)
+        if which not in self.known:
+            self.known[which] = feedback_text(grade, self.questions)
+        return self.known[which]
 
 
 def _write_points(grade: StudentGrade, number: str, question: str) -> str:
