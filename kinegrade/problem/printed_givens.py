@@ -50,10 +50,10 @@ def is_needed(template: Template, name: str, needs: Needs, driven: Drives) -> bo
 
 
 def _find_slot_names(text: Translated, driven: Drives) -> frozenset[str]:
-    """What the slots of a text print, in any language: givens, and the names of other texts."""
+    """What the slots of a text print, however written: givens, and names of other texts."""
     return frozenset(
         name
-        for language in text.languages
-        for slot in find_slots(text.in_language(language))
+        for written in text.texts
+        for slot in find_slots(written)
         for name in slot.list_givens(driven)
     )

@@ -129,8 +129,17 @@ def _find_differences(
             yield name, Fault(name, Message("template.stated-in-no-field"))
         else:
             if not met:
-                given = _write_answer(answer)
-                yield name, Message("template.engine-gives", ask=name, stated=stated, given=given)
+                what = Message(
+                    "template.engine-gives", ask=name, stated=stated, given=_write_answer(answer)
+                )
+                yield name, _advise_point(what, stated, answer)
+
+
+def _advise_point(what: Message, stated: str, answer: Quantity) -> Problem:
+    """The difference; where a whole number is what the answer rounds to, how that is stated."""
+    if _NUMBER.fullmatch(stated) is None or not _is_rounded(stated, answer):
+        return what
+    return Fault("", what, do=Message("template.write-point", stated=f"{stated}."))
 
 
 def _write_answer(answer: Quantity) -> str:

@@ -88,10 +88,15 @@ def state_way_about(vector: Vector, arm: Vector, centre: str, case: Case) -> Row
     """
     if is_zero(vector) or find_axis_sense(vector):
         return state_way(vector, case)
-    base = case.naming.point(centre)
-    if double(arm.cross(vector)) > 0:
-        return say_beside(Message("solution.around", centre=base), case)
-    return say_beside(Message("solution.clockwise-about", point=base), case)
+    return state_way_round(centre, double(arm.cross(vector)), case)
+
+
+def state_way_round(centre: str, turn: float, case: Case) -> Row:
+    """In which sense something goes round a point, counter-clockwise where `turn` is positive."""
+    point = case.naming.point(centre)
+    if turn > 0:
+        return say_beside(Message("solution.around", centre=point), case)
+    return say_beside(Message("solution.clockwise-about", point=point), case)
 
 
 def describe_direction(vector: Vector, case: Case) -> Message:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
 from kinegrade.exam.printing.pages import QuestionPlace, lay_out_question
@@ -9,7 +11,9 @@ from kinegrade.exam.quiz.paper import show_instance
 from kinegrade.figure.scene import Label
 from kinegrade.language import Language
 from kinegrade.press.sheet import QuestionSheet
-from kinegrade.problem.template.library.library import load_template
+from kinegrade.problem.printed_givens import mark_question
+from kinegrade.problem.template.library.library import find_template_names, load_template
+from kinegrade.problem.template.translated import Translated
 
 EN = Language("en")
 VALUES = {"r": "1/10", "k": "2", "phi": "60", "omega": "5", "alpha": "10"}
@@ -39,3 +43,22 @@ def test_a_given_acceleration_is_shown_where_an_ask_needs_it(ask: str, printed: 
 def test_axes_stand_for_components_that_this_question_asks_for() -> None:
     assert "x" not in letters(lay_out("slider-crank", VALUES, "omega_AB"))
     assert "x" in letters(lay_out("slider-crank", VALUES, "a_B"))
+
+
+@pytest.mark.parametrize("name", find_template_names())
+def test_a_figure_marks_the_same_where_texts_are_written_once_in_no_stated_language(
+    name: str,
+) -> None:
+    """Whoever wrote one plain text got a figure without any dimension, and nothing said so."""
+    template = load_template(name)
+    words, asks = template.words, template.asked()
+    texts = {
+        key: tuple(replace(one, text=plainly(one.text)) for one in wordings)
+        for key, wordings in words.texts.items()
+    }
+    plain = replace(words, statement=plainly(words.statement), texts=texts)
+    assert mark_question(replace(template, words=plain), asks) == mark_question(template, asks)
+
+
+def plainly(text: Translated) -> Translated:
+    return Translated(plain=text.in_language(EN))

@@ -37,7 +37,7 @@ def checked(old: str, new: str) -> Report:
 
 @pytest.mark.parametrize("name", find_template_names())
 def test_shipped_templates_are_sound(name: str) -> None:
-    report = check(load_template(name), sample=10)
+    report = check(load_template(name), sample=40)
     assert all_said(report.faults) == []
     assert report.proved >= 1
     assert report.instances >= 1
@@ -110,6 +110,32 @@ def test_a_condition_that_the_source_itself_does_not_meet_is_remarked() -> None:
         "paper will have: see whether it says what you mean"
     ) in remarks
     assert not [each for each in remarks if "omega < 10000000 does not hold" in each]
+
+
+def test_a_whole_number_that_the_source_has_rounded_is_told_how_to_be_written() -> None:
+    stated = (
+        'gives = { v_x = "-omega*h" }',
+        'given = { r = "1", h = "1/2", omega = "2" }\ngives = { v_y = "2" }',
+    )
+    fault, *_ = all_said(check(crank(stated), sample=18).faults)
+    assert "v_y = 2, but the engine gives sqrt(3) (1.732050808)" in fault
+    assert fault.endswith('a whole number is held exactly: write "2." where the source has rounded')
+    other = (stated[0], stated[1].replace('v_y = "2"', 'v_y = "3"'))
+    fault, *_ = all_said(check(crank(other), sample=18).faults)
+    assert "v_y = 3, but the engine gives " in fault
+    assert "whole number" not in fault
+
+
+def test_a_radius_that_may_be_that_of_several_circles_is_a_fault() -> None:
+    """It was drawn at the larger one, though the smaller one was meant, and nothing said so."""
+    text = load_template("two-stage-belt-drive").file.text
+    unnamed = text.replace(', through = "D"', "")
+    assert unnamed != text
+    report = check(read_template("two-stage-belt-drive", unnamed), sample=2)
+    assert all_said(report.faults) == [
+        'figure.radii: "r_2" may be the radius of several circles about "A", which are not alike - '
+        'say which one, by of = "BODY" or through = "POINT"'
+    ]
 
 
 INEXACT = (
@@ -480,7 +506,7 @@ def test_the_report_is_in_the_language_of_the_terminal(tmp_path: Path) -> None:
 
 
 def test_the_other_way_in_which_a_mechanism_closes_is_said() -> None:
-    found = all_said(write_findings(check(load_template("slider-crank"), sample=10)))
+    found = all_said(write_findings(check(load_template("slider-crank"), sample=40)))
     assert (
         'B is "right"; with "left" it closes as well in 100% of the draws: -o FILE shows both'
     ) in found

@@ -79,7 +79,8 @@ def test_a_composition_of_velocities() -> None:
             $\boldsymbol{v}_{\mathrm{e}}$, eliminates $\boldsymbol{v}_{\mathrm{e}}$:
         v_{\mathrm{r}} &= v_{\mathrm{a}}\sin\psi_{OA} = 8\,\unit{m/s} \cdot \sin 36.87^\circ =
             4.8\,\unit{m/s}\quad(\text{from }O\text{ to }B)
-        Projecting on the normal to $\boldsymbol{v}_{\mathrm{r}}$ eliminates
+        Projecting on the normal to $\boldsymbol{v}_{\mathrm{r}}$ (its positive direction
+            turned counter-clockwise) eliminates
             $\boldsymbol{v}_{\mathrm{r}}$:
         v_{\mathrm{e}} &= v_{\mathrm{a}}\cos\psi_{OA} = 8\,\unit{m/s} \cdot \cos 36.87^\circ =
             6.4\,\unit{m/s}
@@ -118,7 +119,8 @@ def test_a_composition_of_accelerations_with_coriolis() -> None:
         a_{\mathrm{r}} &= a_{\mathrm{e}}^{\mathrm{n}} - a_{\mathrm{a}}^{\mathrm{n}}\cos\psi_{OA} =
             8.192\,\unit{m/s^2} - 16\,\unit{m/s^2} \cdot \cos 36.87^\circ
         &= -4.608\,\unit{m/s^2}\quad(\text{from }B\text{ to }O)
-        Projecting on the normal to $\boldsymbol{a}_{\mathrm{r}}$ eliminates
+        Projecting on the normal to $\boldsymbol{a}_{\mathrm{r}}$ (its positive direction
+            turned counter-clockwise) eliminates
             $\boldsymbol{a}_{\mathrm{r}}$:
         a_{\mathrm{a}}^{\mathrm{n}}\sin\psi_{OA} &= a_{\mathrm{e}}^{\mathrm{t}} + a_{\mathrm{C}}
         a_{\mathrm{e}}^{\mathrm{t}} &= -a_{\mathrm{C}} + a_{\mathrm{a}}^{\mathrm{n}}\sin\psi_{OA} =

@@ -50,7 +50,8 @@ def test_velocities_by_a_base_point() -> None:
         v_{A}\sin\psi_{BA} &= -v_{B}\cos\psi_{BA}
         v_{A} &= -\frac{v_{B}\cos\psi_{BA}}{\sin\psi_{BA}} = -\frac{2\,\unit{m/s} \cdot \cos
             36.87^\circ}{\sin 36.87^\circ} \approx -2.667\,\unit{m/s}\quad\text{(downwards)}
-        Projecting on the normal to $\boldsymbol{v}_{A}$ eliminates $\boldsymbol{v}_{A}$:
+        Projecting on the normal to $\boldsymbol{v}_{A}$ (to the left) eliminates
+            $\boldsymbol{v}_{A}$:
         0 &= -v_{B} + v_{AB}\sin\psi_{BA}
         v_{AB} &= \frac{v_{B}}{\sin\psi_{BA}} = \frac{2\,\unit{m/s}}{\sin 36.87^\circ} \approx
             3.333\,\unit{m/s}
@@ -79,7 +80,8 @@ def test_velocities_by_the_projection_theorem() -> None:
         $BA$ makes the acute angle $\psi_{BA}$ with the $x$ axis:
         \tan\psi_{BA} &= \frac{y_{A}}{x_{B}} = \frac{3\,\unit{m}}{4\,\unit{m}} = 0.75
         \psi_{BA} &\approx 36.87^\circ
-        Projecting on the normal to $\boldsymbol{v}_{A}$ eliminates $\boldsymbol{v}_{A}$:
+        Projecting on the normal to $\boldsymbol{v}_{A}$ (to the left) eliminates
+            $\boldsymbol{v}_{A}$:
         0 &= -v_{B} + v_{AB}\sin\psi_{BA}
         v_{AB} &= \frac{v_{B}}{\sin\psi_{BA}} = \frac{2\,\unit{m/s}}{\sin 36.87^\circ} \approx
             3.333\,\unit{m/s}
@@ -159,7 +161,8 @@ def test_a_rod_whose_end_stands_still() -> None:
             $\boldsymbol{v}_{AB}$, eliminates $\boldsymbol{v}_{AB}$:
         v_{A}\sin\psi_{BA} &= 0
         v_{A} &= 0
-        Projecting on the normal to $\boldsymbol{v}_{A}$ eliminates $\boldsymbol{v}_{A}$:
+        Projecting on the normal to $\boldsymbol{v}_{A}$ (to the left) eliminates
+            $\boldsymbol{v}_{A}$:
         0 &= v_{AB}\sin\psi_{BA}
         v_{AB} &= 0
         \omega &= \frac{v_{AB}}{BA} = 0

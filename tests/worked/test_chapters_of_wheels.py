@@ -106,7 +106,7 @@ def test_rolling_on_a_circle() -> None:
             $C$ ($v_{C}$ positive counter-clockwise about $O$) and the rotation of the wheel
             are linked:
         v_{C} &= 2\,\unit{m} \cdot \omega_{CD} = 2\,\unit{m} \cdot 3\,\unit{rad/s} =
-            6\,\unit{m/s}\quad\text{(counter-clockwise)}
+            6\,\unit{m/s}\quad\text{(counter-clockwise about }O\text{)}
         """
     )
 
@@ -132,7 +132,7 @@ def test_rolling_inside_a_circle() -> None:
             $C$ ($v_{C}$ positive counter-clockwise about $O$) and the rotation of the wheel
             are linked:
         v_{C} &= -2\,\unit{m} \cdot \omega_{CD} = -2\,\unit{m} \cdot 3\,\unit{rad/s} =
-            -6\,\unit{m/s}\quad\text{(clockwise)}
+            -6\,\unit{m/s}\quad\text{(clockwise about }O\text{)}
         \left|v_{C}\right| &= 6\,\unit{m/s}
         """
     )
@@ -166,7 +166,7 @@ def test_a_centre_that_is_driven_on_its_circle() -> None:
             rotation), for a known one for its magnitude. Printed values are rounded; the
             calculation goes on with all their digits.
         Given: the velocity of $A$ on its circle about $O$.
-        v_{A} &= 6\,\unit{m/s}\quad\text{(counter-clockwise)}
+        v_{A} &= 6\,\unit{m/s}\quad\text{(counter-clockwise about }O\text{)}
         ## The wheel rolls without slipping on a fixed circle
         As the wheel does not slip, its point of contact is its velocity pole, so the motion of
             $A$ ($v_{A}$ positive counter-clockwise about $O$) and the rotation of the wheel
@@ -182,7 +182,7 @@ def test_the_given_tangential_acceleration() -> None:
     assert read_chapter("# Accelerations", solution) == as_read(
         r"""
         Given: the tangential acceleration of $A$ on its circle about $O$.
-        a_{A}^{\mathrm{t}} &= 3\,\unit{m/s^2}\quad\text{(counter-clockwise)}
+        a_{A}^{\mathrm{t}} &= 3\,\unit{m/s^2}\quad\text{(counter-clockwise about }O\text{)}
         ## The wheel rolls without slipping on a fixed circle
         The condition of no slip holds at all times; differentiated with respect to time, it links
             the motion of $A$ ($a_{A}^{\mathrm{t}}$ positive counter-clockwise about $O$) and the

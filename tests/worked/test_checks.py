@@ -167,7 +167,7 @@ def test_wheels_about_fixed_axes_are_checked_by_the_speeds_of_their_rims() -> No
 
 def test_a_pose_is_checked_by_a_distance_that_is_given() -> None:
     assert read_checks("pose-four-bar-coupler")[0] == Check(
-        "the distance of $D$ and $C$ in coordinates, and as it is given",
+        "the distance $DC$ from the coordinates, and as it is given",
         r"\sqrt{(0.8255\,\unit{m} - 1.9\,\unit{m})^{2} + (1.804\,\unit{m})^{2}}"
         r" \approx 2.1\,\unit{m}",
         r"2.1\,\unit{m}",

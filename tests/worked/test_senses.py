@@ -56,7 +56,11 @@ def test_an_answer_in_the_opposite_sense_names_the_convention_of_the_question(
     ("name", "place", "told"),
     [
         ("rolling-wheel-rim-points", 1, r"a_{O} &= 8\,\unit{m/s^2}\quad\text{(to the left)}"),
-        ("two-wheels-on-cylinder", 1, r"v_{A} &= 0.6\,\unit{m/s}\quad\text{(clockwise)}"),
+        (
+            "two-wheels-on-cylinder",
+            1,
+            r"v_{A} &= 0.6\,\unit{m/s}\quad\text{(clockwise about }O\text{)}",
+        ),
     ],
 )
 def test_a_given_speed_is_the_size_that_the_statement_prints(

@@ -178,16 +178,28 @@ def _list_lines_from(centre: Vector, drawn: Obstacles) -> list[Vector]:
 
 
 def find_marked_rim(found: tuple[Rim, ...], hint: Radius, through: Vector | None) -> Rim:
-    """The circle that a hint means; circles that joints have come first."""
-    for rim in sorted(found, key=lambda rim: rim.kind == "edge"):
-        on_it = through is None or abs(length(through - rim.at) - rim.radius) < NEAR * (
-            1 + rim.radius
-        )
-        if rim.centre == hint.centre and hint.of in (None, rim.body) and on_it:
-            return rim
-    near = suggest(hint.centre, {rim.centre for rim in found})
-    what = Message("figure.no-such-circle", circle=_describe_circle(hint), hint=near)
-    raise TemplateError(Fault("figure.radii", what))
+    """The circle that a hint means; circles that joints have come before edges.
+
+    Raises TemplateError where there is none, or where several have different radii.
+    """
+    meant = [rim for rim in found if _is_meant(rim, hint, through)]
+    jointed = [rim for rim in meant if rim.kind != "edge"] or meant
+    if not jointed:
+        near = suggest(hint.centre, {rim.centre for rim in found})
+        what = Message("figure.no-such-circle", circle=_describe_circle(hint), hint=near)
+        raise TemplateError(Fault("figure.radii", what))
+    first, *others = jointed
+    if any(abs(rim.radius - first.radius) > NEAR * (1 + first.radius) for rim in others):
+        symbol, centre = Quoted(hint.symbol), Quoted(hint.centre)
+        what = Message("figure.several-circles", symbol=symbol, centre=centre)
+        raise TemplateError(Fault("figure.radii", what, do=Message("figure.name-circle")))
+    return first
+
+
+def _is_meant(rim: Rim, hint: Radius, through: Vector | None) -> bool:
+    if rim.centre != hint.centre or hint.of not in (None, rim.body):
+        return False
+    return through is None or abs(length(through - rim.at) - rim.radius) < NEAR * (1 + rim.radius)
 
 
 def _describe_circle(hint: Radius) -> Message:

@@ -6,9 +6,8 @@ from __future__ import annotations
 
 from collections.abc import Generator, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from itertools import pairwise, takewhile
-
-from typing_extensions import TypeIs
+from itertools import pairwise
+from typing import assert_never
 
 from kinegrade.press.sheet import WorkedQuestion
 from kinegrade.press.solutions.chains import Chain, Placed, chain_blocks, join_sentences
@@ -90,7 +89,7 @@ def _arrange(question: WorkedQuestion, filling: _Filling) -> Iterator[Part]:
     items = (statement, *chain_blocks(tuple(join_sentences(question.blocks))))
     place = 0
     if question.figure is not None:
-        chains = [item for item in takewhile(_is_text, items) if _is_text(item)]
+        chains = list(_take_text(items))
         figure = Drawing(question.figure, None, question.title)
         row, place = _choose_row((figure,), chains, filling.area.column)
         yield from filling.place([replace(row, whole=True)])
@@ -98,21 +97,36 @@ def _arrange(question: WorkedQuestion, filling: _Filling) -> Iterator[Part]:
     while place < len(items):
         item = items[place]
         place += 1
-        if _is_text(item):
-            heading = item if item[-1].stays else ()
-            yield from filling.place_chain(item if not heading else ())
-            continue
-        drawings = tuple(Drawing(each.scene, each.caption, each.caption) for each in item.pictures)
-        chains = list(_take_section(items[place:]))
-        if not chains:
-            yield from filling.place_chain(heading)
-        place += yield from _set_passage(drawings, _prepend(heading, chains), filling)
-        heading = ()
+        match item:
+            case tuple():
+                heading = item if item[-1].stays else ()
+                yield from filling.place_chain(item if not heading else ())
+            case Pictures():
+                chains = list(_take_section(items[place:]))
+                if not chains:
+                    yield from filling.place_chain(heading)
+                passage = _prepend(heading, chains)
+                place += yield from _set_passage(_list_drawings(item), passage, filling)
+                heading = ()
+            case _:
+                assert_never(item)
     yield from filling.place_chain(heading)
 
 
-def _is_text(item: Chain | Pictures) -> TypeIs[Chain]:
-    return not isinstance(item, Pictures)
+def _list_drawings(pictures: Pictures) -> tuple[Drawing, ...]:
+    return tuple(Drawing(each.scene, each.caption, each.caption) for each in pictures.pictures)
+
+
+def _take_text(items: Iterable[Chain | Pictures]) -> Iterator[Chain]:
+    """The chains before the next drawings."""
+    for item in items:
+        match item:
+            case tuple():
+                yield item
+            case Pictures():
+                return
+            case _:
+                assert_never(item)
 
 
 def _prepend(heading: Chain, chains: Sequence[Chain]) -> tuple[Chain, ...]:
@@ -124,10 +138,10 @@ def _take_section(items: Iterable[Chain | Pictures]) -> Iterator[Chain]:
     """The chains that may stand beside drawings before them: up to the next chapter, or
     to what stays with the next drawings.
     """
-    for item in items:
-        if not _is_text(item) or _begins_chapter(item) or item[-1].stays:
+    for chain in _take_text(items):
+        if _begins_chapter(chain) or chain[-1].stays:
             return
-        yield item
+        yield chain
 
 
 def _begins_chapter(chain: Chain) -> bool:

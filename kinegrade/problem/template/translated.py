@@ -29,6 +29,11 @@ class Translated:
         """The languages that the author names; none for a plain text."""
         return tuple(language for language, _ in self.by_language)
 
+    @property
+    def texts(self) -> tuple[str, ...]:
+        """Every text that the author wrote, a plain one as well."""
+        return tuple(text for _, text in self.list_written(()))
+
     def has(self, language: Language) -> bool:
         """Whether there is a text in a language."""
         return self.plain is not None or language in self.languages

@@ -34,6 +34,7 @@ from kinegrade.worked.senses import (
     say_beside,
     state_rotation_sense,
     state_sense_along,
+    state_way_round,
 )
 from kinegrade.worked.vectors.known_vectors import find_given_sign
 from kinegrade.worked.vectors.vectors import UNITS, name_by_role, name_point_vector
@@ -71,8 +72,10 @@ def _name_imposed(law: Imposed, case: Case, level: Level) -> Formula:
 def _state_sense(law: Imposed, value: Any, case: Case) -> Row:
     """The sense of what a driver imposes."""
     match law:
-        case ImposedRotation() | ImposedCircling():
+        case ImposedRotation():
             return state_rotation_sense(value, case)
+        case ImposedCircling():
+            return state_way_round(law.centre, double(value), case) if value else ()
         case ImposedMotion():
             return _state_way(law, double(value), case)
         case _:
@@ -175,9 +178,19 @@ def _state_given(law: Imposed, case: Case, level: Level) -> Message:
             assert_never(law)
 
 
+def is_assumed(law: ImposedRotation, case: Case) -> bool:
+    """Whether a driver turns a body as fast as one likes: by a number of the template's, where
+    nothing is asked that depends on time, as the place of a pole.
+    """
+    timeless = all(ask.unit.time == 0 for ask in case.template.asks.values())
+    return timeless and isinstance(_find_tree(law, case, "velocity"), Number)
+
+
 def _state_given_rotation(law: ImposedRotation, case: Case, level: Level) -> Message:
     body = case.naming.body(law.body)
     if law.of == GROUND:
+        if level == "velocity" and is_assumed(law, case):
+            return Message("solution.assumed-rotation", body=body)
         return Message(f"solution.given-rotation-{level}", body=body)
     other = case.naming.body(law.of)
     return Message(f"solution.given-relative-rotation-{level}", body=body, other=other)

@@ -20,7 +20,7 @@ from kinegrade.worked.formulas.leaves import formulate
 from kinegrade.worked.formulas.measures import double
 from kinegrade.worked.formulas.numbers import measure, state_number
 from kinegrade.worked.formulas.symbols import collect_symbols
-from kinegrade.worked.senses import state_rotation_sense, state_sense_along
+from kinegrade.worked.senses import state_sense_along, state_way_round
 from kinegrade.worked.vectors.deductions import state_rotation_result
 from kinegrade.worked.vectors.known_vectors import find_stated_sense
 from kinegrade.worked.vectors.relatives import find_relative, index_relative
@@ -60,7 +60,7 @@ def _state_sense(term: Term, case: Case, level: Level) -> Row:
     value = case.rates(level)[term.rate]
     match term.kind:
         case "arc":
-            return state_rotation_sense(value, case)
+            return state_way_round(term.base, double(value), case) if value else ()
         case "sliding" | "rotation":
             return state_sense_along(double(value), term.coefficient(), None, case)
         case _:

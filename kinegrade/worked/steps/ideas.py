@@ -26,6 +26,7 @@ from kinegrade.problem.quantities.functions import find_motion_calls
 from kinegrade.problem.template.template import Ask
 from kinegrade.worked.case import Case
 from kinegrade.worked.document import Block, Heading
+from kinegrade.worked.rates.driven import is_assumed
 from kinegrade.worked.steps.couplers import Coupler, choose_method, find_coupler
 from kinegrade.worked.steps.rigid import explain_choice, find_rigid_triangle
 from kinegrade.worked.steps.titles import select_scalars
@@ -76,7 +77,8 @@ def _name_given(law: Law, case: Case) -> Iterator[Message]:
     """The motion that a driver imposes."""
     match law:
         case ImposedRotation(body=body, of=of) if of == GROUND:
-            yield Message("solution.rotation-of", body=case.naming.body(body))
+            if not is_assumed(law, case):
+                yield Message("solution.rotation-of", body=case.naming.body(body))
         case ImposedRotation(body=body, of=of):
             name, other = map(case.naming.body, (body, of))
             yield Message("solution.rotation-relative-to", body=name, other=other)
@@ -129,12 +131,43 @@ def _explain_roll(roll: NoSlip, case: Case) -> Message:
 
 def _explain_choice(coupler: Coupler, case: Case) -> Message:
     """Why two points of a body serve, by the method that is taken."""
-    return Message(
-        f"solution.choice-{choose_method(coupler, case)}",
-        body=case.naming.body(coupler.body),
-        base=case.naming.point(coupler.base.point),
-        point=case.naming.point(coupler.point.point),
-    )
+    body = case.naming.body(coupler.body)
+    base, point = map(case.naming.point, (coupler.base.point, coupler.point.point))
+    driven = _is_driven(coupler.base.point, case)
+    known = Message("solution.velocity-given") if driven else Message("solution.velocity-found")
+    match choose_method(coupler, case):
+        case "base-point":
+            return Message(
+                "solution.choice-base-point", body=body, base=base, point=point, known=known
+            )
+        case "projection":
+            return Message(
+                "solution.choice-projection", body=body, base=base, point=point, known=known
+            )
+        case "pole":
+            return Message("solution.choice-pole", body=body, base=base, point=point)
+        case method:
+            assert_never(method)
+
+
+def _is_driven(point: str, case: Case) -> bool:
+    """Whether a driver imposes the motion of a point."""
+    laws = (relation.source for relation in case.motion.frames.relations)
+    return any(law is not None and _drives(law, point) for law in laws)
+
+
+def _drives(law: Law, point: str) -> bool:
+    match law:
+        case ImposedMotion(point=driven, of=of):
+            return driven == point and of == GROUND
+        case ImposedCircling(point=driven):
+            return driven == point
+        case ImposedRotation() | SharedPoint() | GuidedPoint() | EqualRotation():
+            return False
+        case NoSlip() | EqualPitchSpeed() | EqualBeltSpeed():
+            return False
+        case _:
+            assert_never(law)
 
 
 def _explain_frames(stage: Stage) -> Iterator[Message]:

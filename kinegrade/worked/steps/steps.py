@@ -29,7 +29,7 @@ from kinegrade.worked.senses import state_way
 from kinegrade.worked.steps.titles import describe_meanings, introduce_equation, select_scalars
 from kinegrade.worked.vectors.arms import find_arms, introduce_lengths
 from kinegrade.worked.vectors.by_components import find_components
-from kinegrade.worked.vectors.coriolis import explain_directions, list_turned
+from kinegrade.worked.vectors.coriolis import explain_absence, explain_directions, list_turned
 from kinegrade.worked.vectors.deductions import explain_deduction
 from kinegrade.worked.vectors.facts import has_been_told
 from kinegrade.worked.vectors.magnitudes import (
@@ -199,14 +199,23 @@ def explain_remarks(equation: VectorEquation, case: Case) -> Iterator[Block]:
     shifted = _find_shifted(equation, case)
     for name in sorted(shifted):
         yield case.say(Message(f"solution.shifted-{equation.level}", frame=case.naming.body(name)))
-    zeros = [
-        case.tell(Equation(name_part(equation, part, case), equate(ZERO)))
+    gone = [
+        part
         for part in equation.parts
         if vanishes(part) and not (shifted and (part.coincident or part.role == "coriolis"))
     ]
+    zeros = dict.fromkeys(
+        _state_zero(equation, part, case) for part in gone if part.role != "coriolis"
+    )
     if zeros:
-        listed_zeros = _list_equations(dict.fromkeys(zeros))
-        yield case.say(Message("solution.zero-parts", zeros=listed_zeros))
+        yield case.say(Message("solution.zero-parts", zeros=_list_equations(zeros)))
+    for part in gone:
+        if part.role == "coriolis":
+            yield case.say(explain_absence(part, _state_zero(equation, part, case), case))
+
+
+def _state_zero(equation: VectorEquation, part: Part, case: Case) -> str:
+    return case.tell(Equation(name_part(equation, part, case), equate(ZERO)))
 
 
 def _find_shifted(equation: VectorEquation, case: Case) -> Set[str]:

@@ -7,10 +7,11 @@ from typing import NamedTuple
 
 from kinegrade.language.message import Message, list_statements
 from kinegrade.mechanics.rates import make_turning
+from kinegrade.mechanics.vector_equation import Part
 from kinegrade.worked.case import Case
 from kinegrade.worked.document import Block
 from kinegrade.worked.formulas.atoms import VectorSymbol
-from kinegrade.worked.formulas.measures import double
+from kinegrade.worked.formulas.measures import NEGLIGIBLE, double
 from kinegrade.worked.senses import name_rotation_sense
 from kinegrade.worked.vectors.stage import Stage
 from kinegrade.worked.vectors.vectors import (
@@ -49,6 +50,15 @@ def explain_directions(turned: Iterable[Turned], case: Case) -> Iterator[Block]:
         case.findings.directed.update(one.coriolis for one in new)
         directions = list_statements(_describe_direction(one, case) for one in new)
         yield case.say(Message("solution.coriolis-rule", directions=directions))
+
+
+def explain_absence(part: Part, zero: str, case: Case) -> Message:
+    """Why there is no Coriolis acceleration, as `zero` says: its frame does not turn, or the point
+    rests in it.
+    """
+    if abs(double(case.motion.rates[make_turning(part.frame)])) < NEGLIGIBLE:
+        return Message("solution.no-coriolis-still", frame=case.naming.body(part.frame), zero=zero)
+    return Message("solution.no-coriolis-at-rest", zero=zero)
 
 
 def _describe_direction(one: Turned, case: Case) -> Message:

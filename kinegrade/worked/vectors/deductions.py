@@ -24,14 +24,14 @@ from kinegrade.worked.formulas.measures import bearing, double, length
 from kinegrade.worked.formulas.numbers import measure, state_number
 from kinegrade.worked.senses import (
     find_axis_sense,
-    say_beside,
     state_rotation_sense,
     state_sense_along,
+    state_way_round,
 )
 from kinegrade.worked.vectors.alignments import explain_alignments
 from kinegrade.worked.vectors.arms import name_length
 from kinegrade.worked.vectors.inclinations import find_ends, introduce_angle
-from kinegrade.worked.vectors.magnitudes import find_path_ends
+from kinegrade.worked.vectors.magnitudes import find_heading, find_path_ends
 from kinegrade.worked.vectors.projection import Deduction, Projection
 from kinegrade.worked.vectors.stage import (
     Stage,
@@ -110,8 +110,17 @@ def _announce_axis(stage: Stage, projection: Projection) -> Message:
     dropped = case.text(name_part(projection.equation, part, case, bold=True))
     known = AXIS_NAMES.get(projection.axis) or _name_line(projection.axis, part, case)
     if known is None:
-        return Message("solution.project-normal", dropped=dropped)
+        way = _describe_normal(find_heading(part), projection.axis)
+        return Message("solution.project-normal", dropped=dropped, way=way)
     return Message("solution.project-drop", axis=known, dropped=dropped)
+
+
+def _describe_normal(positive: Vector, axis: float) -> Message:
+    """Which of the two directions normal to a vector the axis has, from its positive direction."""
+    turned = positive.turned()
+    counter_clockwise = abs((bearing(turned) - axis + 180) % 360 - 180) < _RIGHT_ANGLE
+    sense = find_axis_sense(turned if counter_clockwise else -turned)
+    return sense or Message(f"solution.normal-{'left' if counter_clockwise else 'right'}")
 
 
 def _name_direction_of_part(projection: Projection, case: Case) -> Message:
@@ -192,6 +201,5 @@ def _state_sense(value: float, positive: Vector, part: Part, case: Case) -> Row:
     where the vector is slanting.
     """
     if part.base and value < 0 and find_axis_sense(positive) is None:
-        base = case.naming.point(part.base)
-        return say_beside(Message("solution.clockwise-about", point=base), case)
+        return state_way_round(part.base, value, case)
     return state_sense_along(value, positive, find_path_ends(part, case), case)

@@ -101,7 +101,7 @@ class Naming:
         kind = name.rstrip("0123456789")
         points = self._points(name)
         if kind in _LINKS and len(points) > 1:
-            return _Label(kind, "".join(map(write_point_symbol, points[:2])))
+            return _Label(kind, "".join(map(write_point_symbol, (points[0], points[-1]))))
         return _Label(kind, number=name[len(kind) :])
 
     def _is_round(self, body: str) -> bool:

@@ -71,7 +71,7 @@ def find_alike(words: str) -> str:
 def _list_words(template: Template) -> str:
     """What a template is called and tagged, in all its languages."""
     title = template.about.title
-    titles = [title.in_language(language) for language in title.languages]
+    titles = list(title.texts)
     return " ".join(
         (template.name, template.about.family, *list_tags(template), *titles)
     ).casefold()
