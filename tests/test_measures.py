@@ -54,9 +54,9 @@ def test_lines_of_code_are_lines_without_docstrings_comments_and_blanks(tmp_path
 # did when fairness came to be bounded (mistakes, follow-through, papers alike hard) and when
 # mechanisms came to move (cycles)
 FAR = {
-    "syntax nodes": 697_300,
-    "lines of code": 72_850,
-    "syntax nodes a line": 9.57,
+    "syntax nodes": 704_400,
+    "lines of code": 73_400,
+    "syntax nodes a line": 9.61,
     "modules of more than 250 lines": 21,
 }
 COPIED = """

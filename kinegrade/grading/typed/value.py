@@ -17,7 +17,6 @@ from dataclasses import dataclass
 from fractions import Fraction
 from unicodedata import numeric
 
-from kinegrade.expressions.evaluation import MAX_POWER
 from kinegrade.expressions.reading import read_rational
 from kinegrade.expressions.tree import (
     PRODUCTS,
@@ -32,12 +31,12 @@ from kinegrade.expressions.tree import (
 from kinegrade.grading.typed import formula_signs as signs
 from kinegrade.grading.typed.keyboard import show
 from kinegrade.grading.typed.number_text import (
-    LARGEST_EXPONENT,
     DecimalStyle,
     TypedNumber,
     Unreadable,
     scan,
 )
+from kinegrade.grading.typed.powers import raise_to
 from kinegrade.language.message import Message, Quoted, Text
 
 _MOST_ROOTS = 8
@@ -143,7 +142,7 @@ class _Reader:
             return self._root_of(base)
         if found := signs.POWER.match(self.text, self.place):
             self.place = found.end()
-            return _raise(base, int(found[1] or found[2]))
+            return raise_to(base, int(found[1] or found[2]))
         return base
 
     def atom(self, depth: int) -> Expression:
@@ -237,20 +236,3 @@ class _Reader:
 def _make_literal(value: Fraction) -> Expression:
     whole = Number(read_rational("1") * value.numerator)
     return whole if value.denominator == 1 else Number(whole.value / value.denominator)
-
-
-def _raise(base: Expression, power: int) -> Expression:
-    """base**power; powers of ten may be larger than others."""
-    if isinstance(base, Number) and base.value == 10:
-        _require_at_most(LARGEST_EXPONENT, power)
-        return Number(base.value**power)
-    _require_at_most(MAX_POWER, power)
-    exponent = Number(read_rational(str(abs(power))))
-    return Operation(
-        "**", base, Operation("-", Number(read_rational("0")), exponent) if power < 0 else exponent
-    )
-
-
-def _require_at_most(most: int, power: int) -> None:
-    if abs(power) > most:
-        raise Unreadable(Message("typing.large-whole-power", most=most))

@@ -101,7 +101,9 @@ class Naming:
         kind = name.rstrip("0123456789")
         points = self._points(name)
         if kind in _LINKS and len(points) > 1:
-            return _Label(kind, "".join(map(write_point_symbol, (points[0], points[-1]))))
+            bent = self.template.figure.shapes.get(name) == "bent"
+            ends = points if bent else (points[0], points[-1])
+            return _Label(kind, "".join(map(write_point_symbol, ends)))
         return _Label(kind, number=name[len(kind) :])
 
     def _is_round(self, body: str) -> bool:
