@@ -37,7 +37,9 @@ def find_barriers(page: Page, file: Path) -> Iterator[str]:
     wide = page.run("document.documentElement.scrollWidth")
     if wide > _NARROW:
         yield f"{wide} pixels wide in a window of {_NARROW}"
-    page.prefer("print")
+    page.prefer("print", color_scheme="dark")
+    if page.run("getComputedStyle(document.body).backgroundColor") != "rgb(255, 255, 255)":
+        yield "dark on paper"
     for shown in ("button", "input[type=range]", "input[type=checkbox]"):
         if page.run(_SHOWN.format(shown)):
             yield f"{shown} on paper"

@@ -41,6 +41,7 @@ def test_what_does_is_found(tmp_path: Path) -> None:
     file = write_sheet("slider-crank", "en", tmp_path)
     text = file.read_text(encoding="utf-8")
     text = text.replace("--link: #8fc1ff", "--link: #333").replace("button, .help", ".help")
+    text = text.replace("@media screen and (prefers", "@media (prefers")
     broad = '<main style="min-width: 900px">'
     file.write_text(text.replace("<main>", f"{broad}"), encoding="utf-8")
     with open_page() as page:
@@ -48,6 +49,7 @@ def test_what_does_is_found(tmp_path: Path) -> None:
     assert "dark: color-contrast: <button" in found
     assert "pixels wide in a window of 320" in found
     assert "button on paper" in found
+    assert "dark on paper" in found
 
 
 def test_a_screen_reader_has_the_formulas_of_labels_and_the_figure_in_a_sentence(
