@@ -59,6 +59,14 @@ def test_texts_in_no_stated_language_are_in_none(tmp_path: Path) -> None:
     assert list_statement_languages(read_template("crank", text)) == (ENGLISH,)
 
 
+def test_a_sign_in_words_may_be_written_once_too(tmp_path: Path) -> None:
+    text = crank_text(('sign = "+x"', 'sign = "positive from $O$ towards $A$"'))
+    (tmp_path / "crank.toml").write_text(text, encoding="utf-8")
+    shown = kinegrade("show", tmp_path / "crank.toml")
+    assert shown.exit_code == 0
+    assert "positive from O towards A" in shown.stdout
+
+
 def test_a_plain_text_is_the_same_in_every_language() -> None:
     template = crank(('{ en = "A crank", zh = "曲柄" }', '"OA"'))
     assert template.about.title.in_language(CHINESE) == "OA"

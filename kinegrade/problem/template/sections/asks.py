@@ -12,7 +12,7 @@ from kinegrade.problem.template.sections.parameters import unit
 from kinegrade.problem.template.sections.values import expression, present, written
 from kinegrade.problem.template.signs import Sign
 from kinegrade.problem.template.template import Ask
-from kinegrade.problem.template.translations import BY_LANGUAGE, translated, translated_by_language
+from kinegrade.problem.template.translations import BY_LANGUAGE, translated
 from kinegrade.sign_conventions import CONVENTIONS
 
 _LIKE = '{ quantity = "x(velocity(A))", unit = "m/s" }'
@@ -41,13 +41,13 @@ def _read_ask(name: str, table: Table) -> Ask | None:
 
 
 def read_sign(value: object) -> Sign:
-    """A sign convention: a keyword, or the author's texts by language.
+    """A sign convention: a keyword, or the author's own words, once or by language.
 
     >>> read_sign("ccw")
     'ccw'
     """
-    if isinstance(value, dict):
-        return translated_by_language(value)
+    if isinstance(value, dict) or (isinstance(value, str) and " " in value.strip()):
+        return translated(value)
     for convention in CONVENTIONS:
         if value == convention:
             return convention
