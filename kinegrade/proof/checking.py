@@ -25,6 +25,7 @@ from kinegrade.proof.assemblies import close_otherwise, find_other_assemblies
 from kinegrade.proof.causes import find_causes, write_causes
 from kinegrade.proof.demanding import describe_demands
 from kinegrade.proof.ends import note_points_beyond_ends
+from kinegrade.proof.letters import note_points_without_letter
 from kinegrade.proof.published import prove_published
 from kinegrade.proof.report import SECRET, Report
 from kinegrade.proof.searching import find_breaking_values
@@ -71,6 +72,7 @@ def check(template: Template, sample: int = 200, secret: str = SECRET) -> Report
     _weigh(report)
     _note_assemblies(report)
     report.remarks += note_points_beyond_ends(template, report.examples)
+    report.remarks += note_points_without_letter(template, report.examples[:1])
     report.faults += prove_solutions(report)
     _search(report, min(sample, _SEARCHED))
     describe_demands(report)

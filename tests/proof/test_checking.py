@@ -138,6 +138,19 @@ def test_a_radius_that_may_be_that_of_several_circles_is_a_fault() -> None:
     ]
 
 
+def test_a_point_that_the_statement_names_and_the_figure_does_not_letter_is_remarked() -> None:
+    named = ("$A$ is {{ h.value }} above $O$.", "$A$ is {{ h.value }} above $O$, as $P$ is.")
+    remarks = all_said(check(crank(named), sample=18).remarks)
+    assert (
+        "the statement names P, which has no letter in the figure: put it on a body that it "
+        "belongs to"
+    ) in remarks
+    lettered = ('OA = "O A"', 'OA = "O A P"')
+    assert not [
+        each for each in all_said(check(crank(named, lettered), sample=18).remarks) if "P," in each
+    ]
+
+
 INEXACT = (
     ('phi = "60"', 'phi = "37"'),
     ('v_B = "2*sqrt(3)/3*omega*r"', 'v_B = "GIVEN"'),
