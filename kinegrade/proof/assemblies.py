@@ -11,10 +11,12 @@ from dataclasses import dataclass, replace
 
 from kinegrade.errors import KinegradeError
 from kinegrade.expressions.tree import SIDES_OF, Call, Expression, Name
+from kinegrade.language.message import Message, Quoted
 from kinegrade.problem.solution import Solution
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.template import Template
 from kinegrade.proof.answerable import list_values
+from kinegrade.proof.report import Report
 
 _OPPOSITES: Mapping[str, str] = {
     "right": "left",
@@ -87,3 +89,19 @@ def _write_side(side: Expression) -> str:
             return name
         case _:
             raise TypeError(f"{side} is no side")
+
+
+def note_assemblies(report: Report) -> None:
+    """How else the mechanism closes in the first instances."""
+    for other in find_other_assemblies(report.template):
+        closed = sum(close_otherwise(each, other) is not None for each in report.examples)
+        if closed:
+            report.assemblies.append(
+                Message(
+                    "template.report-assembly",
+                    point=other.point,
+                    taken=Quoted(other.taken),
+                    other=Quoted(other.other),
+                    share=f"{closed / len(report.examples):.0%}",
+                )
+            )

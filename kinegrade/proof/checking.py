@@ -12,7 +12,7 @@ from kinegrade.draws.deck import Combination, Deck, make_deck
 from kinegrade.draws.draw_filter import DrawFilter
 from kinegrade.draws.examining import Examined, Refused
 from kinegrade.errors import TemplateError
-from kinegrade.language.message import Fault, Message, Quoted
+from kinegrade.language.message import Fault, Message
 from kinegrade.numbers.tolerance import ONE_PER_CENT, USUAL_CARRY
 from kinegrade.problem.holding import choose_wording, condition_holds
 from kinegrade.problem.quantity import Quantity
@@ -21,7 +21,7 @@ from kinegrade.problem.statement_faults import find_statement_faults
 from kinegrade.problem.template.template import Template
 from kinegrade.problem.template.texts import find_unfinished_translations
 from kinegrade.proof.answerable import find_answerable, write_values
-from kinegrade.proof.assemblies import close_otherwise, find_other_assemblies
+from kinegrade.proof.assemblies import note_assemblies
 from kinegrade.proof.causes import find_causes, write_causes
 from kinegrade.proof.demanding import describe_demands
 from kinegrade.proof.ends import note_points_beyond_ends
@@ -70,7 +70,7 @@ def check(template: Template, sample: int = 200, secret: str = SECRET) -> Report
         report.faults += error.faults
         return report
     _weigh(report)
-    _note_assemblies(report)
+    note_assemblies(report)
     report.remarks += note_points_beyond_ends(template, report.examples)
     report.remarks += note_points_without_letter(template, report.examples[:1])
     report.faults += prove_solutions(report)
@@ -146,22 +146,6 @@ def _draw(report: Report, draws: Sequence[Combination]) -> None:
             case _:
                 assert_never(found)
     report.seconds = (perf_counter() - start) / max(report.instances, 1)
-
-
-def _note_assemblies(report: Report) -> None:
-    """How else the mechanism closes in the first instances."""
-    for other in find_other_assemblies(report.template):
-        closed = sum(close_otherwise(each, other) is not None for each in report.examples)
-        if closed:
-            report.assemblies.append(
-                Message(
-                    "template.report-assembly",
-                    point=other.point,
-                    taken=Quoted(other.taken),
-                    other=Quoted(other.other),
-                    share=f"{closed / len(report.examples):.0%}",
-                )
-            )
 
 
 def _weigh(report: Report) -> None:
