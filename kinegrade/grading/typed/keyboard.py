@@ -18,7 +18,8 @@ _SIGNS = {
         ord(sign): "-"
         for sign in "\u2212\u2010\u2011\u2012\u2013\u2014\u2015\u2043\u02d7\ufe58\ufe63"
     },
-    **{ord(sign): " " for sign in BLANKS},
+    # A tab or the end of a line stays what it is, as in ASCII: it groups no digits
+    **{ord(sign): " " for sign in BLANKS if not sign.isascii()},
     **{ord(sign): None for sign in INVISIBLE},
     **{ord(sign): "*" for sign in "×·⋅•∙・✕✖"},
     **{ord(sign): "/" for sign in "÷\u2044\u2215"},

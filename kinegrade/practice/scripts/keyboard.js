@@ -2,10 +2,12 @@
 // What keyboards produce, in one alphabet: digits, signs, brackets, blanks. See typed/keyboard.py.
 
 const INVISIBLE = "\ufeff\u200b\u200c\u200d\u200e\u200f\u2060";
-const BLANKS =
-  "\t\n\v\f\r\x1c-\x1f \x85\xa0\u1680\u2000-\u200a\u2028\u2029\u202f\u205f\u3000" + INVISIBLE;
+const CONTROLS = "\t\n\v\f\r\x1c-\x1f"; // they group no digits
+const SPACES = " \x85\xa0\u1680\u2000-\u200a\u2028\u2029\u202f\u205f\u3000" + INVISIBLE;
+const BLANKS = CONTROLS + SPACES;
 const SURROUNDING = new RegExp(`^[${BLANKS}]+|[${BLANKS}]+$`, "g");
-const BLANK = new RegExp(`[${BLANKS}]`, "g");
+const CONTROL = new RegExp(`[${CONTROLS}]`, "g");
+const SPACE = new RegExp(`[${SPACES}]`, "g");
 const INVISIBLES = new RegExp(`[${INVISIBLE}]`, "g");
 const SUPERSCRIPTS = "⁰¹²³⁴⁵⁶⁷⁸⁹";
 const RAISED = new RegExp(`[⁺⁻]?[${SUPERSCRIPTS}]+(?=([0-9])?)`, "g");
@@ -39,7 +41,7 @@ function foldSigns(text) {
   const narrow = folded.replace(/[\uff01-\uff5e]/g, (wide) =>
     String.fromCharCode(wide.charCodeAt(0) - 0xfee0),
   );
-  return narrow.replace(INVISIBLES, "").replace(BLANK, " ");
+  return narrow.replace(INVISIBLES, "").replace(CONTROL, "\t").replace(SPACE, " ");
 }
 
 /** @param {string} raised @param {string | undefined} digit what follows */
