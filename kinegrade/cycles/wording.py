@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from kinegrade.language import Language
 from kinegrade.language.decimal_mark import write_decimal_text, write_decimals_of_math
+from kinegrade.language.math.units import append_unit
 from kinegrade.language.message import Message
 from kinegrade.language.prose.plain import write_prose
 from kinegrade.mechanics.geometry import round_short
@@ -39,17 +40,7 @@ class Quantities:
         short = round_short(0.0 if abs(value) < _NOTHING else value)
         digits, _, power = str(short).partition("e")
         number = rf"{digits} \cdot 10^{{{int(power)}}}" if power else digits
-        return f"${write_decimals_of_math(number, self.language)}{_write_unit(unit)}$"
-
-
-def _write_unit(unit: str) -> str:
-    match unit:
-        case "1":
-            return ""
-        case "deg":
-            return r"^\circ"
-        case _:
-            return rf"\,\unit{{{unit}}}"
+        return f"${append_unit(write_decimals_of_math(number, self.language), unit)}$"
 
 
 def say_plainly(message: Message, language: Language) -> str:

@@ -83,7 +83,8 @@ def _find_faults(path: Path, totals: ClassTotals, sums: Sequence[StudentSums]) -
 
 def _list_shared(row: StudentTotal, sums: StudentSums) -> tuple[object, ...]:
     """All on which it depends whether a row agrees with the sums; most students share it with
-    others. By identity, as hashing fractions takes longer than comparing them.
+    others. By identity, as hashing fractions takes longer than comparing them; rows and sums are
+    kept, so that no other amount has the identity of one of theirs.
     """
     amounts = (row.points, row.total, row.out_of, row.percent, row.subtracted, row.kept)
     added = (sums.points, sums.out_of, sums.bonus)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
+from kinegrade.language.math.units import append_unit
 from kinegrade.numbers.angle import Angle
 from kinegrade.numbers.text import LATEX, write_angle
 from kinegrade.problem.quantity import Quantity
@@ -45,8 +46,4 @@ def _write_with_unit(quantity: Quantity) -> str:
     unit = quantity.measure
     if isinstance(quantity.number, Angle) and quantity.number.parts:
         return write_angle(quantity.number, degrees=False, form=LATEX)
-    if unit.degrees:
-        return f"{quantity.given_text}^\\circ"
-    return (
-        quantity.given_text if unit.text == "1" else rf"{quantity.given_text}\,\unit{{{unit.text}}}"
-    )
+    return append_unit(quantity.given_text, unit.text)

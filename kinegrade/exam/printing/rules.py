@@ -10,6 +10,7 @@ from math import sqrt
 from kinegrade.exam.bank.blueprint import Bank
 from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
+from kinegrade.language.math.units import append_unit
 from kinegrade.language.message import Message, Part, list_choices
 from kinegrade.numbers.decimals import figures_interval
 from kinegrade.numbers.tolerance import Tolerance
@@ -157,14 +158,7 @@ def write_amount(amount: Fraction, unit: str, sign: str = "") -> str:
     >>> write_amount(Fraction(1, 4), "m/s"), write_amount(Fraction(1, 2), "deg", r"\pm")
     ('$0.25\\,\\unit{m/s}$', '$\\pm0.5^\\circ$')
     """
-    number = f"{sign}{write_plain(amount)}"
-    match unit:
-        case "1":
-            return f"${number}$"
-        case "deg":
-            return rf"${number}^\circ$"
-        case _:
-            return rf"${number}\,\unit{{{unit}}}$"
+    return f"${append_unit(f'{sign}{write_plain(amount)}', unit)}$"
 
 
 def make_percent(share: Fraction) -> Message:

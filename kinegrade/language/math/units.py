@@ -37,6 +37,21 @@ def raise_exponents(
     )
 
 
+def append_unit(number: str, unit: str) -> str:
+    r"""A number in LaTeX math with its unit behind it; a pure number has none.
+
+    >>> append_unit("0.25", "m/s"), append_unit("0.5", "deg"), append_unit("3", "1")
+    ('0.25\\,\\unit{m/s}', '0.5^\\circ', '3')
+    """
+    match unit:
+        case "1":
+            return number
+        case "deg":
+            return rf"{number}^\circ"
+        case _:
+            return rf"{number}\,\unit{{{unit}}}"
+
+
 def write_unit(
     unit: str, pure: str = DASH, write_symbols: Callable[[str], str] = raise_exponents
 ) -> str:
