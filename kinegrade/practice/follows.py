@@ -28,6 +28,7 @@ from kinegrade.students.mistaking.mistakes import convert_parameter
 # as values are that students carry on from
 _TRIED, _PROVED = (1.3, -0.7, 1.9), (0.6, 2.7, -1.6, 0.06, 40.0)
 _OF_ITS_SIGN = (1.3, 0.7, 1.9), (0.6, 2.7, 1.6, 0.06, 40.0)  # where there are magnitudes on the way
+_BESIDE = _TRIED[:2]  # a size and a sign that differ: either may change what follows
 _SAME = 1e-8
 _DIGITS = 9
 _NEW = 1e-4  # of a value: nearer ones are not told apart
@@ -117,13 +118,16 @@ class _Fit:
         right, key = self.follower.right(self.earlier), self.follower.right(self.later)
         if not right or key is None:
             return
-        wrong = {self.earlier: right * _TRIED[0]}
-        alone = self.follower.consequences(wrong, self.later)
-        for other in others:
-            both = {**wrong, other: self.follower.right(other) or 0.0}
-            together = self.follower.consequences(both, self.later)
-            if any(not _is_near(each, (key, *alone)) for each in together):
-                yield other
+        found: dict[str, None] = {}
+        for share in _BESIDE:
+            wrong = {self.earlier: right * share}
+            alone = self.follower.consequences(wrong, self.later)
+            for other in others:
+                both = {**wrong, other: self.follower.right(other) or 0.0}
+                together = self.follower.consequences(both, self.later)
+                if any(not _is_near(each, (key, *alone)) for each in together):
+                    found[other] = None
+        yield from found
 
     def list_ways(self) -> tuple[tuple[str, ...], ...]:
         """The coefficients of each way of going on, with a "+" where they hold for values of the

@@ -13,7 +13,7 @@ _FOR_READERS = re.compile(
 )
 _OF_LAYOUTS = ("player",)
 READER = ("keyboard", "number", "formula", "unit", "sense", "answer")
-JUDGE = ("judge", "guess", "unpack", "follow")
+JUDGE = ("judge", "guess", "unpack", "follow", "cut_off")
 MOTION = ("player", "poses", "poles", "drawing", "graph", "motion")
 PAGE = ("words", "explain", "score", *MOTION, "question")
 

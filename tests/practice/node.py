@@ -35,7 +35,7 @@ const judged = sheet.questions.map((question, place) =>
     const verdicts = question.asks.map((ask, row) =>
       judge(reader.read(typed[place][number][row], ask), keys[row]));
     const judged = followThrough(question, draw, keys, verdicts);
-    const cutOff = isCutOff(question, draw, judged);
+    const cutOff = isCutOff(question, draw, keys, judged);
     return judged.map(({ kind, mistakes }) => ({ kind, mistakes, is_cut_off: cutOff }));
   }));
 process.stdout.write(JSON.stringify(judged));

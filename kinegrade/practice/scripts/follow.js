@@ -134,35 +134,3 @@ function isTrivial(own, right, fits) {
     fits(own / 2, 2 ** power) && !fits(right, (own / right) ** power);
   return size > LARGE && (drowns(1) || drowns(2));
 }
-
-/**
- * Whether there are wrong answers from which another may follow in a way that is not baked: that
- * has no such coefficients, or rests on several of them.
- * @param {Question} question
- * @param {Draw} draw
- * @param {Verdict[]} judged
- */
-function isCutOff(question, draw, judged) {
-  const follows = readFollows(draw);
-  const listWrong = (/** @type {number} */ to) =>
-    follows.filter(
-      (each) =>
-        each.to === to &&
-        judged[each.from].kind !== "right" &&
-        Number.isFinite(judged[each.from].value) &&
-        (each.beside === null || judged[each.beside].kind === "right"),
-    );
-  return question.asks.some((_, to) => {
-    if (!isOpen(judged[to])) return false;
-    const wrong = listWrong(to);
-    const behind = wrong.filter((each) => !isOpen(judged[each.from])).flatMap((each) => listWrong(each.from));
-    const places = new Set([...wrong, ...behind].map((each) => each.from).filter((from) => from !== to));
-    return wrong.some((each) => !isKnown(each, draw, judged)) || places.size > 1;
-  });
-}
-
-/** @param {Following} following @param {Draw} draw @param {Verdict[]} judged whether what follows is baked */
-function isKnown({ from, coefficients, ofItsSign }, draw, judged) {
-  const hasItsSign = Number(draw.keys[from][0]) * judged[from].value >= 0;
-  return coefficients !== null && (hasItsSign || !ofItsSign);
-}

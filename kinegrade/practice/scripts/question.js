@@ -113,7 +113,7 @@ class QuestionView {
     const { words, score } = this.setting;
     const points = { earned, points: countPoints(this.question.asks) };
     const said = [words.say(this.spoilt ? "earned-spoilt" : "earned", points)];
-    if (isCutOff(this.question, this.draw, judged)) said.push(words.say("no-following"));
+    if (isCutOff(this.question, this.draw, this.keys, judged)) said.push(words.say("no-following"));
     find(this.box, ".earned").textContent = said.join(" ");
     if (!this.spoilt) score.note(this.place, earned);
   }
