@@ -18,9 +18,10 @@ from kinegrade.figure.marks.angles import (
     mark_angles,
 )
 from kinegrade.figure.marks.body_names import add_body_names
-from kinegrade.figure.marks.dimensions import add_length
 from kinegrade.figure.marks.frames import add_axes_aside, add_frames
 from kinegrade.figure.marks.imposed import drop_still
+from kinegrade.figure.marks.lengths.dimensions import add_length
+from kinegrade.figure.marks.lengths.extension_gaps import Around
 from kinegrade.figure.marks.motions import add_motions, draw_likely_motions, list_likely_motions
 from kinegrade.figure.marks.names import keep_from_arrows, label_points
 from kinegrade.figure.marks.radii import add_radii
@@ -33,7 +34,6 @@ from kinegrade.figure.mechanism.paper import scale_to_paper
 from kinegrade.figure.mechanism.view import crop_to_view
 from kinegrade.figure.placing.aligned import list_thin_lines
 from kinegrade.figure.placing.layout import Layout
-from kinegrade.figure.placing.obstacles import Obstacles
 from kinegrade.figure.placing.place import Wish
 from kinegrade.figure.scene import THIN, Bow, Scene, find_common_box
 from kinegrade.figure.similar_mechanisms import Subject, normalise_subject
@@ -155,8 +155,8 @@ def _compose(begin: Callable[[float], _Begun], order: tuple[_Stage, ...], scale:
                 for _, together in groupby(moving, attrgetter("point")):
                     layout = add_motions(layout, paper, list(together), drawing.rails, unwritten)
             case "lengths":
-                grounds = begun.start.obstacles, Obstacles.of(drawing.ground)
-                layout = _place_lengths(layout, paper, hints, *grounds)
+                around = Around.of(begun.start.obstacles, drawing)
+                layout = _place_lengths(layout, paper, hints, around)
             case "letters":
                 letters = [keep_from_arrows(wish, layout.marks) for wish in unwritten]
                 layout, unwritten = layout.written(letters), ()
@@ -167,11 +167,9 @@ def _compose(begin: Callable[[float], _Begun], order: tuple[_Stage, ...], scale:
     return add_body_names(layout, paper, hints, drawing)
 
 
-def _place_lengths(
-    layout: Layout, paper: Mechanism, hints: FigureHints, drawn: Obstacles, ground: Obstacles
-) -> Layout:
+def _place_lengths(layout: Layout, paper: Mechanism, hints: FigureHints, around: Around) -> Layout:
     for length in hints.lengths:
-        layout = add_length(layout, paper.points, length, drawn, ground)
+        layout = add_length(layout, paper.points, length, around)
     dear = [cost - _EASY for cost in layout.costs[len(layout.costs) - len(hints.lengths) :]]
     return replace(layout, strain=sum(cost for cost in dear if cost > 0))
 

@@ -7,8 +7,8 @@ from math import cos
 import numpy as np
 import pytest
 
-from kinegrade.figure.marks.dimension_lines import DimensionLine
-from kinegrade.figure.marks.length_leaders import list_leaders
+from kinegrade.figure.marks.lengths.dimension_lines import DimensionLine
+from kinegrade.figure.marks.lengths.length_leaders import list_leaders
 from kinegrade.figure.marks.moving_arrow import MovingArrow
 from kinegrade.figure.marks.names import keep_from_arrows
 from kinegrade.figure.placing.aligned import list_thin_lines, runs_on

@@ -10,7 +10,7 @@ import pytest
 from kinegrade.figure.joints.symbol import Rim
 from kinegrade.figure.marks.angle_arc import AngleArc
 from kinegrade.figure.marks.body_names import add_body_names
-from kinegrade.figure.marks.dimension_lines import SymbolBeside
+from kinegrade.figure.marks.lengths.dimension_lines import SymbolBeside
 from kinegrade.figure.marks.sides import Side
 from kinegrade.figure.mechanism.layers import Drawing
 from kinegrade.figure.mechanism.straight_parts import Bar, Part, SlottedDisc

@@ -7,7 +7,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import replace
 
-from kinegrade.figure.marks.dimensions import add_length
+from kinegrade.figure.marks.lengths.dimensions import add_length
+from kinegrade.figure.marks.lengths.extension_gaps import Around
 from kinegrade.figure.marks.turning_arrow import TurningArrow
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.placing.obstacles import Obstacles
@@ -33,7 +34,7 @@ def _add(
 ) -> Layout:
     ground, layout = tuple(ground), Layout.of((*drawn, *ground))
     marked = layout.drawn(tuple(marks))
-    return add_length(marked, AB, length, layout.obstacles, Obstacles.of(ground))
+    return add_length(marked, AB, length, Around(layout.obstacles, Obstacles.of(ground)))
 
 
 def _find_extensions(layout: Layout) -> list[tuple[Vector, Vector]]:
@@ -63,7 +64,7 @@ def test_an_extension_line_does_not_begin_in_a_letter() -> None:
     letter = Label("C", Vector(B.x + 0.5, side * 3.0), 2.0, 2.0)
     layout = replace(Layout.of((letter,)), labels=(letter,))
     bare = Obstacles.of(())
-    moved = add_length(layout, AB, Length("d", "A", "B"), bare, bare)
+    moved = add_length(layout, AB, Length("d", "A", "B"), Around(bare, bare))
     assert [end.y * side < 0 for _, end in _find_extensions(moved)] == [True, True]
 
 
@@ -100,7 +101,7 @@ def test_parallel_dimension_lines_stand_apart() -> None:
     layout = Layout.of((Strokes(((Vector(-25.0, -2.0), Vector(25.0, -2.0)),), BOLD),))
     for ends in ("AB", "CD"):
         length = Length(ends.lower(), *ends)
-        layout = add_length(layout, points, length, layout.obstacles, Obstacles((), ()))
+        layout = add_length(layout, points, length, Around(layout.obstacles, Obstacles((), ())))
     levels = sorted({round(head.corners[0].y, 6) for head in heads(layout)})
     assert len(levels) == 2
     assert levels[1] - levels[0] > 3.5
@@ -153,5 +154,7 @@ def test_a_dimension_crosses_an_outline_rather_than_the_arrow_of_a_motion() -> N
     arrow = TurningArrow(Bow(A, 5.0, 1.2, 1.3, THIN), Turning(r"\omega", "b"), 0.0)
     layout = Layout.of((lower,))
     for marked, sign in ((layout, 1.0), (layout.chosen([arrow])[0], -1.0)):
-        found = add_length(marked, AB, Length("d", "A", "B"), layout.obstacles, Obstacles.of(()))
+        found = add_length(
+            marked, AB, Length("d", "A", "B"), Around(layout.obstacles, Obstacles.of(()))
+        )
         assert {sign * end.y > 0 for _, end in _find_extensions(found)} == {True}

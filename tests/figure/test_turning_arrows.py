@@ -8,7 +8,7 @@ from math import degrees, hypot, pi
 import pytest
 
 from kinegrade.figure.joints.symbol import Rim
-from kinegrade.figure.marks.dimensions import find_extension_angles
+from kinegrade.figure.marks.lengths.dimensions import find_extension_angles
 from kinegrade.figure.marks.turning_arrow import Company, TurningArrow
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.placing.obstacles import Obstacles

@@ -14,7 +14,7 @@ import numpy as np
 from kinegrade.errors import TemplateError
 from kinegrade.figure.joints.symbol import Rim
 from kinegrade.figure.marks.angle_arc import AngleArc, LedAngleArc
-from kinegrade.figure.marks.dimension_lines import Leader, SymbolBeside
+from kinegrade.figure.marks.lengths.dimension_lines import Leader, SymbolBeside
 from kinegrade.figure.mechanism.layers import Drawing
 from kinegrade.figure.mechanism.straight_parts import Bar, Rod, SlottedDisc
 from kinegrade.figure.placing.extent import measure_symbol

@@ -6,8 +6,8 @@ from collections.abc import Iterable, Mapping, Sequence
 from math import pi
 
 from kinegrade.figure.joints.symbol import find_fixed_pin
-from kinegrade.figure.marks.dimensions import find_extension_angles
 from kinegrade.figure.marks.imposed import find_imposed_sense
+from kinegrade.figure.marks.lengths.dimensions import find_extension_angles
 from kinegrade.figure.marks.turning_arrow import Company, TurningArrow
 from kinegrade.figure.marks.turning_radii import BEYOND, RADII, ROOMY, order_radii
 from kinegrade.figure.mechanism.layers import Drawing

@@ -14,6 +14,7 @@ from kinegrade.figure.joints.symbol import Feature, Rim, Symbol, find_fixed_pin,
 from kinegrade.figure.mechanism.geneva_wheels import find_geneva_wheels
 from kinegrade.figure.mechanism.plates import Plate, find_outward_direction, find_plate
 from kinegrade.figure.mechanism.slotted_discs import find_slotted_disc
+from kinegrade.figure.mechanism.straight.racks import find_racks
 from kinegrade.figure.mechanism.straight.rods import find_rods
 from kinegrade.figure.mechanism.straight.welded_rods import weld_rods
 from kinegrade.figure.mechanism.straight_parts import (
@@ -53,7 +54,7 @@ def find_straight_parts(
         else part
         for part in parts
     ]
-    parts = _tell_apart(parts, symbols)
+    parts = [*_tell_apart(parts, symbols), *find_racks(mechanism, shapes, symbols)]
     bars = [part for part in parts if isinstance(part, Bar)]
     return weld_rods(parts, tuple(find_rods(mechanism, shapes, symbols, found, bars)))
 

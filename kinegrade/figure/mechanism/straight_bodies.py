@@ -19,6 +19,7 @@ from kinegrade.figure.scene import BOLD, FIRM, Outline, Primitive, Strokes
 from kinegrade.mechanics.vector import Vector
 
 _PLATE_EDGE = 1.9  # millimetres of a plate beyond the pins at its corners
+_SOLID_END = 1.6  # millimetres from the end of a rack to its last gap, which is no longer cut there
 
 
 def draw_straight_part(part: Part, rims: Sequence[Rim]) -> tuple[Primitive, ...]:
@@ -53,7 +54,7 @@ def _draw_bar(bar: Bar, rims: Sequence[Rim]) -> tuple[Primitive, ...]:
     match bar.use:
         case "rack":
             eyes = tuple(at for at in (bar.start, bar.end) if at not in bar.free)
-            gap = find_gap_of_rack(rims, bar.actions[0])
+            gap = find_gap_of_rack(rims, bar.actions[0]) if bar.actions else _find_last_gap(bar)
             return symbols.draw_rack(bar.start, bar.end, bar.back, gap, eyes)
         case "slot":
             return symbols.draw_slotted_bar(bar.start, bar.end, _find_slot(bar), bar.fill)
@@ -63,6 +64,11 @@ def _draw_bar(bar: Bar, rims: Sequence[Rim]) -> tuple[Primitive, ...]:
             return (Strokes(((bar.start, bar.end),), BOLD),)
         case _:
             assert_never(bar.use)
+
+
+def _find_last_gap(rack: Bar) -> Vector:
+    """The gap of a rack without a gear that leaves its end solid."""
+    return rack.end + unit(rack.start - rack.end) * _SOLID_END
 
 
 def _find_slot(part: Bar) -> tuple[Vector, Vector]:

@@ -7,8 +7,8 @@ from itertools import product
 from math import pi
 
 from kinegrade.figure.joints.symbol import Rim
-from kinegrade.figure.marks.dimensions import find_measured_direction
 from kinegrade.figure.marks.imposed import find_imposed_sense
+from kinegrade.figure.marks.lengths.dimensions import find_measured_direction
 from kinegrade.figure.marks.motions import find_motion_direction
 from kinegrade.figure.marks.rotations import find_turning_centre
 from kinegrade.figure.placing.mark import direction

@@ -27,6 +27,7 @@ Shape = Literal[
     "jaw",
     "disc",
     "geneva",
+    "rack",
 ]
 Projection = Literal["horizontal", "vertical"]
 Axis = Literal["x", "y"]
@@ -144,8 +145,9 @@ class FigureHints:
     goes on beyond its point), "jaw" (of a crusher, facing a fixed jaw), "arc" (a round track of
     which only the arc around its wheels is drawn), "rope" (what a wheel rolls on, from the
     wheel to its point), "load" (the same with a load at its point), "disc" (a disc about the first
-    point, not a slotted bar), "geneva" (the slotted wheel of a Geneva drive). `supports` gives the
-    side on which the support of a fixed pin stands; below it where nothing is said.
+    point, not a slotted bar), "geneva" (the slotted wheel of a Geneva drive), "rack" (a translating
+    rod with teeth, whose gear is not in the figure). `supports` gives the side on which the support
+    of a fixed pin stands; below it where nothing is said.
     """
 
     lengths: tuple[Length, ...] = ()

@@ -28,11 +28,10 @@ def find_rods(
     enough to keep its guide clear of the bars and wheels.
     """
     circles = [rim.at for rim in found]
-    for guide in _find_guides_of_rods(symbols):
+    for guide in find_guides_of_rods(symbols):
         if find_guided_rack(guide, bars):
             continue
-        names = mechanism.body(guide.body).points
-        others = [at for name, at in mechanism.points.items() if name not in names]
+        others = list_others(mechanism, guide)
         side = guide.along.dot(mean(others + circles) - guide.at)
         toward = guide.along * (-1.0 if side > 0.01 * _ROD else 1.0)
         start, end = (
@@ -44,7 +43,13 @@ def find_rods(
         yield Rod(guide.body, start, end, tuple(at for at in (end, start) if at != guide.at))
 
 
-def _find_guides_of_rods(symbols: Sequence[Symbol]) -> Iterator[Guide]:
+def list_others(mechanism: Mechanism, guide: Guide) -> list[Vector]:
+    """The points that are not on the body in a guide."""
+    names = mechanism.body(guide.body).points
+    return [at for name, at in mechanism.points.items() if name not in names]
+
+
+def find_guides_of_rods(symbols: Sequence[Symbol]) -> Iterator[Guide]:
     """The guides whose body does not turn; of two for one body, the last."""
     level = {symbol.translating for symbol in symbols}
     guides = {symbol.guide.body: symbol.guide for symbol in symbols if symbol.guide}

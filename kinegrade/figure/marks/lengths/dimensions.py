@@ -10,8 +10,9 @@ from functools import partial
 from math import copysign, inf, pi
 from typing import assert_never
 
-from kinegrade.figure.marks.dimension_lines import DimensionLine, SymbolBeside
-from kinegrade.figure.marks.length_leaders import list_leaders
+from kinegrade.figure.marks.lengths.dimension_lines import DimensionLine, SymbolBeside
+from kinegrade.figure.marks.lengths.extension_gaps import Around, Gap, find_gap
+from kinegrade.figure.marks.lengths.length_leaders import list_leaders
 from kinegrade.figure.marks.motions import list_arrows
 from kinegrade.figure.placing.joining import Join, find_join
 from kinegrade.figure.placing.layout import Layout, no_others
@@ -27,13 +28,7 @@ _OFFSETS = tuple(
     for offset in (5.5, 8.0, 10.5, 13.0, 16.0, 19.5, 23.0, 26.5)
     for side in (1.0, -1.0)
 )
-_LEAVING = 1.6  # millimetres from a point to its extension line, where nothing is in the way
-# Millimetres around a point in which its support is, in steps, and from there to the line
-_SUPPORT, _PROBES, _OUTSIDE = (7.0, 10, 0.5)
-# Millimetres of the width in which a line meets a body, and hatching, with more than a gap of it
-_MEETS, _HATCHED = 0.2, 1.6
-_BODY = 2.9  # millimetres around a point in which the broad body or the sleeve is that it is on
-_HIDDEN = 1.0  # demerit of a millimetre between a point and its extension line beyond a support
+_HIDDEN = 1.0  # demerit of a millimetre in which nothing leads to an extension line
 # Millimetres, of a dimension line close to its points, short of what is farther, its demerit
 _CLOSE_BY, _CLOSER = 4.6, 6.0
 _SHORT = 4.0  # millimetres of a gap that still leave room for a line of the least offset
@@ -43,6 +38,7 @@ _ON_ARROW = 20.0  # demerit of a dimension across the arrow of a motion
 _ON_GROUND = 8.0  # demerit of a dimension across the hatching of the ground
 _HEAD_ON_LINE = 5.0  # demerit of a dimension whose arrowhead lies on something
 _CLOSE = 6.0  # demerit of a dimension line close beside another
+Gaps = tuple[Gap, Gap]
 _DRAWN_GAP = 2.5  # millimetres by which a line between two points may miss either of them
 
 
@@ -59,15 +55,12 @@ def find_measured_direction(along: Projection | None, start: Vector, end: Vector
             assert_never(along)
 
 
-def add_length(
-    layout: Layout, at: Mapping[str, Vector], hint: Length, drawn: Obstacles, ground: Obstacles
-) -> Layout:
+def add_length(layout: Layout, at: Mapping[str, Vector], hint: Length, around: Around) -> Layout:
     """The layout with a dimension line that stands well apart from earlier ones, or the symbol
-    alone where a line is drawn exactly between the two points; `drawn` is the mechanism, and
-    `ground` are its supports and guides.
+    alone where a line is drawn exactly between the two points of the mechanism `around` it.
     """
-    company = _Company.of(layout, ground)
-    dimensions = [company.rate(mark) for mark in _list_dimensions(at, hint, drawn, ground)]
+    company = _Company.of(layout, around.ground)
+    dimensions = [company.rate(mark) for mark in _list_dimensions(at, hint, around)]
     earlier = [mark for mark in layout.marks if isinstance(mark, DimensionLine)]
     if earlier:
         dimensions = [
@@ -75,7 +68,7 @@ def add_length(
             for mark in dimensions
         ]
     start, end = at[hint.start], at[hint.end]
-    demerit = _rate_join(find_join(drawn, start, end, _DRAWN_GAP))
+    demerit = _rate_join(find_join(around.drawn, start, end, _DRAWN_GAP))
     if find_join(layout.obstacles, start, end, _DRAWN_GAP) == "whole":
         demerit = min(demerit, _LEG)
     letters = _list_letters(at, hint, demerit)
@@ -119,24 +112,22 @@ class _Company:
         return replace(mark, demerit=mark.demerit + worse) if worse else mark
 
 
-def _list_dimensions(
-    at: Mapping[str, Vector], hint: Length, drawn: Obstacles, ground: Obstacles
-) -> list[DimensionLine]:
+def _list_dimensions(at: Mapping[str, Vector], hint: Length, around: Around) -> list[DimensionLine]:
     start, end = at[hint.start], at[hint.end]
     measured = find_measured_direction(hint.along, start, end)
     backwards = hint.signed and measured.dot(end - start) < 0
     symbol = rf"\left|{hint.symbol}\right|" if backwards else hint.symbol
     gaps = {
         side: (
-            _find_gap(start, measured.turned() * side, drawn, ground),
-            _find_gap(end, measured.turned() * side, drawn, ground),
+            find_gap(start, measured.turned() * side, around),
+            find_gap(end, measured.turned() * side, around),
         )
         for side in (1.0, -1.0)
     }
     close = [
         _draw_close_dimension((start, end), measured, side, symbol, gaps[side])
         for side in (1.0, -1.0)
-        if max(gaps[side]) <= _BODY + _OUTSIDE
+        if all(gap.close for gap in gaps[side])
     ]
     farther = [
         _draw_dimension((start, end), measured, offset, symbol, gaps[copysign(1.0, offset)])
@@ -146,7 +137,7 @@ def _list_dimensions(
 
 
 def _draw_close_dimension(
-    points: Segment, measured: Vector, side: float, symbol: str, gaps: tuple[float, float]
+    points: Segment, measured: Vector, side: float, symbol: str, gaps: Gaps
 ) -> DimensionLine:
     """The dimension line just beside the broad body that its points are on, short of a guide or
     another bar that stands farther out on that side.
@@ -154,7 +145,7 @@ def _draw_close_dimension(
     across = measured.turned() * side
     level = max(across.dot(point) for point in points) + _CLOSE_BY
     feet = [point + across * (level - across.dot(point)) for point in points]
-    return DimensionLine(points, (feet[0], feet[1]), symbol, _CLOSER, gaps)
+    return DimensionLine(points, (feet[0], feet[1]), symbol, _CLOSER, _measure(gaps))
 
 
 def _rate_join(join: Join) -> float:
@@ -197,37 +188,22 @@ def find_extension_angles(
     return tuple(found)
 
 
-def _find_gap(point: Vector, away: Vector, drawn: Obstacles, ground: Obstacles) -> float:
-    """How far from a point an extension line begins: beyond the broad body that the point is on,
-    and beyond a support that stands there; what is drawn farther away it has to cross.
-    """
-    (x, y), last = point, _LEAVING
-    box = (x - _SUPPORT, y - _SUPPORT, x + _SUPPORT, y + _SUPPORT)
-    near, support = drawn.near(box), ground.near(box)
-    pace = _SUPPORT / _PROBES
-    for step in range(1, _PROBES + 1):
-        reach = pace * step
-        at = (x + away.x * reach, y + away.y * reach)
-        in_way = near if reach < _BODY else support
-        if in_way.under_box(*at, _MEETS, _MEETS) > 0:
-            last = max(last, reach + _OUTSIDE)
-        elif reach > _BODY and support.under_box(*at, _HATCHED, _HATCHED) > 0:
-            last = max(last, reach - pace + _OUTSIDE)
-    return last
-
-
 def _draw_dimension(
-    points: Segment, measured: Vector, offset: float, symbol: str, gaps: tuple[float, float]
+    points: Segment, measured: Vector, offset: float, symbol: str, gaps: Gaps
 ) -> DimensionLine:
     """The dimension line at an offset from the outer one of the two points, outside supports."""
     across = measured.turned()
-    offset += copysign(max(0.0, max(gaps) - _SHORT), offset)
+    offset += copysign(max(0.0, max(gap.reach for gap in gaps) - _SHORT), offset)
     outer = max if offset > 0 else min
     level = outer(across.dot(point) for point in points) + offset
     feet = [point + across * (level - across.dot(point)) for point in points]
-    hidden = sum(gap - _LEAVING for gap in gaps if gap > _BODY + _OUTSIDE)
+    hidden = sum(gap.hidden for gap in gaps)
     demerit = 0.3 * abs(offset) + _HIDDEN * hidden
-    return DimensionLine(points, (feet[0], feet[1]), symbol, demerit, gaps)
+    return DimensionLine(points, (feet[0], feet[1]), symbol, demerit, _measure(gaps))
+
+
+def _measure(gaps: Gaps) -> tuple[float, float]:
+    return gaps[0].reach, gaps[1].reach
 
 
 def _between(start: Vector, end: Vector, others: Iterable[Vector]) -> bool:

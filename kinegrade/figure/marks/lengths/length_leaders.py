@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from math import cos, pi
 
-from kinegrade.figure.marks.dimension_lines import Leader
+from kinegrade.figure.marks.lengths.dimension_lines import Leader
 from kinegrade.figure.marks.motions import list_arrows
 from kinegrade.figure.placing.aligned import list_thin_lines, runs_on
 from kinegrade.figure.placing.layout import Layout
