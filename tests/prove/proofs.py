@@ -31,6 +31,7 @@ from tests.prove import (
     sufficient_descriptions,
     tactile_sheets,
     whole_papers,
+    whole_tests,
 )
 from tests.prove.proof import Proof
 
@@ -39,6 +40,7 @@ EACH = len(find_template_names())  # so many seeds that follow each other fall o
 PROOFS = (
     Proof("damaged files", damaged_files.hold, cases=10_000, batch=100, sample=304),
     Proof("properties", properties.hold, cases=264, batch=1, sample=0),
+    Proof("whole tests", whole_tests.hold, cases=len(whole_tests.files()), batch=1, sample=0),
     Proof("independent positions", independent_positions.hold, cases=5_000, batch=50, sample=50),
     Proof("sound templates", sound_templates.hold, cases=200, batch=10, sample=1),
     Proof("clear figures", clear_figures.hold, cases=2_000, batch=100, sample=13),

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.prove import invented, progress, properties
+from tests.prove import invented, progress, properties, whole_tests
 from tests.prove.__main__ import main
 from tests.prove.failed_seeds import FAILED
 from tests.prove.outcome import Outcome
@@ -48,6 +48,7 @@ def test_every_proof_has_a_sample() -> None:
     # whose samples are the suite, tests/figures, tests/by_hand, tests/exam and tests/practice
     assert without == [
         "properties",
+        "whole tests",
         "solution pages",
         "short solutions",
         "graded figures",
@@ -60,6 +61,7 @@ def test_every_proof_has_a_sample() -> None:
         "practice access",
     ]
     assert "tests/laws/test_laws.py" in properties.files()
+    assert "tests/cycles/test_curves.py" in whole_tests.files()
 
 
 def run(capsys: pytest.CaptureFixture[str], *arguments: str, cases: int) -> tuple[int, list[str]]:

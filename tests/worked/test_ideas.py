@@ -98,6 +98,7 @@ def test_a_problem_of_positions_names_its_way() -> None:
     )
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("name", find_template_names())
 def test_a_method_asked_for_changes_the_solution_or_it_says_why_not(name: str) -> None:
     plain = kept(name)
@@ -107,6 +108,7 @@ def test_a_method_asked_for_changes_the_solution_or_it_says_why_not(name: str) -
         assert bool(said) == (blocks[bool(said) :] == plain), method
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("name", find_template_names())
 @pytest.mark.parametrize("method", TITLES)
 def test_a_method_asked_for_is_taken_in_some_step_or_applies_to_none(
