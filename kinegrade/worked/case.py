@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any, assert_never
@@ -13,7 +13,7 @@ from kinegrade.language.math.latex import SOURCE, write_latex_row
 from kinegrade.language.math.tree import Row
 from kinegrade.language.message import Message
 from kinegrade.mechanics.motion import Motion
-from kinegrade.mechanics.rates import Rates
+from kinegrade.mechanics.rates import Rate, Rates, make_turning
 from kinegrade.mechanics.relations import Term
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Level
@@ -25,8 +25,9 @@ from kinegrade.worked.document import Display, Prose, say, write_sentence
 from kinegrade.worked.findings import Findings
 from kinegrade.worked.formulas.equation import Equation
 from kinegrade.worked.formulas.formula import Formula
+from kinegrade.worked.formulas.measures import double
 from kinegrade.worked.formulas.notation import Notation
-from kinegrade.worked.nearby import find_nearby_points
+from kinegrade.worked.nearby import find_nearby_motion, find_nearby_points
 from kinegrade.worked.words.naming import Naming
 
 
@@ -80,6 +81,23 @@ class Case:
         return find_nearby_points(self.solution)
 
     @cached_property
+    def translating(self) -> frozenset[str]:
+        """The bodies that never turn: kept parallel by a joint, or by all joints together, which
+        shows in that they do not turn with slightly other numbers either.
+        """
+        held = self.motion.frames.mechanism.find_translating()
+        still = frozenset(_find_unturned(self.motion)) - held
+        if still:
+            nearby = find_nearby_motion(self.solution)
+            still &= frozenset(_find_unturned(nearby) if nearby else ())
+        return still | held
+
+    @property
+    def held_rates(self) -> frozenset[Rate]:
+        """The rotations of these bodies, which are known to be zero."""
+        return frozenset(map(make_turning, self.translating))
+
+    @cached_property
     def reader(self) -> MotionReader:
         """What the asks measure of the motion."""
         return MotionReader(self.motion, self.arithmetic)
@@ -120,6 +138,16 @@ class Case:
         """
         number = self.motion.frames.guiding.get(term.rate)
         return None if number is None else self.template.scheme.joints[number]
+
+
+def _find_unturned(motion: Motion) -> Iterator[str]:
+    """The bodies that neither turn at the instant nor begin to."""
+    for body in motion.frames.bases:
+        rate = make_turning(body)
+        if rate in motion.rates and not any(
+            double(rates[rate]) for rates in (motion.rates, motion.changes)
+        ):
+            yield body
 
 
 def write_row(row: Row) -> str:

@@ -18,7 +18,7 @@ from kinegrade.worked.case import Case
 from kinegrade.worked.checks.chapters import check_rates
 from kinegrade.worked.document import Block, Heading, TermTable
 from kinegrade.worked.steps.couplers import name_method
-from kinegrade.worked.steps.given_steps import holds_still, is_given
+from kinegrade.worked.steps.given_steps import is_given
 from kinegrade.worked.steps.methods import explain_by_method
 from kinegrade.worked.steps.pictures import draw_stage
 from kinegrade.worked.steps.polygons import find_common_scale
@@ -76,7 +76,7 @@ def _write_level_chapter(
     that follow.
     """
     imposed = [step for step in steps if is_given(step, case)]
-    known = set(list_found(imposed))
+    known = case.held_rates | list_found(imposed)
     for step in () if case.findings.places_alone else imposed:
         yield from explain_step(step, find_stage(step, case, level, set()))
     stages = find_stages(steps, case, level, known)
@@ -98,15 +98,14 @@ def _write_steps(
 
 
 def find_stages(
-    steps: Sequence[Step], case: Case, level: Level, given: Collection[Rate]
+    steps: Sequence[Step], case: Case, level: Level, given: frozenset[Rate]
 ) -> dict[Step, Stage]:
-    """The steps that find what neither is given nor has been said of bodies that do not turn."""
-    known, stages = set(given), {}
+    """The steps that find what is neither given nor said of bodies that do not turn."""
+    known, stages = case.held_rates | given, {}
     for step in steps:
         if not known.issuperset(step.unknowns):
-            if not holds_still(step, case):
-                stages[step] = find_stage(step, case, level, frozenset(known))
-            known |= set(step.unknowns)
+            stages[step] = find_stage(step, case, level, known)
+            known |= {*step.unknowns}
     return stages
 
 

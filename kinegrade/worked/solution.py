@@ -83,7 +83,7 @@ def _note_idle_method(method: Method | None, asked: Sequence[Ask], case: Case) -
 
 def _list_ways(asked: Sequence[Ask], case: Case) -> Mapping[Step, Way | None]:
     """By which way the velocities of each step are found."""
-    velocities, _ = select_steps(case.motion, collect_needs(case, asked))
+    velocities, _ = _select_steps(case, asked)
     stages = find_stages(velocities, case, "velocity", frozenset())
     return {step: find_way(step, stage) for step, stage in stages.items()}
 
@@ -92,7 +92,7 @@ def _write_blocks(case: Case, asked: Sequence[Ask], boxes: AnswerBoxes) -> Itera
     """The chapters in order, each answer as soon as all that it needs is found."""
     still = tuple(ask for ask in asked if is_positional(ask))
     moving = tuple(ask for ask in asked if ask not in still)
-    velocities, accelerations = select_steps(case.motion, collect_needs(case, moving))
+    velocities, accelerations = _select_steps(case, moving)
     given = [step for step in velocities if is_given(step, case)]
     stages = find_stages(velocities, case, "velocity", list_found(given))
     places = are_places(ask.quantity for ask in moving)
@@ -132,7 +132,7 @@ def _head_positions(blocks: Sequence[Block], case: Case) -> Iterator[Block]:
 
 def find_course(case: Case, asked: Iterable[Ask]) -> tuple[tuple[Step, Stage], ...]:
     """The steps that answers take beyond what is given: for velocities, then for accelerations."""
-    velocities, accelerations = select_steps(case.motion, collect_needs(case, asked))
+    velocities, accelerations = _select_steps(case, asked)
     levels: tuple[tuple[Level, tuple[Step, ...]], ...] = (
         ("velocity", velocities),
         ("acceleration", accelerations),
@@ -142,6 +142,22 @@ def find_course(case: Case, asked: Iterable[Ask]) -> tuple[tuple[Step, Stage], .
         given = list_found(step for step in steps if is_given(step, case))
         course += find_stages(steps, case, level, given).items()
     return tuple(course)
+
+
+def _select_steps(case: Case, asked: Iterable[Ask]) -> tuple[tuple[Step, ...], tuple[Step, ...]]:
+    """The steps that all answers together need, for velocities and for accelerations, without the
+    rotations of bodies that translate.
+    """
+    levels = select_steps(case.motion, collect_needs(case, asked))
+    velocities, accelerations = (tuple(_leave_out_held(one, case)) for one in levels)
+    return velocities, accelerations
+
+
+def _leave_out_held(steps: Iterable[Step], case: Case) -> Iterator[Step]:
+    for step in steps:
+        left = tuple(rate for rate in step.unknowns if rate not in case.held_rates)
+        if left:
+            yield replace(step, unknowns=left)
 
 
 def collect_needs(case: Case, asked: Iterable[Ask]) -> Needs:

@@ -97,6 +97,16 @@ def test_an_angle_that_is_a_sum_nobody_has_worked_out_is_in_no_check() -> None:
     assert not any("135" in check.left + check.right for check in checks)
 
 
+def test_a_check_has_the_sides_of_the_equation_that_it_projects() -> None:
+    """The table has 0 on the left, as the gear's centre rests."""
+    assert read_checks("guided-rack-and-gear")[0] == Check(
+        "the projection on the $x$ axis, which has not been used",
+        "0",
+        r"30\,\unit{cm/s} - 30\,\unit{cm/s} \cdot \sin 30^\circ - 30\,\unit{cm/s} \cdot \cos 60^\circ"
+        " = 0",
+    )
+
+
 def test_a_pole_is_checked_by_the_projection_theorem() -> None:
     assert read_checks("pole-four-bar-coupler")[0].way == (
         "the projection theorem for $B$ and $C$, on $BC$"

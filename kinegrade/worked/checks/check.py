@@ -58,10 +58,11 @@ class Side:
         return Equation(self.numbers, links)
 
 
-def compare(way: Message, left: Side, right: Side, unit: str) -> Check:
+def compare(way: Message, left: Side, right: Side, unit: str, largest: float = 0.0) -> Check:
     """The check of two sides in one unit; where only the errors of doubles tell their values apart,
-    both are rounded alike.
+    measured by the larger of the left side and `largest`, both are rounded alike.
     """
-    same = abs(double(left.value) - double(right.value)) < _CLOSE * abs(double(left.value))
+    greatest = max(abs(double(left.value)), largest)
+    same = abs(double(left.value) - double(right.value)) < _CLOSE * greatest
     other = Side(right.numbers, left.value) if same else right
     return Check(way, left.work_out(unit), other.work_out(unit))

@@ -14,7 +14,7 @@ from kinegrade.worked.case import Case
 from kinegrade.worked.checks.check import Check, Side, compare
 from kinegrade.worked.formulas.atoms import AxisName, add_terms
 from kinegrade.worked.formulas.formula import Formula
-from kinegrade.worked.formulas.measures import bearing, double
+from kinegrade.worked.formulas.measures import bearing, size
 from kinegrade.worked.formulas.numbers import measure
 from kinegrade.worked.steps.couplers import Coupler, choose_method, find_coupler
 from kinegrade.worked.steps.rigid import find_rigid_triangle
@@ -70,8 +70,15 @@ def _check_by_theorem(coupler: Coupler, step: Step, stage: Stage) -> Iterator[Ch
     yield from _check_on(projection, way, step, stage)
 
 
-def _list_axes(equation: VectorEquation, case: Case) -> Iterator[tuple[Projection, Message]]:
-    """The projections on the axes, then on the directions of the vectors, with their names."""
+def _list_axes(equation: VectorEquation, case: Case) -> list[tuple[Projection, Message]]:
+    """The projections on the axes, then on the directions of the vectors, with their names; those
+    first that leave vectors on both sides.
+    """
+    named = _name_axes(equation, case)
+    return sorted(named, key=lambda one: not (one[0].left and one[0].right))
+
+
+def _name_axes(equation: VectorEquation, case: Case) -> Iterator[tuple[Projection, Message]]:
     for axis, name in AXIS_NAMES.items():
         yield Projection(equation, axis, None), name
     for part in equation.parts:
@@ -110,22 +117,17 @@ def _is_among(axis: float, used: Sequence[float]) -> bool:
 
 def _check_on(projection: Projection, way: Message, step: Step, stage: Stage) -> Iterator[Check]:
     """The check by a projection in which two parts or more are left, all by what the solution has
-    found; where nothing is left on one side, what counts negative on the other one goes there.
+    found, with the sides of the equation.
     """
     shares = projection.shares
     if len(shares) < 2 or not all(_can_be_told(projection, share, stage) for share in shares):
         return
-    axis = _find_unit(projection.axis)
-    sides, sign = (projection.left, projection.right), 1
-    if not all(sides):
-        gaining = tuple(one for one in shares if double(one.part.value.map(float).dot(axis)) > 0)
-        losing = tuple(one for one in shares if one not in gaining)
-        sides, sign = (gaining, losing), -1
     left, right = (
-        _work_out_side(projection, side, factor, step, stage)
-        for side, factor in zip(sides, (1, sign), strict=True)
+        _work_out_side(projection, side, step, stage)
+        for side in (projection.left, projection.right)
     )
-    yield compare(way, left, right, UNITS[stage.level, False])
+    largest = max(size(share.part.value) for share in shares)
+    yield compare(way, left, right, UNITS[stage.level, False], largest)
 
 
 def _can_be_told(projection: Projection, share: Share, stage: Stage) -> bool:
@@ -148,26 +150,24 @@ def _find_component(projection: Projection, share: Share, stage: Stage) -> Formu
 
 
 def _work_out_side(
-    projection: Projection, shares: Sequence[Share], sign: int, step: Step, stage: Stage
+    projection: Projection, shares: Sequence[Share], step: Step, stage: Stage
 ) -> Side:
     """A side in numbers, and what it amounts to."""
-    terms = (
-        term for share in shares for term in _state_share(projection, share, sign, step, stage)
-    )
+    terms = (term for share in shares for term in _state_share(projection, share, step, stage))
     total = add_vectors(share.part.value for share in shares)
     exact = total if projection.axis in _AXES else total.map(float)
-    value = exact.dot(_find_unit(projection.axis)) * sign
+    value = exact.dot(_find_unit(projection.axis)) if shares else 0
     return Side(add_terms(terms), value)
 
 
 def _state_share(
-    projection: Projection, share: Share, sign: int, step: Step, stage: Stage
+    projection: Projection, share: Share, step: Step, stage: Stage
 ) -> Iterable[Formula]:
     """A share in numbers: by its component where that has been found, else by its magnitude."""
     component = _find_component(projection, share, stage)
     if component is not None:
-        return (component.signed(sign),)
-    return stage.list_terms(projection, (share,), sign, step.unknowns)
+        return (component,)
+    return stage.list_terms(projection, (share,), 1, step.unknowns)
 
 
 def _find_unit(axis: float) -> Vector:

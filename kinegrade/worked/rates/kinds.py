@@ -26,7 +26,7 @@ def _describe_motion(body: Body, mechanism: Mechanism, case: Case) -> Message:
     if body.particle:
         return Message("solution.particle", point=case.naming.point(body.name))
     name = case.naming.body(body.name)
-    if body.name in mechanism.find_translating():
+    if body.name in case.translating:
         return Message("solution.translates", body=name)
     omega = case.text(case.naming.omega(body.name))
     name = Message("solution.turning-body", body=name, omega=omega)

@@ -93,7 +93,7 @@ def name_rotation(body: str, case: Case, level: Level) -> Formula:
 
 def name_carried_rotation(of: str, case: Case, level: Level) -> Formula:
     """The rotation that a body gives to what it carries; 0 if it does not turn."""
-    still = of in case.motion.frames.mechanism.find_translating()
+    still = of in case.translating
     return ZERO if still else name_rotation(of, case, level)
 
 

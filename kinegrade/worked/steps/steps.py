@@ -198,11 +198,13 @@ def explain_remarks(equation: VectorEquation, case: Case) -> Iterator[Block]:
         yield case.say(Message("solution.here", equations=_list_equations(listed)))
     shifted = _find_shifted(equation, case)
     for name in sorted(shifted):
-        yield case.say(Message(f"solution.shifted-{equation.level}", frame=case.naming.body(name)))
+        yield from _say_translation(name, equation.level, case)
     gone = [
         part
         for part in equation.parts
-        if vanishes(part) and not (shifted and (part.coincident or part.role == "coriolis"))
+        if vanishes(part)
+        and not _turns_with_held_body(part, case)
+        and not (shifted and part.role == "coriolis")
     ]
     zeros = dict.fromkeys(
         _state_zero(equation, part, case) for part in gone if part.role != "coriolis"
@@ -218,10 +220,27 @@ def _state_zero(equation: VectorEquation, part: Part, case: Case) -> str:
     return case.tell(Equation(name_part(equation, part, case), equate(ZERO)))
 
 
+def _say_translation(name: str, level: Level, case: Case) -> Iterator[Block]:
+    """What follows for the points of a body that translates."""
+    body = case.naming.body(name)
+    match level:
+        case "velocity":
+            yield case.say(Message("solution.same-velocity", body=body))
+        case "acceleration":
+            yield case.say(Message("solution.shifted-acceleration", frame=body))
+        case _:
+            assert_never(level)
+
+
+def _turns_with_held_body(part: Part, case: Case) -> bool:
+    """Whether a part is the rotation of a body of which has been said that it translates."""
+    return part.role == "rotation" and part.term is not None and part.term.rate in case.held_rates
+
+
 def _find_shifted(equation: VectorEquation, case: Case) -> Set[str]:
     """The bodies that translate and of which a point is meant that coincides with another."""
     meant = {part.term.rate.body for part in equation.parts if part.coincident and part.term}
-    return meant & case.motion.frames.mechanism.find_translating()
+    return meant & case.translating
 
 
 def _explain_mark(equation: VectorEquation, case: Case) -> Iterator[Block]:

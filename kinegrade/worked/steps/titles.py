@@ -102,6 +102,9 @@ def introduce_equation(equation: VectorEquation, case: Case) -> Message:
         return Message("solution.equal-motion", point=case.naming.point(equation.parts[0].point))
     if len(turning) > 1:
         return _introduce_chained_bases(equation, turning, case)
+    if _find_body(turning[0]) in case.translating:
+        body = case.naming.body(_find_body(turning[0]))
+        return Message(f"solution.same-{equation.level}", body=body)
     return Message(
         f"solution.base-equation-{equation.level}",
         body=_list_turning_bodies(equation, case),

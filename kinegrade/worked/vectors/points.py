@@ -11,6 +11,7 @@ from typing import Literal, assert_never
 from kinegrade.language.math.tree import Row
 from kinegrade.language.message import Message, Text
 from kinegrade.mechanics.ground import GROUND
+from kinegrade.mechanics.laws import SharedPoint
 from kinegrade.mechanics.motion import Motion
 from kinegrade.mechanics.relations import Chain, Term, add_vectors
 from kinegrade.mechanics.vector import Vector
@@ -155,10 +156,13 @@ def _announce_rotation(term: Term, start: _Start, case: Case) -> Message:
 
 
 def _find_place(term: Term, case: Case) -> _Place:
-    """Whether a point is one of the body that turns, or is only at the same place."""
-    bodies = case.motion.frames.mechanism.bodies
-    points = next(body.points for body in bodies if body.name == term.rate.body)
-    return "of" if term.point in points else "at"
+    """Whether a point is one of the body that turns, or is only at the same place, as a contact is
+    where it is a point of each of two bodies.
+    """
+    mechanism, body = case.motion.frames.mechanism, term.rate.body
+    owners = tuple(other.name for other in mechanism.bodies if term.point in other.points)
+    alone = len(owners) == 1 or mechanism.holds(SharedPoint(term.point, owners))
+    return "of" if body in owners and alone else "at"
 
 
 def _explain_circling(term: Term, name: VectorSymbol, case: Case) -> Generator[Block, None, Fact]:

@@ -1,0 +1,33 @@
+"""Points at which bodies touch: what each body has there."""
+
+from __future__ import annotations
+
+import pytest
+
+from kinegrade.language import Language
+from tests.worked.draws import kept
+from tests.worked.telling import proses
+
+
+@pytest.mark.parametrize(
+    ("language", "sentence"),
+    [
+        ("en", "The point of the cam that coincides with $A$ turns about $O$:"),
+        ("de", "Der Punkt der Kurvenscheibe, der mit $A$ zusammenfällt, dreht sich um $O$:"),
+        ("zh", "凸轮上与 $A$ 重合的点绕 $O$ 转动："),
+    ],
+)
+def test_the_contact_is_the_followers_point_and_the_cam_has_one_there(
+    language: Language, sentence: str
+) -> None:
+    """By the statement A is a point of the follower, which the cam passes by."""
+    told = tuple(proses(kept("flat-faced-follower-eccentric-circle", 0, None, language)))
+    assert sentence in told
+
+
+def test_a_pin_is_a_point_of_both_bodies() -> None:
+    told = tuple(proses(kept("slider-crank")))
+    assert not any("coincides" in one for one in told)
+    assert "$A$ is a point of $OA$, which turns about $O$:" in proses(
+        kept("planetary-gear-external-rim-velocities")
+    )
