@@ -35,6 +35,13 @@ class Knot(NamedTuple):
     regularity: float
 
 
+class Met(NamedTuple):
+    """A position that meets the conditions, and their derivatives there."""
+
+    unknowns: Row
+    rows: Row
+
+
 class Stretch(NamedTuple):
     """From one knot to the next one."""
 
@@ -47,7 +54,7 @@ def begin(system: System, sense: int) -> Knot:
     unknowns = np.zeros(len(system.units))
     forwards = np.zeros(len(system.units))
     forwards[-1] = sense
-    return _make_knot(system, unknowns, forwards)
+    return _make_knot(system, Met(unknowns, system.evaluate(unknowns)[1]), forwards)
 
 
 def advance(system: System, knot: Knot, length: float) -> tuple[Knot, float] | None:
@@ -67,14 +74,14 @@ def reach(system: System, knot: Knot, length: float) -> Knot | None:
     none.
     """
     found = _correct(system, knot.unknowns + knot.tangent * length, knot.tangent)
-    if found is None or np.linalg.norm(found - knot.unknowns) > 1.5 * length:
+    if found is None or np.linalg.norm(found.unknowns - knot.unknowns) > 1.5 * length:
         return None
     return _make_knot(system, found, knot.tangent)
 
 
 def reach_input(system: System, knot: Knot, start: Row, goal: float) -> Knot | None:
     """The knot near `start`, after another one, at which the input's unknown is `goal`."""
-    found = meet_input(system, start, goal)
+    found = _meet(system, start, goal)
     return None if found is None else _make_knot(system, found, knot.tangent)
 
 
@@ -82,6 +89,12 @@ def meet_input(system: System, start: Row, goal: float) -> Row | None:
     """The position near `start` at which the input's unknown is `goal`; None where there is
     none.
     """
+    found = _meet(system, start, goal)
+    return None if found is None else found.unknowns
+
+
+def _meet(system: System, start: Row, goal: float) -> Met | None:
+    """The same position, with the derivatives there."""
     across = np.zeros_like(start)
     across[-1] = 1.0
     return _correct(system, np.append(start[:-1], goal), across)
@@ -125,7 +138,7 @@ def find_least(system: System, stretch: Stretch, measure: Callable[[Knot], float
     return best
 
 
-def _correct(system: System, guess: Row, across: Row) -> Row | None:
+def _correct(system: System, guess: Row, across: Row) -> Met | None:
     """The position near a guess, at a right angle to `across`; None where there is none."""
     unknowns = guess
     for _ in range(12):
@@ -133,18 +146,19 @@ def _correct(system: System, guess: Row, across: Row) -> Row | None:
         if not np.isfinite(missed).all():
             return None
         if np.abs(missed).max() < _MET:
-            return unknowns  # near a crossing, a further step would only stray
+            return Met(unknowns, rows)  # near a crossing, a further step would only stray
         square = np.vstack([rows, across])
         step = np.linalg.lstsq(square, np.append(-missed, 0.0), rcond=1e-13)[0]
         unknowns = unknowns + step
         if np.abs(step).max() < _NEARLY:
-            return unknowns if np.abs(system.evaluate(unknowns)[0]).max() < _NEARLY / 10 else None
+            missed, rows = system.evaluate(unknowns)
+            return Met(unknowns, rows) if np.abs(missed).max() < _NEARLY / 10 else None
     return None
 
 
-def _make_knot(system: System, unknowns: Row, before: Row) -> Knot:
+def _make_knot(system: System, met: Met, before: Row) -> Knot:
     """The knot at a position; its tangent goes on from the one `before`."""
-    _, rows = system.evaluate(unknowns)
+    unknowns, rows = met
     _, sizes, ways = np.linalg.svd(rows)
     tangent = ways[-1] if ways[-1] @ before >= 0 else -ways[-1]
     square = np.vstack([rows[system.independent], tangent])
