@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 from math import prod
@@ -39,7 +39,11 @@ class Deck:
 
     def first(self, count: int) -> list[Combination]:
         """The first combinations of the order, `count` of them, or all where there are no more."""
-        return [self.combination(position) for position in range(min(count, self.size))]
+        return list(self.walk(count))
+
+    def walk(self, count: int) -> Iterator[Combination]:
+        """The same one after another, each worked out when it is asked for."""
+        return map(self.combination, range(min(count, self.size)))
 
     @cached_property
     def _order(self) -> KeyedOrder:

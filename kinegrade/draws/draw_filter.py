@@ -242,8 +242,7 @@ class DrawFilter:
     @cached_property
     def plan(self) -> Plan | None:
         """The plan of every instance: that of the first sensible one of the sample, if any."""
-        deck = self._sample
-        for values in map(deck.combination, range(min(_SAMPLE, deck.size))):
+        for values in self._sample.walk(_SAMPLE):
             with suppress(Refused):
                 return solve_sensible(self.template, values, self.asks, None).motion.plan
         return None

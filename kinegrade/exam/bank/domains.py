@@ -89,7 +89,7 @@ def _find_refusal(template: Template, domains: Domains) -> Refused | None:
     """
     refusals: list[Refused] = []
     whole = {name: each.choices for name, each in template.parameters.items()} | domains
-    for values in Deck(whole, "sample", template.name).first(_TRIED):
+    for values in Deck(whole, "sample", template.name).walk(_TRIED):
         try:
             solve_sensible(template, values, (), None)
         except Refused as refused:
