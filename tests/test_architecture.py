@@ -7,7 +7,8 @@ from __future__ import annotations
 import ast
 import re
 from collections import Counter
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
+from functools import cache
 from graphlib import CycleError, TopologicalSorter
 from pathlib import Path
 from typing import get_args
@@ -24,6 +25,7 @@ from kinegrade.mechanics.vector_equation import Role
 from kinegrade.problem.template.library.library import find_template_names, load_template
 from kinegrade.problem.template.texts import list_lines, list_prose
 
+pytestmark = pytest.mark.xdist_group("architecture")  # one worker walks through the package, once
 PACKAGE = Path(kinegrade.__file__).parent
 ROOT = PACKAGE.parent
 FLOORS = {
@@ -82,13 +84,28 @@ def module_name(file: Path) -> str:
     return ".".join(parts[:-1] if parts[-1] == "__init__" else parts)
 
 
-TEXTS: Mapping[str, str] = {
-    module_name(file): file.read_text(encoding="utf-8") for file in sorted(PACKAGE.rglob("*.py"))
-}
-TREES: Mapping[str, ast.Module] = {module: ast.parse(text) for module, text in TEXTS.items()}
+@cache
+def read_texts() -> Mapping[str, str]:
+    """The modules of the package."""
+    return {
+        module_name(file): file.read_text(encoding="utf-8")
+        for file in sorted(PACKAGE.rglob("*.py"))
+    }
 
 
-def imported(nodes: Iterator[ast.AST] | list[ast.stmt]) -> Iterator[str]:
+@cache
+def read_trees() -> Mapping[str, ast.Module]:
+    """The modules of the package, parsed."""
+    return {module: ast.parse(text) for module, text in read_texts().items()}
+
+
+@cache
+def list_nodes(tree: ast.AST) -> tuple[ast.AST, ...]:
+    """All nodes of a tree, found once: many laws ask each of them."""
+    return tuple(ast.walk(tree))
+
+
+def imported(nodes: Iterable[ast.AST]) -> Iterator[str]:
     """The modules that import statements name; `from package import module` names the module."""
     for node in nodes:
         if isinstance(node, ast.Import):
@@ -97,7 +114,7 @@ def imported(nodes: Iterator[ast.AST] | list[ast.stmt]) -> Iterator[str]:
             module = node.module or ""
             for name in node.names:
                 inner = f"{module}.{name.name}"
-                yield inner if inner in TREES else module
+                yield inner if inner in read_trees() else module
 
 
 def floor(module: str) -> str:
@@ -106,14 +123,14 @@ def floor(module: str) -> str:
 
 def edges() -> Iterator[tuple[str, str]]:
     """Who imports whom inside the package, wherever in the file."""
-    for module, tree in TREES.items():
-        for target in imported(ast.walk(tree)):
+    for module, tree in read_trees().items():
+        for target in imported(list_nodes(tree)):
             if target.startswith("kinegrade.") and not {module, target} & LOBBY:
                 yield module, target
 
 
 def functions(tree: ast.Module) -> Iterator[ast.FunctionDef]:
-    return (node for node in ast.walk(tree) if isinstance(node, ast.FunctionDef))
+    return (node for node in list_nodes(tree) if isinstance(node, ast.FunctionDef))
 
 
 def first_line(module: str, function: ast.FunctionDef) -> int:
@@ -140,7 +157,7 @@ def undocumented(tree: ast.Module) -> Iterator[str]:
 
 
 def test_every_module_has_a_floor() -> None:
-    assert {floor(module) for module in TREES if module not in LOBBY} == set(FLOORS)
+    assert {floor(module) for module in read_trees() if module not in LOBBY} == set(FLOORS)
 
 
 def test_imports_are_seen_wherever_they_stand() -> None:
@@ -227,7 +244,7 @@ def test_no_file_and_no_room_imports_itself_by_way_of_others() -> None:
 
 def list_asked_classes(tree: ast.Module) -> Iterator[str]:
     """The names of the classes that a module asks for: by `isinstance`, or in a pattern."""
-    for node in ast.walk(tree):
+    for node in list_nodes(tree):
         if isinstance(node, ast.MatchClass):
             yield ast.unparse(node.cls)
     yield from list_tested_classes(tree)
@@ -236,7 +253,7 @@ def list_asked_classes(tree: ast.Module) -> Iterator[str]:
 def list_compared_texts(tree: ast.AST) -> Iterator[str]:
     """The texts that a module compares something with: by an operator, in a set, or in a pattern."""
     compared = ast.Compare | ast.MatchValue | ast.Set
-    for node in ast.walk(tree):
+    for node in list_nodes(tree):
         if isinstance(node, compared):
             yield from texts_without_docstrings(node)
 
@@ -252,7 +269,7 @@ def test_no_module_compares_anything_with_the_name_of_a_joint_or_driver() -> Non
     other_words = {*get_args(TermKind), *get_args(Role)}  # they mean a term of a vector equation
     names = {part.__name__.lower() for kinds in (Joint, Driver) for part in get_args(kinds)}
     assert {"pin", "mesh", "circulation"} <= names - other_words
-    found = {name: set(list_compared_texts(tree)) & names for name, tree in TREES.items()}
+    found = {name: set(list_compared_texts(tree)) & names for name, tree in read_trees().items()}
     assert {name: words - other_words for name, words in found.items() if words - other_words} == {}
 
 
@@ -260,7 +277,7 @@ def list_tested_classes(tree: ast.Module) -> Iterator[str]:
     """The names of the classes that a module asks for by `isinstance`, where nothing makes it
     consider the others.
     """
-    for node in ast.walk(tree):
+    for node in list_nodes(tree):
         if isinstance(node, ast.Call) and ast.unparse(node.func) == "isinstance":
             yield from (part.id for part in ast.walk(node.args[1]) if isinstance(part, ast.Name))
 
@@ -270,7 +287,7 @@ def test_only_mechanics_tests_for_a_law_others_match_all_or_ask_it() -> None:
     assert {"NoSlip", "EqualRotation", "ImposedMotion"} <= laws
     found = {
         module: laws & set(list_tested_classes(tree))
-        for module, tree in TREES.items()
+        for module, tree in read_trees().items()
         if not module.startswith("kinegrade.mechanics")
     }
     assert {module: asked for module, asked in found.items() if asked} == {}
@@ -285,7 +302,7 @@ def test_no_module_asks_which_joint_or_driver_it_has_but_those_that_draw_or_desc
     )
     parts = {part.__name__ for kinds in (Joint, Driver) for part in get_args(kinds)}
     assert {"Pin", "Mesh", "Rotation"} <= parts
-    found = {module: parts & set(list_asked_classes(tree)) for module, tree in TREES.items()}
+    found = {module: parts & set(list_asked_classes(tree)) for module, tree in read_trees().items()}
     joints = {part.__name__ for part in get_args(Joint)}
     assert found["kinegrade.figure.joints.table"] == joints
     assert found["kinegrade.description.joints"] == joints
@@ -296,8 +313,8 @@ def test_no_module_asks_which_joint_or_driver_it_has_but_those_that_draw_or_desc
 
 def test_only_the_arithmetic_knows_the_library_of_numbers() -> None:
     libraries = {
-        module: {name.split(".")[0] for name in imported(ast.walk(tree))}
-        for module, tree in TREES.items()
+        module: {name.split(".")[0] for name in imported(list_nodes(tree))}
+        for module, tree in read_trees().items()
     }
     assert {floor(module) for module, names in libraries.items() if "flint" in names} <= FLINT
     assert {module for module, names in libraries.items() if "sympy" in names} == {
@@ -315,8 +332,8 @@ def test_markdown_is_read_in_one_place_and_each_typesetter_has_its_room() -> Non
     }
     used = {
         (name.split(".")[0], module)
-        for module, tree in TREES.items()
-        for name in imported(ast.walk(tree))
+        for module, tree in read_trees().items()
+        for name in imported(list_nodes(tree))
         if name.split(".")[0] in rooms
     }
     assert {library for library, _ in used} == rooms.keys()
@@ -333,7 +350,9 @@ def test_a_folder_holds_at_most_twenty_files() -> None:
 def test_only_what_hands_values_to_other_processes_knows_pickle() -> None:
     """Unpickling a file runs the code of whoever wrote it."""
     knowing = {
-        module for module, tree in TREES.items() if "pickle" in set(imported(ast.walk(tree)))
+        module
+        for module, tree in read_trees().items()
+        if "pickle" in set(imported(list_nodes(tree)))
     }
     assert knowing == {"kinegrade.processes.cluster", "kinegrade.processes.executor"}
 
@@ -343,10 +362,10 @@ def texts_without_docstrings(tree: ast.AST) -> Iterator[str]:
     documented = ast.Module | ast.ClassDef | ast.FunctionDef | ast.AsyncFunctionDef
     docstrings = {
         id(node.body[0].value)
-        for node in ast.walk(tree)
+        for node in list_nodes(tree)
         if isinstance(node, documented) and node.body and isinstance(node.body[0], ast.Expr)
     }
-    for node in ast.walk(tree):
+    for node in list_nodes(tree):
         match node:
             case ast.Constant(value=str(text)) if id(node) not in docstrings:
                 yield text
@@ -356,7 +375,7 @@ def test_only_one_package_knows_the_files_of_a_marks_folder() -> None:
     files = ("grades.csv", "marks.csv", "complaints.csv", "printed.csv", "kept.csv", "variants.csv")
     knowing = {
         module
-        for module, tree in TREES.items()
+        for module, tree in read_trees().items()
         for text in texts_without_docstrings(tree)
         if any(file in text for file in files)
     }
@@ -365,7 +384,9 @@ def test_only_one_package_knows_the_files_of_a_marks_folder() -> None:
 
 def test_only_one_module_starts_programs() -> None:
     starting = {
-        module for module, tree in TREES.items() if "subprocess" in set(imported(ast.walk(tree)))
+        module
+        for module, tree in read_trees().items()
+        if "subprocess" in set(imported(list_nodes(tree)))
     }
     assert starting == {"kinegrade.press.program_run"}
 
@@ -374,10 +395,10 @@ def written_texts(tree: ast.Module) -> Iterator[str]:
     """The texts that a module works with; docstrings are not among them."""
     prose = {
         id(node.value)
-        for node in ast.walk(tree)
+        for node in list_nodes(tree)
         if isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant)
     }
-    for node in ast.walk(tree):
+    for node in list_nodes(tree):
         if isinstance(node, ast.Constant) and isinstance(node.value, str) and id(node) not in prose:
             yield node.value
 
@@ -386,7 +407,7 @@ def test_only_the_exam_folder_knows_what_its_files_are_called() -> None:
     files = ("exam.json", "key.jsonl", "variants.jsonl")
     knowing = {
         module
-        for module, tree in TREES.items()
+        for module, tree in read_trees().items()
         if any(file in text for text in written_texts(tree) for file in files)
     }
     assert knowing == {"kinegrade.exam.folder.contents"}
@@ -394,20 +415,26 @@ def test_only_the_exam_folder_knows_what_its_files_are_called() -> None:
 
 def test_modules_are_named_for_what_they_hold() -> None:
     vague = re.compile(r"utils?|helpers?|common|managers?|misc|base|core|data|info")
-    assert not [module for module in TREES if vague.fullmatch(module.split(".")[-1])]
+    assert not [module for module in read_trees() if vague.fullmatch(module.split(".")[-1])]
 
 
 def test_modules_are_small_and_documented() -> None:
-    assert [name for name, text in TEXTS.items() if text.count("\n") > 400] == []
-    bare = [name for name, text in TEXTS.items() if text and not ast.get_docstring(TREES[name])]
+    assert [name for name, text in read_texts().items() if text.count("\n") > 400] == []
+    bare = [
+        name
+        for name, text in read_texts().items()
+        if text and not ast.get_docstring(read_trees()[name])
+    ]
     assert bare == []
-    assert [(name, each) for name, tree in TREES.items() for each in undocumented(tree)] == []
+    assert [
+        (name, each) for name, tree in read_trees().items() for each in undocumented(tree)
+    ] == []
 
 
 def test_functions_are_short() -> None:
     assert [
         f"{name} {function.name}"
-        for name, tree in TREES.items()
+        for name, tree in read_trees().items()
         for function in functions(tree)
         if (function.end_lineno or 0) - first_line(name, function) >= 40
     ] == []
@@ -417,8 +444,8 @@ def test_modules_assert_nothing_and_change_no_names_of_others() -> None:
     odd = (ast.Assert, ast.Global, ast.Nonlocal)
     assert [
         f"{name}:{node.lineno}"
-        for name, tree in TREES.items()
-        for node in ast.walk(tree)
+        for name, tree in read_trees().items()
+        for node in list_nodes(tree)
         if isinstance(node, odd)
     ] == []
 
@@ -426,8 +453,8 @@ def test_modules_assert_nothing_and_change_no_names_of_others() -> None:
 def test_no_module_runs_what_it_reads() -> None:
     assert [
         f"{name}:{node.lineno}"
-        for name, tree in TREES.items()
-        for node in ast.walk(tree)
+        for name, tree in read_trees().items()
+        for node in list_nodes(tree)
         if isinstance(node, ast.Call) and runs_anything(ast.unparse(node.func))
     ] == []
 

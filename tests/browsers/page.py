@@ -43,10 +43,10 @@ class Page:
         return self._do("run", script=script)
 
     def wait(self, condition: str) -> None:
-        """Waits until an expression is true, ten seconds at most."""
+        """Waits until an expression is true, a minute at most."""
         self.run(
             "new Promise((done, fail) => { const since = Date.now(); const look = () => {"
-            f" if ({condition}) done(); else if (Date.now() > since + 1e4) fail({condition!r});"
+            f" if ({condition}) done(); else if (Date.now() > since + 6e4) fail({condition!r});"
             " else setTimeout(look, 10); }; look(); })"
         )
 

@@ -5,6 +5,7 @@ class stand in numbered folders, and everything that reads them finds them there
 from __future__ import annotations
 
 import json
+import shutil
 from collections import Counter
 from pathlib import Path
 
@@ -36,11 +37,21 @@ def small_folders(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(students, "MOST_TOGETHER", FEW)
 
 
-@pytest.fixture
-def exam(small_folders: None, tmp_path: Path) -> Path:
-    """An exam of four students and a spare paper."""
-    result = generate(write_class(tmp_path), "EXAM", "--solutions", "--spare", "1", "--jobs", "1")
+@pytest.fixture(scope="module")
+def generated(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A class with an exam of four students and a spare paper in such folders."""
+    folder, options = tmp_path_factory.mktemp("class"), ("--solutions", "--spare", "1")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(students, "MOST_TOGETHER", FEW)
+        result = generate(write_class(folder), "EXAM", *options, "--jobs", "1")
     assert result.exit_code == 0, result.stderr
+    return folder
+
+
+@pytest.fixture
+def exam(generated: Path, small_folders: None, tmp_path: Path) -> Path:
+    """The exam, with all that it was generated from beside it."""
+    shutil.copytree(generated, tmp_path, dirs_exist_ok=True)
     return tmp_path / "EXAM"
 
 

@@ -72,7 +72,7 @@ def interrupt(
         if partial is not None and moment(partial):
             process.send_signal(by)
             break
-        time.sleep(0.0005)
+        time.sleep(0.002)
     return process.wait() != 0
 
 
@@ -123,13 +123,19 @@ def kinegrade_in(folder: Path, *options: str) -> subprocess.CompletedProcess[str
     )
 
 
-@pytest.fixture
-def left(tmp_path: Path) -> Path:
+@pytest.fixture(scope="module")
+def killed(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A folder in which a run was killed when some papers were there."""
-    folder = write_files(tmp_path)
+    folder = write_files(tmp_path_factory.mktemp("killed"))
     if not interrupt(folder, has("papers/24.pdf"), "--reproducible", "spring"):
         raise RuntimeError("the run was over before it was killed")
     return folder
+
+
+@pytest.fixture
+def left(killed: Path, tmp_path: Path) -> Path:
+    """A copy of that folder, to go on in."""
+    return Path(shutil.copytree(killed, tmp_path / "left"))
 
 
 def test_a_damaged_paper_and_a_damaged_line_are_made_again(
@@ -213,10 +219,10 @@ def test_a_folder_that_is_replaced_is_gone_on_with_too(
 
 
 def test_papers_with_solutions_and_sources_are_taken_over(tmp_path: Path) -> None:
-    folder, options = write_files(tmp_path), ("--solutions", "--also", "html")
+    folder, options = write_files(tmp_path, 25), ("--solutions", "--also", "html")
     assert generate(folder, "WHOLE", *options).exit_code == 0
     made = ("--reproducible", "spring", *options)
-    assert interrupt(folder, has("solutions/24.pdf"), *made)
+    assert interrupt(folder, has("solutions/12.pdf"), *made)
     assert "were there" in generate(folder, "EXAM", "--resume", *options).stderr
     assert contents(folder / "EXAM") == contents(folder / "WHOLE")
 

@@ -4,6 +4,7 @@ paper, with a screen reader, without motion.
 
 from __future__ import annotations
 
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -22,6 +23,12 @@ template = "{template}"
 KINDS = [("geneva-drive", "zh"), ("bent-rod-two-sleeves", "en"), ("slider-crank", "de")]
 
 
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return tmp_path_factory.mktemp("sheets")
+
+
+@cache
 def write_sheet(template: str, language: str, folder: Path) -> Path:
     """A sheet of one template."""
     bank, file = folder / f"{template}.toml", folder / f"{template}-{language}.html"
@@ -32,14 +39,14 @@ def write_sheet(template: str, language: str, folder: Path) -> Path:
 
 
 @pytest.mark.parametrize(("template", "language"), KINDS)
-def test_nothing_stands_in_the_way(template: str, language: str, tmp_path: Path) -> None:
+def test_nothing_stands_in_the_way(template: str, language: str, folder: Path) -> None:
     with open_page() as page:
-        assert list(find_barriers(page, write_sheet(template, language, tmp_path))) == []
+        assert list(find_barriers(page, write_sheet(template, language, folder))) == []
 
 
-def test_what_does_is_found(tmp_path: Path) -> None:
-    file = write_sheet("slider-crank", "en", tmp_path)
-    text = file.read_text(encoding="utf-8")
+def test_what_does_is_found(folder: Path, tmp_path: Path) -> None:
+    file = tmp_path / "sheet.html"
+    text = write_sheet("slider-crank", "en", folder).read_text(encoding="utf-8")
     text = text.replace("--link: #8fc1ff", "--link: #333").replace("button, .help", ".help")
     text = text.replace("@media screen and (prefers", "@media (prefers")
     broad = '<main style="min-width: 900px">'
@@ -53,10 +60,10 @@ def test_what_does_is_found(tmp_path: Path) -> None:
 
 
 def test_a_screen_reader_has_the_formulas_of_labels_and_the_figure_in_a_sentence(
-    tmp_path: Path,
+    folder: Path,
 ) -> None:
     with open_page() as page:
-        open_sheet(page, write_sheet("bent-rod-two-sleeves", "en", tmp_path))
+        open_sheet(page, write_sheet("bent-rod-two-sleeves", "en", folder))
         names = [name for _, name in list_names(page.tree())]
     assert any("of the velocity of point M along AE" in name for name in names)
     assert "Figure of the mechanism" not in names
@@ -64,9 +71,9 @@ def test_a_screen_reader_has_the_formulas_of_labels_and_the_figure_in_a_sentence
 
 
 def test_a_mechanism_is_shown_in_still_pictures_to_those_who_want_less_motion(
-    tmp_path: Path,
+    folder: Path,
 ) -> None:
-    file = write_sheet("slider-crank", "en", tmp_path)
+    file = write_sheet("slider-crank", "en", folder)
     with open_page() as page:
         shown = {}
         for wish in ("no-preference", "reduce"):

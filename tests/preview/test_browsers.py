@@ -22,10 +22,10 @@ VERDICT = "document.querySelector('#problem .verdict').textContent"
 DONE = "document.querySelector('#state').textContent === document.querySelector('#state').dataset"
 
 
-@pytest.fixture
-def file(tmp_path: Path) -> Path:
-    """A template of one's own."""
-    path = tmp_path / "crank.toml"
+@pytest.fixture(scope="module")
+def file(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A template of one's own, which tests change while its preview is open."""
+    path = tmp_path_factory.mktemp("preview") / "crank.toml"
     path.write_text(crank_text(), encoding="utf-8")
     return path
 
@@ -42,9 +42,10 @@ def opening(file: Path, browser: BrowserName) -> Iterator[Page]:
             page.open("about:blank")  # else the server waits for a page that waits for news
 
 
-@pytest.fixture(params=["chromium", pytest.param("firefox", marks=FIREFOX)])
+@pytest.fixture(scope="module", params=["chromium", pytest.param("firefox", marks=FIREFOX)])
 def page(request: pytest.FixtureRequest, file: Path) -> Iterator[Page]:
-    """Its preview."""
+    """Its preview, which goes on from one test to the next."""
+    file.write_text(crank_text(), encoding="utf-8")
     with opening(file, request.param) as page:
         yield page
 
@@ -91,7 +92,9 @@ def test_nothing_is_asked_of_anybody_else_or_said_on_the_console(page: Page) -> 
     assert [said for said in page.messages() if not said.startswith(here)] == []
 
 
-def test_nothing_stands_in_the_way_of_anybody(file: Path) -> None:
+def test_nothing_stands_in_the_way_of_anybody(tmp_path: Path) -> None:
+    file = tmp_path / "crank.toml"
+    file.write_text(crank_text(), encoding="utf-8")
     with opening(file, "chromium") as page:
         assert page.faults() == []
         named = set(list_names(page.tree()))

@@ -45,10 +45,13 @@ def test_what_once_failed_holds_now(name: str, seed: int, folder: Path) -> None:
 
 def test_every_proof_has_a_sample() -> None:
     without = [proof.name for proof in PROOFS if not proof.sample]
-    # whose samples are the suite, tests/figures, tests/by_hand, tests/exam and tests/practice
+    # whose samples are the suite, tests/proof, tests/description, tests/figures, tests/by_hand,
+    # tests/exam and tests/practice
     assert without == [
         "properties",
         "whole tests",
+        "sound templates",
+        "sufficient descriptions",
         "solution pages",
         "short solutions",
         "graded figures",

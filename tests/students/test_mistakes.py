@@ -291,7 +291,7 @@ def test_no_student_who_makes_a_known_mistake_gets_full_marks(name: str) -> None
     separation = draws.separation
     assert separation is not None
     inseparable = separation.inseparable(separation.compare(separation.sample))
-    for solution in (attach_mistakes(one.solution) for one in drawn(draws, 8)):
+    for solution in (attach_mistakes(one.solution) for one in drawn(draws, 4)):
         for ask in template.asked():
             answer = solution[ask]
             allowed = find_effective_tolerance(

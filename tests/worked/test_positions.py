@@ -6,7 +6,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
-from functools import cache
 
 import pytest
 
@@ -37,6 +36,7 @@ from tests.laws.cases import shipped
 from tests.problem.draws import draw_filter
 from tests.problem.draws import drawn as draws_of
 from tests.worked.chains import chains, disagreements, part_value
+from tests.worked.draws import drawn
 from tests.worked.telling import displayed as lines
 from tests.worked.telling import proses, tidy, tidy_prose
 
@@ -84,14 +84,6 @@ def require_printable(blocks: Iterable[Block], where: str) -> None:
 SYMBOLIC = frozenset(
     {"pole-sleeve-slider-rod", "rolling-wheel-pole-acceleration", "rolling-wheel-rim-points"}
 )
-
-
-@cache
-def drawn(name: str) -> tuple[Solution, ...]:
-    """A template at its published values and at two draws."""
-    template = load_template(name)
-    draws = [one.values for one in draws_of(draw_filter(template), 2)]
-    return tuple(solve_template(template, values) for values in ({}, *draws))
 
 
 def whole_chapter(solution: Solution, language: Language) -> tuple[Block, ...]:
