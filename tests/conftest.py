@@ -26,7 +26,7 @@ COMMON = {
     "deadline": None,
     "suppress_health_check": [HealthCheck.too_slow, HealthCheck.filter_too_much],
 }
-settings.register_profile("suite", max_examples=25, derandomize=True, **COMMON)
+settings.register_profile("suite", max_examples=15, derandomize=True, **COMMON)
 settings.register_profile("prove", max_examples=200, database=None, **COMMON)
 settings.load_profile("suite")
 
