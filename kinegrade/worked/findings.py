@@ -74,7 +74,8 @@ class Findings:
     answers are places of poles that normals lead to, so that speeds are left out; `seen` the
     directions that triangles have given, each from one point to another; `poles_sought` the bodies
     about whose poles answers are; `distances` the printed symbols of the distances of poles that
-    have been worked out; `told` the formulas within sentences.
+    have been worked out; `corners` the letters of polygons that have been explained; `told` the
+    formulas within sentences.
     """
 
     facts: dict[Key, Fact] = field(default_factory=dict)
@@ -93,4 +94,5 @@ class Findings:
     places_alone: bool = False
     poles_sought: frozenset[str] = frozenset()
     distances: set[Row] = field(default_factory=set)
+    corners: set[str] = field(default_factory=set)
     told: list[Row] = field(default_factory=list)

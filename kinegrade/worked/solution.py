@@ -16,6 +16,8 @@ from kinegrade.mechanics.plan import Step
 from kinegrade.mechanics.vector_equation import Level
 from kinegrade.problem.as_stated import restate
 from kinegrade.problem.pole_names import find_poles
+from kinegrade.problem.quantities.functions import find_motion_calls
+from kinegrade.problem.quantities.motion_functions import MOTION_FUNCTIONS
 from kinegrade.problem.solution import Solution
 from kinegrade.problem.template.template import Ask, Method
 from kinegrade.worked.answers.boxes import AnswerBoxes
@@ -24,7 +26,9 @@ from kinegrade.worked.answers.poses import explain_pose_answers, is_positional
 from kinegrade.worked.case import Case
 from kinegrade.worked.checks.chapters import check_places
 from kinegrade.worked.document import Block, Heading, WorkedSolution
+from kinegrade.worked.formulas.symbols import read_symbol
 from kinegrade.worked.numbering import number_steps
+from kinegrade.worked.positions.parts import list_lines
 from kinegrade.worked.positions.positions import explain_positions
 from kinegrade.worked.rate_chapters import find_stages, list_found, write_rate_chapters
 from kinegrade.worked.rates.kinds import describe_motions
@@ -34,7 +38,7 @@ from kinegrade.worked.steps.ideas import explain_idea
 from kinegrade.worked.steps.methods import Way, find_way
 from kinegrade.worked.steps.used_points import find_placed_points, find_used_points
 from kinegrade.worked.unit_of_length import count_lengths_as_given
-from kinegrade.worked.vectors.contacts import introduce_contacts
+from kinegrade.worked.vectors.contacts import find_contact, introduce_contacts
 from kinegrade.worked.vectors.needed_rates import (
     NOTHING,
     Needs,
@@ -100,27 +104,27 @@ def _write_blocks(case: Case, asked: Sequence[Ask], boxes: AnswerBoxes) -> Itera
     case.findings.poles_sought = find_poles(moving)
     known = () if case.findings.places_alone else given
     yield from explain_idea(known, stages.items(), asked, case)
-    if accelerations and _follow_alike(stages, accelerations, case):
-        yield case.say(Message("solution.idea-accelerations"))
-    if case.motion.rates:
-        yield Heading(case.write(Message("solution.kinds")), 1)
-        yield from describe_motions(case)
+    if accelerations:
+        yield from _explain_accelerations(stages, accelerations, moving, case)
     points = find_used_points(case, moving, (*velocities, *accelerations))
     contacts = tuple(introduce_contacts(case, points))
     placed = explain_positions(case, [*points, *find_placed_points(case, still)])
+    told = len(case.findings.told)
+    poses = explain_pose_answers(case, (ask.name for ask in still))
     chapters = write_rate_chapters(case, moving, boxes, (velocities, accelerations))
-    if still:
-        yield from _head_positions((*contacts, *placed.write()), case)
-        yield from explain_pose_answers(case, (ask.name for ask in still))
-        yield from boxes.state_missing(still)
-        yield from chapters
-    else:
-        # In boxes before their turn: an answer is missing until its line has got its box
-        later = tuple(boxes.frame(chapters))
-        yield from _head_positions((*contacts, *placed.write_used(later)), case)
-        yield from later
-    if not moving:
-        yield from check_places(still, case)
+    # In boxes before their turn: an answer is missing until its line has got its box
+    later = tuple(boxes.frame(chapters))
+    checks = () if moving else tuple(check_places(still, case))
+    used = (*list_lines((*poses, *later)), *case.findings.told[told:])
+    if case.motion.rates:
+        yield Heading(case.write(Message("solution.kinds")), 1)
+        yield from describe_motions(case, used)
+    sought = (read_symbol(ask.symbol).row for ask in still)
+    where = placed.write_used((*used, *sought)) if moving else placed.write()
+    yield from _head_positions((*contacts, *where), case)
+    yield from poses
+    yield from boxes.state_missing(still)
+    yield from (*later, *checks)
 
 
 def _head_positions(blocks: Sequence[Block], case: Case) -> Iterator[Block]:
@@ -168,12 +172,28 @@ def collect_needs(case: Case, asked: Iterable[Ask]) -> Needs:
     return needs
 
 
-def _follow_alike(
-    velocities: Mapping[Step, Stage], accelerations: Sequence[Step], case: Case
-) -> bool:
-    """Whether the accelerations take the steps of the velocities, with vectors, by one method."""
+def _explain_accelerations(
+    velocities: Mapping[Step, Stage],
+    accelerations: Sequence[Step],
+    asked: Iterable[Ask],
+    case: Case,
+) -> Iterator[Block]:
+    """Whether the accelerations take steps of the velocities, with vectors, by the same methods;
+    else, where a pole has given velocities, that it gives no accelerations.
+    """
     given = list_found(step for step in accelerations if is_given(step, case))
     stages = find_stages(accelerations, case, "acceleration", given)
     vectorial = any(stage.equations for stage in stages.values())
-    alike = list(stages) == list(velocities) and not any(map(name_method, velocities.values()))
-    return vectorial and alike
+    poles = any(map(name_method, velocities.values()))
+    if vectorial and stages.keys() <= velocities.keys() and not poles:
+        yield case.say(Message("solution.idea-accelerations"))
+        return
+    bodies = case.motion.frames.mechanism.bodies
+    contacts = any(find_contact(body.name, case) for body in bodies if not body.particle)
+    points = any(
+        MOTION_FUNCTIONS[call.function].level == "acceleration"
+        for ask in asked
+        for call in find_motion_calls(ask.quantity)
+    )
+    if (poles or contacts) and (vectorial or points):
+        yield case.say(Message("solution.idea-accelerations-base"))

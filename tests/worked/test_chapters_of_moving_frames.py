@@ -72,6 +72,7 @@ def test_a_composition_of_velocities() -> None:
         [+] \boldsymbol{v}_{\mathrm{r}} | ? | $O \to B$
         Here $O_{1}A = x_{A} = 4\,\unit{m}$, $OA = \sqrt{x_{A}^{2} + y_{A}^{2}} =
             \sqrt{(4\,\unit{m})^{2} + (3\,\unit{m})^{2}} = 5\,\unit{m}$.
+        $a'$ in the polygon: the point of $OB$ at $A$.
         $OA$ makes the acute angle $\psi_{OA}$ with the $x$ axis:
         \tan\psi_{OA} &= \frac{y_{A}}{x_{A}} = \frac{3\,\unit{m}}{4\,\unit{m}} = 0.75
         \psi_{OA} &\approx 36.87^\circ
@@ -148,6 +149,7 @@ def test_a_composition_of_velocities_in_a_translating_frame() -> None:
         Here $\boldsymbol{v}_{\mathrm{e}} = \boldsymbol{v}_{D}$, $OC = \sqrt{x_{C}^{2} + y_{C}^{2}}
             = \sqrt{(3\,\unit{m})^{2} + (4\,\unit{m})^{2}} = 5\,\unit{m}$.
         Block translates: all its points have the same velocity.
+        $c'$ in the polygon: the point of block at $C$.
         $OC$ makes the acute angle $\psi_{OC}$ with the $x$ axis:
         \tan\psi_{OC} &= \frac{y_{C}}{x_{C}} = \frac{4\,\unit{m}}{3\,\unit{m}} = \frac{4}{3} \approx
             1.333

@@ -82,12 +82,12 @@ def test_the_points_of_a_rolling_wheel() -> None:
         r"""
         The point of contact $D$ is the velocity pole of the wheel, so the velocity of $P$ is
             normal to $DP$:
-        v_{P} &= DP \cdot \left|\omega_{CD}\right| = 2.828\,\unit{m} \cdot 3\,\unit{rad/s} \approx
+        v_{P} &= DP \cdot \left|\omega_{\text{wheel}}\right| = 2.828\,\unit{m} \cdot 3\,\unit{rad/s} \approx
             8.485\,\unit{m/s}
         $D$ is a point of the wheel, base point $C$:
-        a_{D,x} &= a_{C} + \alpha_{CD}\,y_{C} = 2\,\unit{m/s^2} + (-1\,\unit{rad/s^2}) \cdot
+        a_{D,x} &= a_{C} + \alpha_{\text{wheel}}\,y_{C} = 2\,\unit{m/s^2} + (-1\,\unit{rad/s^2}) \cdot
             2\,\unit{m} = 0
-        a_{D,y} &= \omega_{CD}^{2}\,y_{C} = (-3\,\unit{rad/s})^{2} \cdot 2\,\unit{m} =
+        a_{D,y} &= \omega_{\text{wheel}}^{2}\,y_{C} = (-3\,\unit{rad/s})^{2} \cdot 2\,\unit{m} =
             18\,\unit{m/s^2}
         a_{D} &= a_{D,y} = 18\,\unit{m/s^2}
         """,
@@ -105,7 +105,7 @@ def test_rolling_on_a_circle() -> None:
         As the wheel does not slip, its point of contact is its velocity pole, so the motion of
             $C$ ($v_{C}$ positive counter-clockwise about $O$) and the rotation of the wheel
             are linked:
-        v_{C} &= 2\,\unit{m} \cdot \omega_{CD} = 2\,\unit{m} \cdot 3\,\unit{rad/s} =
+        v_{C} &= 2\,\unit{m} \cdot \omega_{\text{wheel}} = 2\,\unit{m} \cdot 3\,\unit{rad/s} =
             6\,\unit{m/s}\quad\text{(counter-clockwise about }O\text{)}
         """
     )
@@ -126,12 +126,12 @@ def test_rolling_inside_a_circle() -> None:
             rotation), for a known one for its magnitude. Printed values are rounded; the
             calculation goes on with all their digits.
         Given: the angular velocity of the wheel.
-        \omega_{CD} &= 3\,\unit{rad/s}\quad\text{(counter-clockwise)}
+        \omega_{\text{wheel}} &= 3\,\unit{rad/s}\quad\text{(counter-clockwise)}
         ## The wheel rolls without slipping on a fixed circle
         As the wheel does not slip, its point of contact is its velocity pole, so the motion of
             $C$ ($v_{C}$ positive counter-clockwise about $O$) and the rotation of the wheel
             are linked:
-        v_{C} &= -2\,\unit{m} \cdot \omega_{CD} = -2\,\unit{m} \cdot 3\,\unit{rad/s} =
+        v_{C} &= -2\,\unit{m} \cdot \omega_{\text{wheel}} = -2\,\unit{m} \cdot 3\,\unit{rad/s} =
             -6\,\unit{m/s}\quad\text{(clockwise about }O\text{)}
         \left|v_{C}\right| &= 6\,\unit{m/s}
         """

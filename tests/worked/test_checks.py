@@ -158,13 +158,14 @@ def test_a_wheel_between_tracks_is_checked_from_contact_to_contact() -> None:
         Check(
             "the velocities of both contact points of the pinion, which differ by its rotation",
             r"250\,\unit{mm/s} - (-100\,\unit{mm/s}) = 350\,\unit{mm/s}",
-            r"2.5\,\unit{rad/s} \cdot 140\,\unit{mm} = 350\,\unit{mm/s}",
+            r"2.5\,\unit{rad/s} \cdot (70\,\unit{mm} + 70\,\unit{mm}) = 350\,\unit{mm/s}",
         ),
         Check(
             "the tangential accelerations of both contact points of the pinion, "
             "which differ by its angular acceleration",
             r"-400\,\unit{mm/s^2}",
-            r"-2.857\,\unit{rad/s^2} \cdot 140\,\unit{mm} \approx -400\,\unit{mm/s^2}",
+            r"-2.857\,\unit{rad/s^2} \cdot (70\,\unit{mm} + 70\,\unit{mm})"
+            r" \approx -400\,\unit{mm/s^2}",
         ),
     ]
 

@@ -17,7 +17,7 @@ def test_a_frame_that_turns_clockwise_turns_the_relative_velocity_clockwise() ->
     # the cam turns with -8 rad/s; seen from it the contact moves left, so a_C points upwards
     assert find_rules("flat-faced-follower-curvature-radius") == [
         r"Right-hand rule: $\boldsymbol{a}_{\mathrm{C}}$ has the direction of "
-        r"$\boldsymbol{v}_{\mathrm{r}}$ turned through $90^\circ$ clockwise, with $\omega_{OK}$."
+        r"$\boldsymbol{v}_{\mathrm{r}}$ turned through $90^\circ$ clockwise, with $\omega_{\text{cam}}$."
     ]
 
 

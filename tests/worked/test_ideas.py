@@ -143,7 +143,8 @@ def test_a_method_that_changes_nothing_has_its_reason(name: str, method: Method,
     [
         ("slider-crank", "base-point", True),
         ("slider-crank", "pole", False),  # accelerations go by the base point
-        ("stone-crusher", None, False),  # velocities of two bodies, accelerations of one
+        ("stone-crusher", None, False),  # a pole gives the velocities
+        ("crank-rocker-towed-wheel", None, True),  # velocities of two bodies, accelerations of one
         ("crossed-belt-drive", None, False),  # no step finds a vector
     ],
 )
@@ -162,3 +163,31 @@ def test_a_belt_says_what_links_the_rotations() -> None:
         "which links the rotations."
     )
     assert read_idea("crossed-belt-drive").count(link) == 1
+
+
+def test_a_point_of_two_rods_is_the_idea_where_base_points_meet_in_it() -> None:
+    reason = (
+        "$C$ is a point of the rod $BC$ and the rod $AC$; from the base points $B$ and $A$ it has "
+        "the same velocity, and this equation links the unknown magnitudes."
+    )
+    assert reason in read_idea("two-rods-driven-ends")
+
+
+def test_base_points_one_after_the_other_are_the_idea_where_bodies_are_joined() -> None:
+    assert read_idea("five-bar-two-driven-cranks").endswith(
+        "$AC$ and $BC$ lead from one point of known velocity to another; base points one after the "
+        "other link their rotations."
+    )
+
+
+def test_a_pole_that_no_normals_lead_to_has_its_way_in_the_idea() -> None:
+    assert read_idea("guide-tube-rod-fixed-centrode").endswith(
+        "From these follows the velocity pole of $BC$."
+    )
+
+
+def test_a_wheel_that_its_pole_has_solved_takes_its_accelerations_from_a_base_point() -> None:
+    assert (
+        "The velocity pole has an acceleration of its own; accelerations are therefore found from "
+        "a base point whose acceleration is known."
+    ) in proses(kept("wheel-on-circular-track"))

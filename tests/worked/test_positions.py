@@ -25,6 +25,7 @@ from kinegrade.problem.template.library.library import (
 )
 from kinegrade.problem.template.library.reading import read_template
 from kinegrade.problem.template.notation import write_point_symbol
+from kinegrade.worked.answers.boxes import AnswerBoxes
 from kinegrade.worked.answers.poses import explain_pose_answers, is_positional
 from kinegrade.worked.case import Case
 from kinegrade.worked.document import Block, Heading, Prose
@@ -149,8 +150,10 @@ def test_the_last_line_ends_with_the_answer_of_the_key(name: str, ask: str) -> N
     for solution in drawn(name):
         answer, asked = solution[ask], tidy(solution.template.asks[ask].symbol)
         placed = explain_positions(Case(solution, "en"), solution.template.scheme.points).write()
-        told = explain_pose_answers(Case(solution, "en"), (ask,))
-        parts = dict(chains((*placed, *told)))[asked]
+        case = Case(solution, "en")
+        boxes = AnswerBoxes.around((solution.template.asks[ask],), case)
+        told = tuple(boxes.frame((*placed, *explain_pose_answers(case, (ask,)))))
+        parts = dict(chains(told))[asked]
         printed = parts[-1].split(r"\,\unit")[0].removesuffix(r"^\circ")
         rounded = answer.decimal(len(printed.strip("-0.").replace(".", "")) or 1)
         assert float(printed) == pytest.approx(float(rounded), rel=1e-3)

@@ -18,7 +18,7 @@ from tests.worked.telling import lines
         ("four-bar-by-lengths", r"\omega_{AB} &= -2\pi\,n = -\frac{2\pi \cdot 120}{60\,\unit{s}}"),
         (
             "epicyclic-train-by-tooth-counts",
-            r"n_{B} &= \frac{\omega_{B}}{2\pi} = \frac{-\frac{39\pi}{25}\,\unit{rad/s}}{2\pi} = \boxed{-46.8",
+            r"n_{B} &= \frac{\omega_{B}}{2\pi} = \frac{-4.901\,\unit{rad/s}}{2\pi} \cdot 60\,\unit{s/min}",
         ),
         ("slider-crank", r"\omega_{OA} &= -\omega = -1\,\unit{rad/s}"),
     ],

@@ -27,11 +27,14 @@ from kinegrade.worked.answers.stated_values import explain_value
 from kinegrade.worked.case import Case
 from kinegrade.worked.document import Block
 from kinegrade.worked.formulas.atoms import ZERO
-from kinegrade.worked.formulas.equation import Equation, Link, approximate, drop_repetition, equate
-from kinegrade.worked.formulas.exactness import is_rounded
+from kinegrade.worked.formulas.equation import Equation, Link, drop_repetition, equate
 from kinegrade.worked.formulas.measures import double
 from kinegrade.worked.formulas.numbers import state_number, state_quantity
-from kinegrade.worked.formulas.rotational_speeds import FULL_TURN, is_rotational_speed
+from kinegrade.worked.formulas.rotational_speeds import (
+    FULL_TURN,
+    count_seconds,
+    is_rotational_speed,
+)
 from kinegrade.worked.formulas.symbols import read_symbol
 from kinegrade.worked.senses import state_rotation_sense, state_way
 from kinegrade.worked.steps.poles import explain_pole
@@ -116,11 +119,11 @@ def _state_last_line(ask: Ask, working: Working, case: Case) -> Equation:
 
 def _count_turns(ask: Ask, working: Working, case: Case) -> Equation:
     """A rotational speed from the angular velocity."""
-    rate = state_number(find_value(ask.quantity, case), find_dimension(ask.unit).unit)[0].right
+    *_, rate = state_number(find_value(ask.quantity, case), find_dimension(ask.unit).unit)
     *_, value = state_quantity(case.solution.answers[ask.name])
-    turns = equate(working.symbols / FULL_TURN, rate / FULL_TURN)
-    result = approximate(value.right) if is_rounded(rate) else (value,)
-    return Equation(read_symbol(ask.symbol), (*turns, *result), _state_sense(ask, case))
+    turned = count_seconds(rate.right / FULL_TURN, ask.unit)
+    turns = equate(working.symbols / FULL_TURN, turned)
+    return Equation(read_symbol(ask.symbol), (*turns, value), _state_sense(ask, case))
 
 
 def state_value(ask: Ask, case: Case) -> tuple[Link, ...]:

@@ -58,11 +58,9 @@ def explain_pose_answers(case: Case, ask_names: Iterable[str]) -> tuple[Block, .
 
 
 def _has_been_placed(ask: Ask, case: Case) -> bool:
-    """Whether an answer is a coordinate that the positions have given in its own letters and
-    unit.
-    """
+    """Whether an answer is a coordinate that the positions have given in its own letters."""
     match ask.quantity:
-        case Call(function="x" | "y" as axis, arguments=(Name(point),)) if ask.unit == METRE:
+        case Call(function="x" | "y" as axis, arguments=(Name(point),)):
             letter = case.naming.letter(point)
             return name_coordinate(axis, letter).looks_like(read_symbol(ask.symbol))
         case Call() | Name() | Number() | Operation():

@@ -9,6 +9,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import chain, combinations, product
 
+from kinegrade.expressions.tree import find_names
 from kinegrade.language.message import Message
 from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.laws import EqualRimSpeed, NoSlip
@@ -17,7 +18,8 @@ from kinegrade.mechanics.shapes import Circle
 from kinegrade.mechanics.vector_equation import Level
 from kinegrade.worked.case import Case
 from kinegrade.worked.checks.check import Check, Side, compare
-from kinegrade.worked.formulas.measures import double
+from kinegrade.worked.formulas.formula import Formula
+from kinegrade.worked.formulas.measures import double, length
 from kinegrade.worked.formulas.numbers import measure
 from kinegrade.worked.vectors.vectors import UNITS
 
@@ -53,7 +55,7 @@ def _check_rims(
     if not double(gear - frame):
         return
     turned, unit = UNITS[level, True], UNITS[level, False]
-    rim = measure(track.radius, "m").dot(measure(-frame, turned)).signed(sense)
+    rim = _state_track_radius(roll, track, case).dot(measure(-frame, turned)).signed(sense)
     body, other = map(case.naming.body, (roll.body, carrier))
     yield compare(
         Message(f"solution.rims-{level}", body=body, carrier=other),
@@ -61,6 +63,17 @@ def _check_rims(
         Side(rim, -track.radius * frame * sense),
         unit,
     )
+
+
+def _state_track_radius(roll: NoSlip, track: Circle, case: Case) -> Formula:
+    """The radius of a fixed circle: as it is given, else by the arm and the radius of the gear."""
+    on = case.template.scheme.joints[roll.joint].on
+    given = case.template.parameters
+    if on is None or {*find_names(on.arguments[1])} <= {*given}:
+        return measure(track.radius, "m")
+    points = case.motion.points
+    arm = length(points[roll.circle.centre] - points[track.centre], case.arithmetic)
+    return measure(arm, "m") + measure(roll.circle.radius, "m").signed(1 if roll.inside else -1)
 
 
 @dataclass(frozen=True)

@@ -63,10 +63,11 @@ def _check_contacts(
     unit = UNITS[level, False]
     both = double(start) and double(end)
     numbers = measure(start, unit) - measure(end, unit) if both else measure(start - end, unit)
-    arm = foot(first.centre, track) - foot(second.centre, beyond)
+    arm = along.dot((foot(first.centre, track) - foot(second.centre, beyond)).turned())
     way = Message(f"solution.both-contacts-{level}", body=case.naming.body(first.body))
     left = Side(numbers, start - end)
-    yield compare(way, left, _state_turning(rate, along.dot(arm.turned()), level), unit)
+    radii = tuple(double(roll.circle.radius) for roll in (first, second))
+    yield compare(way, left, _state_turning(rate, arm, radii, level), unit)
 
 
 def _find_motion(body: str, level: Level, case: Case) -> Vector:
@@ -84,8 +85,11 @@ def _find_motion(body: str, level: Level, case: Case) -> Vector:
             assert_never(level)
 
 
-def _state_turning(rate: Any, arm: Any, level: Level) -> Side:
-    """The rotation times the distance of the contacts."""
+def _state_turning(rate: Any, arm: Any, radii: tuple[float, ...], level: Level) -> Side:
+    """The rotation times the distance of the contacts, the sum of the radii or their difference."""
     sign = 1 if double(rate * arm) > 0 else -1
-    numbers = measure(abs(rate), UNITS[level, True]).dot(measure(abs(arm), "m"))
+    small, large = sorted(radii)
+    between = abs(double(arm)) > large
+    distance = measure(large, "m") + measure(small, "m").signed(1 if between else -1)
+    numbers = measure(abs(rate), UNITS[level, True]).dot(distance)
     return Side(numbers.signed(sign), rate * arm)

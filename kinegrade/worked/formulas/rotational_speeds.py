@@ -30,3 +30,11 @@ def turn_into_angle(number: Formula, unit: Unit) -> Formula:
     seconds = _TURN / unit.scale.rational
     angle = FULL_TURN.dot(number.size) / Measured(Number(str(seconds)), "s")
     return angle.signed(number.sign)
+
+
+def count_seconds(per_second: Formula, unit: Unit) -> Formula:
+    """A number of turns a second, times the seconds of the unit's time: 60 s/min for r/min."""
+    seconds = _TURN / unit.scale.rational
+    if seconds == 1:
+        return per_second
+    return per_second.dot(Measured(Number(str(seconds)), "s/min"))

@@ -50,17 +50,17 @@ def select_used(parts: Sequence[Part], later: Iterable[Row]) -> tuple[Part, ...]
     refer to, and without those of which nothing is left; none where that is the origin alone.
     """
     kept: list[Part] = []
-    met = _find_symbols(later)
+    met = find_symbols(later)
     for part in reversed(parts):
         match part:
             case Coordinates() | Stated():
-                found = tuple(each for each in part.found if _is_met(each.symbol, met))
+                found = tuple(each for each in part.found if is_met(each.symbol, met))
                 if found or not part.found:
                     kept.append(replace(part, found=found))
-                    met |= _find_symbols(_display(found).lines)
+                    met |= find_symbols(_display(found).lines)
             case tuple():
                 kept.append(part)
-                met |= _find_symbols(list_lines(part))
+                met |= find_symbols(list_lines(part))
             case _:
                 assert_never(part)
     worked_out = any(not isinstance(part, Stated) or part.found for part in kept)
@@ -74,12 +74,12 @@ def list_lines(blocks: Iterable[Block]) -> Iterator[Row]:
             yield from block.lines
 
 
-def _is_met(symbol: Symbol, met: Set[Node]) -> bool:
+def is_met(symbol: Symbol, met: Set[Node]) -> bool:
     """Whether formulas refer to a symbol; one of several letters, where they have them all."""
     return all(node in met for node in symbol.row)
 
 
-def _find_symbols(rows: Iterable[Row]) -> set[Node]:
+def find_symbols(rows: Iterable[Row]) -> set[Node]:
     """The letters, with an index or without one, that formulas refer to; exponents are left out."""
     nodes = [node for row in rows for node in list_nodes(row)]
     met: set[Node] = {replace(node, upper=None) for node in nodes if isinstance(node, Scripts)}

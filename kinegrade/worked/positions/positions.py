@@ -6,9 +6,10 @@ Everything follows the constructions of the template, in its order, with this pa
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator
 from dataclasses import dataclass
 
+from kinegrade.language.math.tree import Row
 from kinegrade.language.message import Message
 from kinegrade.numbers.angle import Angle
 from kinegrade.worked.case import Case
@@ -20,7 +21,6 @@ from kinegrade.worked.positions.parts import (
     Derived,
     Part,
     Stated,
-    list_lines,
     select_used,
     write_parts,
 )
@@ -37,10 +37,9 @@ class Positions:
         """A sentence and equations for each point."""
         return write_parts(self.parts, self.case)
 
-    def write_used(self, later: Sequence[Block]) -> tuple[Block, ...]:
-        """The same without coordinates and lengths to which nothing `later` refers."""
-        used = select_used(self.parts, (*list_lines(later), *self.case.findings.told))
-        return write_parts(used, self.case)
+    def write_used(self, later: Iterable[Row]) -> tuple[Block, ...]:
+        """The same without coordinates and lengths to which no formula `later` refers."""
+        return write_parts(select_used(self.parts, later), self.case)
 
 
 def explain_positions(case: Case, wanted: Collection[str]) -> Positions:

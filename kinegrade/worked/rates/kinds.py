@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Set
 from typing import assert_never
 
+from kinegrade.language.math.tree import Node, Row
 from kinegrade.language.message import Message, list_statements
 from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.laws import NoSlip
@@ -12,24 +13,28 @@ from kinegrade.mechanics.mechanism import Body, Mechanism
 from kinegrade.mechanics.shapes import Circle, Line
 from kinegrade.worked.case import Case
 from kinegrade.worked.document import Block
+from kinegrade.worked.positions.parts import find_symbols, is_met
 
 
-def describe_motions(case: Case) -> Iterator[Block]:
-    """A sentence that says how each body moves."""
-    mechanism = case.motion.frames.mechanism
-    motions = (_describe_motion(body, mechanism, case) for body in mechanism.bodies)
+def describe_motions(case: Case, later: Iterable[Row]) -> Iterator[Block]:
+    """A sentence that says how each body moves, with the letter of its angular velocity where a
+    formula `later` refers to it or to its change.
+    """
+    mechanism, met = case.motion.frames.mechanism, find_symbols(later)
+    motions = (_describe_motion(body, mechanism, met, case) for body in mechanism.bodies)
     yield case.say(Message("solution.motion-list-closed", motions=list_statements(motions)))
 
 
-def _describe_motion(body: Body, mechanism: Mechanism, case: Case) -> Message:
-    """How one body moves, with the letter of its angular velocity where it turns."""
+def _describe_motion(body: Body, mechanism: Mechanism, met: Set[Node], case: Case) -> Message:
+    """How one body moves, with the letter of its angular velocity where that is used."""
     if body.particle:
         return Message("solution.particle", point=case.naming.point(body.name))
     name = case.naming.body(body.name)
     if body.name in case.translating:
         return Message("solution.translates", body=name)
-    omega = case.text(case.naming.omega(body.name))
-    name = Message("solution.turning-body", body=name, omega=omega)
+    letters = case.naming.omega(body.name), case.naming.alpha(body.name)
+    if any(is_met(letter, met) for letter in letters):
+        name = Message("solution.turning-body", body=name, omega=case.text(letters[0]))
     pivot = mechanism.find_pivots().get(body.name) or _find_common_centre(body, case)
     if pivot is not None:
         return Message("solution.rotates", body=name, point=case.naming.point(pivot))

@@ -22,6 +22,7 @@ from kinegrade.mechanics.laws import (
     SharedPoint,
 )
 from kinegrade.mechanics.plan import Step
+from kinegrade.mechanics.vector_equation import VectorEquation
 from kinegrade.problem.quantities.functions import find_motion_calls
 from kinegrade.problem.template.template import Ask
 from kinegrade.worked.case import Case
@@ -29,7 +30,7 @@ from kinegrade.worked.document import Block, Heading
 from kinegrade.worked.rates.driven import is_assumed
 from kinegrade.worked.steps.couplers import Coupler, choose_method, find_coupler
 from kinegrade.worked.steps.rigid import explain_choice, find_rigid_triangle
-from kinegrade.worked.steps.titles import select_scalars
+from kinegrade.worked.steps.titles import find_rotations, select_scalars
 from kinegrade.worked.vectors.stage import Stage
 
 
@@ -41,6 +42,7 @@ def explain_idea(
     reasons = dict.fromkeys(
         reason for step, stage in stages for reason in _find_reasons(step, stage)
     )
+    reasons |= dict.fromkeys(_explain_poles(case))
     if not any(any(find_motion_calls(ask.quantity)) for ask in asked):
         reasons |= dict.fromkeys((Message("solution.idea-pose"), Message("solution.rounded")))
     yield case.say(_join((_name_task(given, asked, case), *reasons)))
@@ -105,6 +107,8 @@ def _find_reasons(step: Step, stage: Stage) -> Iterator[Message]:
     elif len(stage.equations) > 1:
         coupled = all(len(equation.unknowns) > 2 for equation in stage.equations)
         yield Message("solution.idea-together" if coupled else "solution.idea-several")
+    elif stage.equations and _joins_rotations(stage.equations[0]):
+        yield _explain_common_point(stage.equations[0], case)
     elif stage.equations and len(stage.equations[0].unknowns) == 2:
         yield from _explain_frames(stage)
 
@@ -168,6 +172,31 @@ def _drives(law: Law, point: str) -> bool:
             return False
         case _:
             assert_never(law)
+
+
+def _joins_rotations(equation: VectorEquation) -> bool:
+    """Whether an equation has several base points, and no moving frame."""
+    return len(find_rotations(equation)) > 1 and not equation.compositions
+
+
+def _explain_common_point(equation: VectorEquation, case: Case) -> Message:
+    """Why base points serve from which several bodies lead to one point, or one after the other
+    from point to point.
+    """
+    rotations = find_rotations(equation)
+    bodies = list_all(case.naming.body(term.rate.body) for term in rotations)
+    if len({term.point for term in rotations}) > 1:
+        return Message("solution.idea-base-chain", bodies=bodies)
+    point = case.naming.point(rotations[0].point)
+    bases = list_all(f"${case.naming.point(term.base)}$" for term in rotations)
+    return Message("solution.idea-common-point", point=point, bodies=bodies, bases=bases)
+
+
+def _explain_poles(case: Case) -> Iterator[Message]:
+    """How the velocity poles are found that answers are about and that no normals lead to."""
+    for body in sorted(case.findings.poles_sought):
+        if not case.findings.places_alone:
+            yield Message("solution.idea-pole", body=case.naming.body(body))
 
 
 def _explain_frames(stage: Stage) -> Iterator[Message]:

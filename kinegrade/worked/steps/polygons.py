@@ -75,12 +75,16 @@ def _name_vertices(equation: VectorEquation, case: Case) -> dict[str, Vector]:
             if part.role == "rotation" and part.base:
                 vertices.setdefault(_write_small(case.naming.letter(part.base), case), reached)
             if part.role == "relative":
-                shared = prime(case.naming.letter(part.point))
-                vertices.setdefault(_write_small(shared, case), reached)
+                vertices.setdefault(name_shared_corner(part, case), reached)
             reached = reached + make_floats(part.value)
         if side and not side[-1].coincident:
             vertices.setdefault(_write_small(case.naming.letter(side[-1].point), case), reached)
     return vertices
+
+
+def name_shared_corner(relative: Part, case: Case) -> str:
+    """The letter of the moving frame's point at which the point of a composition is: b' of B."""
+    return _write_small(prime(case.naming.letter(relative.point)), case)
 
 
 def _write_small(letter: Symbol, case: Case) -> str:

@@ -26,6 +26,7 @@ from kinegrade.worked.formulas.measures import length
 from kinegrade.worked.formulas.numbers import state_number
 from kinegrade.worked.rates.scalars import explain_scalar_step, state_relation
 from kinegrade.worked.senses import state_way
+from kinegrade.worked.steps.polygons import name_shared_corner, spans_polygon
 from kinegrade.worked.steps.titles import describe_meanings, introduce_equation, select_scalars
 from kinegrade.worked.vectors.arms import find_arms, introduce_lengths
 from kinegrade.worked.vectors.by_components import find_components
@@ -77,6 +78,7 @@ def explain_step(step: Step, stage: Stage) -> Iterator[Block]:
         yield from _explain_mark(equation, case)
         yield make_term_table(equation, case)
         yield from explain_remarks(equation, case)
+        yield from _explain_corner(equation, case)
     yield from explain_directions(list_turned(stage), case)
     for relation in scalars:
         statement = state_relation(relation, case, stage.level)
@@ -255,6 +257,19 @@ def _explain_mark(equation: VectorEquation, case: Case) -> Iterator[Block]:
                 frame=case.naming.body(marked.term.rate.body),
             )
         )
+
+
+def _explain_corner(equation: VectorEquation, case: Case) -> Iterator[Block]:
+    """Which point the primed letter in a polygon stands for, said once."""
+    relative = next(iter(equation.compositions), None)
+    marked = any(part.coincident for part in equation.parts) and not _find_shifted(equation, case)
+    if relative is None or marked or not spans_polygon(equation):
+        return
+    corner = name_shared_corner(relative, case)
+    if corner not in case.findings.corners:
+        case.findings.corners.add(corner)
+        point, frame = case.naming.point(relative.point), case.naming.body(relative.frame)
+        yield case.say(Message("solution.corner", corner=corner, point=point, frame=frame))
 
 
 def _list_equations(equations: Iterable[Text]) -> Text:

@@ -51,7 +51,7 @@ def name_step(step: Step, stage: Stage) -> Message:
 
 def _name_equation(equation: VectorEquation, case: Case) -> Message:
     """The title of a step of one vector equation: by its method."""
-    compositions, rotations = equation.compositions, _find_rotations(equation)
+    compositions, rotations = equation.compositions, find_rotations(equation)
     if len(compositions) > 1:
         point = case.naming.point(compositions[0].point)
         return Message("solution.title-composed-twice", point=point)
@@ -70,7 +70,7 @@ def _name_equation(equation: VectorEquation, case: Case) -> Message:
     return Message("solution.title-bases", body=body, bases=bases)
 
 
-def _find_rotations(equation: VectorEquation) -> tuple[Term, ...]:
+def find_rotations(equation: VectorEquation) -> tuple[Term, ...]:
     """The rotations about base points in an equation, in order."""
     found = {
         part.term.rate: part.term
@@ -82,7 +82,7 @@ def _find_rotations(equation: VectorEquation) -> tuple[Term, ...]:
 
 def _list_turning_bodies(equation: VectorEquation, case: Case) -> Listing:
     """The bodies that turn about base points in an equation, in prose."""
-    return list_all(case.naming.body(_find_body(term)) for term in _find_rotations(equation))
+    return list_all(case.naming.body(_find_body(term)) for term in find_rotations(equation))
 
 
 def _find_body(term: Term) -> str:
@@ -97,7 +97,7 @@ def introduce_equation(equation: VectorEquation, case: Case) -> Message:
         return _introduce_composition(equation, compositions[0], case)
     if compositions:
         return _introduce_two_frames(equation, compositions, case)
-    turning = _find_rotations(equation)
+    turning = find_rotations(equation)
     if not turning:
         return Message("solution.equal-motion", point=case.naming.point(equation.parts[0].point))
     if len(turning) > 1:

@@ -85,10 +85,8 @@ def _project(piece: Piece, axis: AxisName, case: Case) -> tuple[Summand, ...] | 
         return ()
     sign = 1 - quarters if cosine is None else cosine.sign
     formula: Formula = piece.symbol
-    against = double(piece.value.dot(piece.positive)) < 0
-    if against:
-        sign = -sign
-    if against or is_turned(piece.symbol, case):
+    if is_turned(piece.symbol, case):
+        sign = -sign if double(piece.value.dot(piece.positive)) < 0 else sign
         formula = abs(formula)
     if cosine is not None:
         formula = formula * cosine.state(False)

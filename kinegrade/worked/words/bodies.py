@@ -93,6 +93,11 @@ _KINDS: Mapping[str, _Kind] = {  # by the words that templates use for bodies
 }
 
 
+def is_kind(word: str) -> bool:
+    """Whether the catalogues have a word for a kind of body."""
+    return word in _KINDS
+
+
 def name_kind(word: str) -> Message:
     """A body by the word for its kind, with its article; a word of the template that is not known
     stays as it is.

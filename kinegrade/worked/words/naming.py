@@ -29,7 +29,7 @@ from kinegrade.worked.formulas.symbols import (
     read_symbol,
     replace_letter,
 )
-from kinegrade.worked.words.bodies import name_barely, name_by_number, name_kind
+from kinegrade.worked.words.bodies import is_kind, name_barely, name_by_number, name_kind
 
 # Named by their end points
 _LINKS = frozenset({"crank", "rocker", "rod", "bar", "arm", "strut", "jaw", "coupler"})
@@ -171,17 +171,29 @@ class Naming:
         return found
 
     def _name_own(self, body: Body, taken: set[Symbol]) -> Symbol:
-        """The angular velocity with the letters of a body, or with the word for it where another
-        has these letters.
+        """The angular velocity with the letters of a link or of a named body, else with the word
+        for the body, as of a wheel; so too where another has these letters.
         """
-        if body.name.islower():
-            letters = join_letters(map(name_point, body.points[:2])) if body.points else Symbol(())
-        else:
+        if not body.name.islower():
             letters = self._name_letter(body.name)
+        elif self._has_letters(body):
+            letters = join_letters(map(name_point, body.points[:2]))
+        else:
+            return index_letter("omega", self.letters(body.name))
         symbol = index_letter("omega", letters.row)
         if symbol not in taken and "_" not in body.name:
             return symbol
         return index_letter("omega", self._print_text(name_barely(body.name)))
+
+    def _has_letters(self, body: Body) -> bool:
+        """Whether the points of a body name it: those of a link, or of what the catalogues have no
+        word for, and a single one that no other body has.
+        """
+        kind = body.name.rstrip("0123456789")
+        if len(body.points) != 1:
+            return bool(body.points) and (kind in _LINKS or not is_kind(kind))
+        others = (one for one in self.template.scheme.bodies if one.name != body.name)
+        return not any(body.points[0] in other.points for other in others)
 
     def _name_letter(self, name: str) -> Symbol:
         """The letters of a body; Roman numerals upright."""

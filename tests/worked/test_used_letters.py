@@ -1,0 +1,35 @@
+"""Nothing is printed that no later line uses."""
+
+from __future__ import annotations
+
+from tests.worked.draws import kept
+from tests.worked.telling import displayed, lines, proses
+
+
+def test_a_coordinate_that_no_later_line_uses_is_not_told_where_a_place_is_asked_for_too() -> None:
+    """F ends the flank of the cam and places nothing; y_C is an answer, told once."""
+    told = displayed(kept("tangent-cam-with-roller", 1))
+    assert not [line for line in told if line.startswith(("x_{F}", "y_{F}"))]
+    assert len([line for line in told if line.startswith("y_{C}")]) == 1
+
+
+def test_the_letter_of_a_rotation_stands_where_a_formula_uses_it() -> None:
+    told = tuple(lines(kept("scissor-lift")))
+    motions = told[told.index("# Types of motion") + 1]
+    assert r"$BC$ ($\omega_{BC}$): plane motion" in motions
+    assert r"the platform: translation" in motions
+
+
+def test_a_letter_that_stands_for_a_component_has_no_bars() -> None:
+    told = displayed(kept("spool-pulled-by-cord", 1))
+    (line,) = (one for one in told if one.startswith("a_{E,x}"))
+    assert line.startswith(r"a_{E,x} &= a_{\mathrm{a}} - \alpha(y_{E} - y_{C})")
+
+
+def test_a_primed_corner_of_a_polygon_is_explained_once() -> None:
+    told = [
+        one
+        for one in proses(kept("flat-faced-follower-eccentric-circle"))
+        if " in the polygon: " in one
+    ]
+    assert told == ["$c'$ in the polygon: the point of the follower at $C$."]
