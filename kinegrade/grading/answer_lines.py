@@ -54,9 +54,12 @@ def _write_lines(block: MarkedBlock, words: Catalogue) -> bytes:
     lines.add(students, np.repeat(np.arange(len(rows)), len(asks)))
     named = [encode(_join(ask.question, ask.ask, "")) for ask in asks]
     lines.add(named, np.tile(np.arange(len(asks)), len(rows)))
-    lines.add(_encode_cells(cells.typed, cells, _show_response))
+    if cells.are_plain:
+        lines.add_plain(np.array(cells.typed, dtype=np.bytes_))
+    else:
+        lines.add(_encode_cells(cells.typed, cells, _show_response))
     lines.add([b","], np.zeros(lines.count, dtype=np.intp))
-    if cells.read_as is cells.typed:
+    if cells.are_plain:
         lines.add_again(_TYPED)
     else:
         lines.add(_encode_cells(cells.read_as, cells, lambda reading: reading.read_as))

@@ -109,7 +109,7 @@ class _Marker:
         for paper, entry in rows:
             if paper.lacks:
                 complaints += find_strange(paper, entry, self.asks, self.sheet.columns)
-        for paper, entry in rows:
+        for paper, entry in rows if self.sheet.repeated else ():
             if paper.student in self.sheet.repeated:
                 complaints += find_repeated(self._entries(paper), entry)
         general: dict[Text, list[Complaint]] = defaultdict(list)

@@ -14,8 +14,8 @@ import numpy as np
 from kinegrade.files.csv_writing import encode, neutralise, write_csv_cell
 from kinegrade.grading.fast.bounds import Places
 from kinegrade.grading.fast.judged_block import JudgedBlock
-from kinegrade.grading.fast.line_columns import Letters, LineColumns
-from kinegrade.grading.fast.number_texts import write_letters
+from kinegrade.grading.fast.line_columns import LineColumns, Texts
+from kinegrade.grading.fast.number_texts import tabulate_numbers
 from kinegrade.grading.fast.reasons import Form, read_cells
 from kinegrade.language.catalogue import Catalogue
 from kinegrade.language.message import Text
@@ -29,7 +29,7 @@ def add_reasons(lines: LineColumns, judged: JudgedBlock, words: Catalogue) -> No
     begins, which = _list_begins(judged, forms, ways, words)
     lines.add(begins, which)
     for hole in range(max((len(form.order) for form in forms.values()), default=0)):
-        lines.add_letters(_write_numbers(judged, forms, ways, hole))
+        lines.add_plain(_write_numbers(judged, forms, ways, hole))
         behind = [
             encode(forms[way].texts[hole + 1])
             if way in forms and hole < len(forms[way].order)
@@ -72,20 +72,20 @@ def _list_begins(
 
 def _write_numbers(
     judged: JudgedBlock, forms: Mapping[int, Form], ways: Places, hole: int
-) -> Letters:
-    """The numbers at one place of the sentences, each as letters."""
+) -> Texts:
+    """The numbers at one place of the sentences."""
     stated = np.full(2 * len(judged.sentences), -1, dtype=np.intp)
     for way, form in forms.items():
         if hole < len(form.order):
             stated[way] = form.order[hole]
     which = stated[ways]
     chosen = np.flatnonzero(which >= 0)
-    written = write_letters(judged.stated[which[chosen], chosen])
+    written = tabulate_numbers(judged.stated[which[chosen], chosen])
     if len(chosen) == len(ways):
         return written
-    letters = np.zeros((len(ways), written.shape[1]), dtype=np.uint8)
-    letters[chosen] = written
-    return letters
+    texts = np.zeros(len(ways), dtype=written.dtype)
+    texts[chosen] = written
+    return texts
 
 
 def _write_reason(reason: Text, words: Catalogue) -> str:

@@ -10,6 +10,8 @@ from functools import lru_cache
 from math import ceil, floor
 from typing import Literal
 
+#: A double keeps every decimal of so many digits.
+FEW_DIGITS = 15
 Rounding = Literal["nearest", "down", "up"]  # down: towards minus infinity
 _ROUNDINGS: dict[Rounding, str] = {
     "nearest": ROUND_HALF_EVEN,

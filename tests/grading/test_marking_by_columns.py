@@ -5,6 +5,7 @@ every answer is decided exactly.
 from __future__ import annotations
 
 import csv
+import json
 import re
 from collections.abc import Callable, Iterator
 from fractions import Fraction
@@ -15,10 +16,12 @@ import pytest
 
 from benchmarks.large_class import COLUMNS, write_class
 from kinegrade.exam.folder.columns.part import PartKeys
-from kinegrade.exam.folder.contents import KEY_COLUMNS
+from kinegrade.exam.folder.columns.writing import write_columns
+from kinegrade.exam.folder.contents import KEY, KEY_COLUMNS
 from kinegrade.exam.folder.exam_folder import ExamFolder, open_exam
 from kinegrade.exam.folder.keys import Key
 from kinegrade.files.tables import parse_table
+from kinegrade.grading.fast import block_judge
 from kinegrade.grading.grade import MarkingWishes, grade
 from kinegrade.grading.marking import MarkingTerms, mark
 from kinegrade.grading.marks import Mark
@@ -138,3 +141,28 @@ def test_at_the_bounds_each_answer_is_decided_exactly(tmp_path: Path) -> None:
     exactly = marks_one_by_one(exam.in_memory(), sheet, AS_PRINTED)
     assert state([*marks]) == state(exactly)
     assert {each.verdict.kind for each in marks} >= {"right", "wrong", "mistake"}
+
+
+@pytest.mark.parametrize("kept", [KEY_COLUMNS, KEY])
+def test_answers_as_round_as_the_key_are_decided_side_by_side(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, kept: str
+) -> None:
+    write_class(tmp_path, 60, 0.0)
+    folder, sheet = tmp_path / "EXAM", [",".join(["student", *COLUMNS])]
+    lines = [json.loads(line) for line in (folder / KEY).read_text().splitlines()]
+    for line in lines:
+        for question in line["questions"]:
+            for key in question["asks"].values():
+                key.update(
+                    exact="27/2", value=13.5, decimal="13.5", mistakes={"wrong-pole": "7.25"}
+                )
+        sheet.append(",".join([line["student"], *["13.5", "7.25"] * 5]))
+    (folder / KEY).write_text("".join(f"{json.dumps(line)}\n" for line in lines))
+    (tmp_path / "answers.csv").write_text("\n".join(sheet))
+    write_columns(folder / KEY_COLUMNS, folder / KEY, open_exam(folder).head)
+    if kept == KEY:
+        (folder / KEY_COLUMNS).unlink()
+    monkeypatch.setattr(block_judge, "decide", None)  # one by one, which takes fifty times as long
+    found = grade(open_exam(folder), tmp_path / "answers.csv", tmp_path / "MARKS").grades
+    assert {each.total for each in found} == {15}
+    assert b"difference 0, allowed 0.135" in (tmp_path / "MARKS" / "marks.csv").read_bytes()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from itertools import chain
 
 from kinegrade.language.message import Message
 
@@ -34,10 +35,11 @@ def require_bounded(content: object) -> None:
     """
     level = [content]
     for _ in range(_DEEPEST):
-        parts = [part for outer in level for part in _parts(outer)]
-        if any(isinstance(part, int) and abs(part) >= 10**_MOST_DIGITS for part in parts):
+        parts = chain.from_iterable(map(_parts, level))
+        others = [part for part in parts if not isinstance(part, str)]  # most are texts
+        if any(isinstance(part, int) and abs(part) >= 10**_MOST_DIGITS for part in others):
             raise Unbounded(TOO_LARGE)
-        level = [part for part in parts if isinstance(part, dict | list)]
+        level = [part for part in others if isinstance(part, dict | list)]
     if level:
         raise Unbounded(TOO_DEEP)
 

@@ -17,11 +17,11 @@ from operator import itemgetter
 
 import numpy as np
 
-from kinegrade.exam.folder.columns.gathering import read_centres, read_mistakes, read_rules
+from kinegrade.exam.folder.columns.gathering import read_mistakes, read_rules
 from kinegrade.exam.folder.keys import Ask, Key
 from kinegrade.grading.fast.another_paper import PapersAnswered
 from kinegrade.grading.fast.bounds import Flags, Places, Rules, tabulate_rules
-from kinegrade.grading.fast.comparison import compare
+from kinegrade.grading.fast.compared_cells import compare_cells
 from kinegrade.grading.fast.judged_block import NO_SHARE, JudgedBlock, Row
 from kinegrade.grading.fast.mistaken import Leading, Mistakes, find_best
 from kinegrade.grading.fast.reasons import Sentence
@@ -72,7 +72,7 @@ class BlockJudge:
         cells = CellReader(self.asks, self.styles).cells([entry.responses for _, entry in rows])
         keys = [paper.keys for paper, _ in rows]
         rules = self._rules([read_rules(each) for each in keys])
-        comparison = compare(cells.values, read_centres(keys).reshape(-1), rules)
+        comparison = compare_cells(cells, keys, rules)
         block = JudgedBlock.begin(rows, cells, comparison, self.language)
         for place, names in self._compared(block, rules).items():
             block.put(place, self._decided(block, place, names))
@@ -129,7 +129,7 @@ class BlockJudge:
         found: _Open = {place: None for place in open_to if self._others(block, place)}
         keys, width = [paper.keys for paper, _ in block.rows], len(self.asks)
         mistakes = Mistakes.of(wrong, read_mistakes(keys, wrong, width))
-        leading = mistakes.leading(block.cells.values, rules)
+        leading = mistakes.leading(block.cells.values, rules, block.cells.decimals)
         shares = [self.policy.ruling(ask.column).mistakes for ask in self.asks]
         single = np.flatnonzero(leading.single)
         if found:

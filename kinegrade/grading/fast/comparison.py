@@ -3,11 +3,13 @@ answers at once, in double precision, and which results are certain.
 
 `block_judge` uses it; whatever is not certain is decided by `judge`. A comparison is certain if its
 verdict, and every digit of its reason, would be the same for all numbers within the error of double
-precision. So the outcome is always the exact one.
+precision. So the outcome is always the exact one. Decimals are subtracted exactly where that error
+is too large for the digits: an answer as round as the key differs by nothing.
 """
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -19,10 +21,13 @@ from kinegrade.grading.fast.bounds import (
     Bounds,
     Flags,
     Numbers,
+    Places,
     Rules,
 )
+from kinegrade.grading.fast.decimals import find_differences
 from kinegrade.grading.fast.number_texts import scale_numbers
 
+Decimals = Callable[[Places], Flags]
 _ALIKE = 1e-5  # a difference and a tolerance this close may be written with the same digits
 
 
@@ -46,9 +51,9 @@ class Comparison:
         return np.stack([self.centres, self.difference, bounds.room, bounds.low, bounds.high])
 
 
-def compare(values: Numbers, centres: Numbers, rules: Rules) -> Comparison:
+def compare(values: Numbers, centres: Numbers, rules: Rules, decimals: Decimals) -> Comparison:
     """Compares each value with the right one beside it; nothing is certain of a value that is not a
-    number.
+    number. `decimals` says of places whether both are next to decimals of few digits.
     """
     bounds = rules.bounds(centres)
     with np.errstate(all="ignore"):  # overflow and NaN are simply not certain
@@ -57,6 +62,10 @@ def compare(values: Numbers, centres: Numbers, rules: Rules) -> Comparison:
         decided = bounds.settled & np.isfinite(difference)
         decided &= from_bound > np.maximum(_ALIKE * bounds.room, GUARD * scale)
         alike = _are_written_alike(difference, ROUNDING * scale)
+        doubtful = np.flatnonzero(decided & ~alike)
+        doubtful = doubtful[decimals(doubtful)]
+        exactly = find_differences(values[doubtful], centres[doubtful])
+        difference[doubtful], alike[doubtful] = exactly
         alike &= _are_written_alike(bounds.room, ROUNDING * bounds.room)
         if bounds.to_figures.any():
             for bound in (bounds.low, bounds.high):

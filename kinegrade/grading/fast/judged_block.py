@@ -83,7 +83,9 @@ class JudgedBlock:
 
     def are(self, *kinds: Kind) -> Flags:
         """Where the verdict is of one of these kinds."""
-        found: Flags = np.isin(self.kinds, [_NUMBERS[kind] for kind in kinds])
+        wanted = np.zeros(len(KINDS), dtype=np.bool_)
+        wanted[[_NUMBERS[kind] for kind in kinds]] = True
+        found: Flags = wanted[self.kinds]
         return found
 
     def put(self, place: int, decision: Decision) -> None:

@@ -1,8 +1,8 @@
 """Thousands of lines put together column by column, as bytes, in a fraction of the time that a text
 for each cell takes.
 
-A column has a row of letters for each line, zeros where its text is shorter. A text that is long,
-or holds a letter with a meaning here, is put in its place at the end.
+A column has a text for each line, followed by zeros where another one is longer. A text that is
+long, or holds a letter with a meaning here, is put in its place at the end.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-Letters = NDArray[np.uint8]
+Texts = NDArray[np.bytes_]
 _Places = NDArray[np.intp]
 
 _NOTHING, _LATER = b"\0", b"\1"
@@ -27,7 +27,7 @@ class LineColumns:
     """
 
     count: int
-    columns: list[Letters] = field(default_factory=list)
+    columns: list[Texts] = field(default_factory=list)
     later: list[tuple[int, int, bytes]] = field(default_factory=list)
 
     def add(self, texts: Sequence[bytes], which: _Places | None = None) -> None:
@@ -42,17 +42,18 @@ class LineColumns:
                 short[number] = _LATER
             is_later = np.zeros(len(texts), dtype=np.bool_)
             is_later[put_later] = True
-            column = len(self.columns)
+            at = len(self.columns)
             for line in np.flatnonzero(is_later[chosen]).tolist():
-                self.later.append((line, column, texts[chosen[line]]))
-        letters = np.array(short, dtype=np.bytes_)
-        rows = letters.view(np.uint8).reshape(len(letters), letters.itemsize)
-        self.columns.append(rows if which is None else rows[which])
+                self.later.append((line, at, texts[chosen[line]]))
+        column = np.array(short, dtype=np.bytes_)
+        self.columns.append(column if which is None else column.take(which))
 
-    def add_letters(self, letters: Letters) -> None:
-        """A column of letters, a row for each line, zeros where there is none."""
-        used = np.flatnonzero(letters.max(axis=0, initial=0))
-        self.columns.append(letters[:, : used[-1] + 1 if len(used) else 0])
+    def add_plain(self, texts: Texts) -> None:
+        """A column of texts without letters that have a meaning here."""
+        if texts.itemsize > _LONGEST:
+            self.add(texts.tolist())
+        else:
+            self.columns.append(texts)
 
     def add_again(self, column: int) -> None:
         """The same column once more."""
@@ -62,7 +63,10 @@ class LineColumns:
 
     def write(self, lines: _Places) -> bytes:
         """The lines with these numbers, which ascend, one behind the other."""
-        whole, later = np.concatenate(self.columns, axis=1), sorted(self.later)
+        whole = np.empty(self.count, [(f"{n}", each.dtype) for n, each in enumerate(self.columns)])
+        for number, column in enumerate(self.columns):
+            whole[f"{number}"] = column
+        later = sorted(self.later)
         if len(lines) < self.count:
             kept = {*lines.tolist()}
             whole, later = whole[lines], [each for each in later if each[0] in kept]

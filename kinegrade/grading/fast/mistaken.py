@@ -49,13 +49,19 @@ class Mistakes:
         """The mistakes at each of these places."""
         return cls(led_to, np.repeat(places, led_to.counts))
 
-    def leading(self, answers: Numbers, rules: Rules) -> Leading:
-        """The ways that may lead to the answers; `answers` and `rules` are those of all places."""
+    def leading(self, answers: Numbers, rules: Rules, decimals: Flags) -> Leading:
+        """The ways that may lead to the answers; `answers`, `rules` and which answers are
+        `decimals` of few digits are those of all places.
+        """
         values = self.led_to.values
         agreeing = rules.at(self.places).may_agree(answers[self.places], values)
         near = np.flatnonzero(agreeing)
         places = self.places[near]
-        led = compare(answers[places], values[near], rules.at(places))
+
+        def are_decimals(ways: Places) -> Flags:
+            return decimals[places[ways]] & self.led_to.as_written
+
+        led = compare(answers[places], values[near], rules.at(places), are_decimals)
         likely = np.flatnonzero(led.right | ~led.decided)
         return Leading(
             places[likely],

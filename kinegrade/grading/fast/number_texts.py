@@ -56,12 +56,12 @@ def scale_numbers(numbers: Numbers) -> Scaled:
 
 def write_numbers(numbers: Numbers) -> list[bytes]:
     """The texts of some numbers, in ASCII."""
-    texts: list[bytes] = write_letters(numbers).view(f"S{_LONGEST}").ravel().tolist()
+    texts: list[bytes] = tabulate_numbers(numbers).tolist()
     return texts
 
 
-def write_letters(numbers: Numbers) -> NDArray[np.uint8]:
-    """The same as rows of letters, zeros behind them."""
+def tabulate_numbers(numbers: Numbers) -> NDArray[np.bytes_]:
+    """The same side by side, no wider than they are."""
     scaled = scale_numbers(numbers)
     with np.errstate(all="ignore"):
         last, power = scaled.last, scaled.power
@@ -75,7 +75,14 @@ def write_letters(numbers: Numbers) -> NDArray[np.uint8]:
     for place in np.flatnonzero(~known).tolist():
         text = (FORMAT % numbers[place]).encode("ascii")
         letters[place] = np.frombuffer(text.ljust(_LONGEST, b"\0"), dtype=np.uint8)
-    return letters
+    return words.view(f"S{_LONGEST}").ravel().astype(f"S{_find_width(words)}")
+
+
+def _find_width(words: Words) -> int:
+    """The most letters that texts have, one of which is not empty."""
+    first, second = np.bitwise_or.reduce(words, axis=0, initial=0).tolist()
+    bits = _WORD + int(second).bit_length() if second else int(first).bit_length()
+    return max(1, -(-bits // _LETTER))
 
 
 def _assemble(digits: Places, power: Places, negative: Flags) -> Words:

@@ -10,18 +10,20 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 from itertools import chain
-from math import nan
+from math import isfinite, nan
 
 import msgspec
 import numpy as np
 
 from kinegrade.exam.folder.keys import Ask
-from kinegrade.grading.fast.bounds import Numbers
+from kinegrade.grading.fast.bounds import Flags, Numbers
 from kinegrade.grading.typed.answers import PLAIN, Reading, read
 from kinegrade.grading.typed.decimal_style import FileStyle
 from kinegrade.grading.typed.number_text import DecimalStyle
 from kinegrade.grading.typed.plain_cells import PlainCells
+from kinegrade.numbers.decimals import FEW_DIGITS
 
 _PLAIN = re.compile(PLAIN)
 _PLAIN_LINES = re.compile(f"(?:(?:{PLAIN})?\n)*+")
@@ -30,7 +32,7 @@ _PLAIN_LINES = re.compile(f"(?:(?:{PLAIN})?\n)*+")
 @dataclass(frozen=True, slots=True)
 class TypedCells:
     """Cells row after row: `values` are NaN where no number is typed, or none that is known
-    exactly.
+    exactly, and next to decimals of few digits where those are `decimals`.
 
     `readings` are those of the cells that are neither plain nor empty, by place; `styles` are those
     of the rows with such cells, by row.
@@ -39,9 +41,15 @@ class TypedCells:
     reader: CellReader
     typed: Sequence[str]
     values: Numbers
+    decimals: Flags
     read_as: Sequence[str]
     readings: Mapping[int, Reading]
     styles: Mapping[int, DecimalStyle]
+
+    @property
+    def are_plain(self) -> bool:
+        """Whether all cells are plain or empty, and read as they stand."""
+        return self.read_as is self.typed
 
     def reading(self, place: int) -> Reading:
         """The reading of a cell."""
@@ -64,8 +72,10 @@ class CellReader:
     def cells(self, rows: Sequence[Sequence[str]]) -> TypedCells:
         """All cells of these rows."""
         typed = [*chain.from_iterable(rows)]
-        if _takes_plain_numbers(self.styles.style) and PlainCells.of(typed) is not None:
-            return TypedCells(self, typed, _read_plain(typed), typed, {}, {})
+        plain = PlainCells.of(typed) if _takes_plain_numbers(self.styles.style) else None
+        if plain is not None:
+            values, decimals = _read_plain(typed), plain.lengths <= FEW_DIGITS
+            return TypedCells(self, typed, values, decimals, typed, {}, {})
         return self._row_by_row(rows, typed)
 
     def _row_by_row(self, rows: Sequence[Sequence[str]], typed: Sequence[str]) -> TypedCells:
@@ -87,7 +97,11 @@ class CellReader:
                 read_as.append(digits)
                 if reading is not None:
                     readings[place] = reading
-        return TypedCells(self, typed, np.array(values), read_as, readings, styles)
+        decimals = _are_short(typed)
+        for place, reading in readings.items():
+            value = values[place]
+            decimals[place] = isfinite(value) and Fraction(repr(value)) == reading.value
+        return TypedCells(self, typed, np.array(values), decimals, read_as, readings, styles)
 
     def _cell_by_cell(
         self, row: Sequence[str], style: DecimalStyle
@@ -112,6 +126,11 @@ def _are_plain(cells: Sequence[str]) -> bool:
     """Whether all cells are plain or empty."""
     lines = "\n".join([*cells, ""])
     return lines.count("\n") == len(cells) and _PLAIN_LINES.fullmatch(lines) is not None
+
+
+def _are_short(cells: Sequence[str]) -> Flags:
+    """Which plain or empty cells have few digits."""
+    return np.array([*map(len, cells)], dtype=np.intp) <= FEW_DIGITS
 
 
 def _drop_signs(cells: Sequence[str]) -> Sequence[str]:

@@ -16,6 +16,7 @@ import pytest
 from benchmarks.large_class import write_class
 from kinegrade.exam.folder.columns import reading, record, writing
 from kinegrade.exam.folder.columns.gathering import (
+    find_decimals,
     read_centres,
     read_mistakes,
     read_periods,
@@ -25,7 +26,8 @@ from kinegrade.exam.folder.columns.gathering import (
 from kinegrade.exam.folder.columns.part import PartKeys
 from kinegrade.exam.folder.contents import HEAD, KEY, KEY_COLUMNS
 from kinegrade.exam.folder.exam_folder import ExamFolder, open_exam
-from kinegrade.exam.folder.keys import Paper
+from kinegrade.exam.folder.keys import Key, Paper
+from kinegrade.numbers.tolerance import Tolerance
 
 STUDENTS = 25
 
@@ -217,3 +219,11 @@ def test_a_line_that_is_not_as_generated_leaves_no_columns(folder: Path) -> None
     (folder / KEY).write_text(text.replace('"decimal"', '"digits"', 1), encoding="utf-8")
     writing.write_columns(folder / KEY_COLUMNS, folder / KEY, open_exam(folder).head)
     assert sorted(each.name for each in folder.iterdir()) == [HEAD, KEY]
+
+
+def test_few_digits_are_told_from_many_and_from_fractions_that_do_not_end() -> None:
+    written = ["27/2", "-81/50", "2", "-0", "0.5", "1/3", "22/7", "1/1024", "0.1234567890123456"]
+    key = Tolerance(Fraction(1, 100))
+    papers = [[Key(Fraction(each), key)] for each in written]
+    found = find_decimals(papers, np.arange(len(written)), 1)
+    assert found.tolist() == [True, True, True, True, True, False, False, True, False]

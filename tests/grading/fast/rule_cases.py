@@ -5,6 +5,7 @@ ones, many of them on a bound or next to it.
 from __future__ import annotations
 
 from fractions import Fraction
+from math import isfinite
 
 from hypothesis import strategies as st
 
@@ -41,3 +42,8 @@ def typed_numbers(draw: st.DrawFn, right: Fraction, rule: Tolerance) -> str:
     step = draw(st.sampled_from([0, 0, 0, Fraction(1, 10**9), Fraction(-1, 10**5)]))
     number = float(draw(st.sampled_from(anchors)) * (1 + step))
     return f"{number:.{draw(st.sampled_from([1, 3, 12, 12]))}f}"
+
+
+def is_short(number: float, exactly: str | Fraction) -> bool:
+    """Whether a double stands for a decimal that is known from it."""
+    return isfinite(number) and Fraction(repr(number)) == Fraction(exactly)

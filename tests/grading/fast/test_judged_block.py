@@ -52,8 +52,10 @@ def begin(right: list[bool], size: int) -> JudgedBlock:
     """A block in whose first places these answers are compared with 2, the others are blank."""
     nothing = [""] * size
     typed = np.array([2.0 if each else 9.0 for each in right] + [nan] * (size - len(right)))
-    cells = TypedCells(CellReader((), find_file_style([])), nothing, typed, nothing, {}, {})
-    comparison = compare(typed, np.full(size, 2.0), tabulate_rules([(WITHIN,) * size]))
+    reader, decimals = CellReader((), find_file_style([])), np.ones(size, dtype=np.bool_)
+    cells = TypedCells(reader, nothing, typed, decimals, nothing, {}, {})
+    rules = tabulate_rules([(WITHIN,) * size])
+    comparison = compare(typed, np.full(size, 2.0), rules, decimals.__getitem__)
     return JudgedBlock.begin([], cells, comparison, ENGLISH)
 
 
@@ -81,7 +83,8 @@ def test_mistakes_that_are_put_are_a_decision(share: Fraction | None, by_policy:
     block = begin([False], 1)
     block.put_compared(np.array([0]), np.array([by_policy]))
     mistakes = Mistakes.of(np.array([0]), LedTo.of([{"wrong-pole": 8.95}]))
-    leading = mistakes.leading(np.array([9.0]), tabulate_rules([(WITHIN,)]))
+    rules, decimals = tabulate_rules([(WITHIN,)]), np.array([True])
+    leading = mistakes.leading(np.array([9.0]), rules, decimals)
     said = block.find_sentence(Sentence(("wrong-pole",)))
     block.put_mistakes(leading, np.array([0]), np.array([said]))
     if share is not None:

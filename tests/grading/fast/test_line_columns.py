@@ -40,11 +40,9 @@ def test_lines_are_their_cells_one_behind_the_other(
     assert lines.write(some) == b"".join(expected[line] for line in some)
 
 
-@pytest.mark.parametrize("width", [0, 1, 4])
-def test_letters_are_as_wide_as_the_longest_text(width: int) -> None:
-    letters = np.zeros((2, 4), dtype=np.uint8)
-    letters[0, :width] = ord("x")
+@pytest.mark.parametrize("width", [0, 1, 32, 33])
+def test_plain_texts_are_of_any_length(width: int) -> None:
     lines = LineColumns(2)
-    lines.add_letters(letters)
+    lines.add_plain(np.array([b"x" * width, b""]))
     lines.add([b",", b";"])
     assert lines.write(np.arange(2)) == b"x" * width + b",;"

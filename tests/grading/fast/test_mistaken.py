@@ -20,7 +20,7 @@ from kinegrade.grading.typed.answers import read
 from kinegrade.language import ENGLISH
 from kinegrade.numbers.tolerance import Tolerance
 from kinegrade.stated_marking import find_identifier
-from tests.grading.fast.rule_cases import RULES, VALUES, typed_numbers
+from tests.grading.fast.rule_cases import RULES, VALUES, is_short, typed_numbers
 from tests.said import said
 
 NAMES = ("sense-reversed", "coriolis-dropped", "wrong-pole", "=odd", "angle.phi", "angle.psi")
@@ -47,9 +47,11 @@ def test_the_best_mistake_is_the_one_that_deciding_exactly_finds(
 ) -> None:
     key, typed = answer
     expected = find_mistaken(read(typed, "1"), key, Ruling(mistakes=credits))
-    mistakes = Mistakes.of(np.array([0]), LedTo.of([key.mistakes]))
+    written = {name: float(wrong) for name, wrong in key.mistakes.items()}
+    mistakes = Mistakes.of(np.array([0]), LedTo.of([written]))
+    decimals = np.array([is_short(float(typed), typed)])
     rules = tabulate_rules([(key.rule,)])
-    leading = mistakes.leading(np.array([float(typed)]), rules)
+    leading = mistakes.leading(np.array([float(typed)]), rules, decimals)
     ways = dict(leading.group_others()).get(0, [])
     if leading.single.any():
         assert leading.single.tolist() == [True]
@@ -80,7 +82,7 @@ def reason(leading: Leading, way: int, names: tuple[str, ...]) -> str:
 def test_a_single_mistake_is_certain() -> None:
     mistakes = Mistakes.of(np.array([1]), LedTo.of([{"wrong-pole": 2.5}]))
     rules = tabulate_rules([(Tolerance(), Tolerance(Fraction(1, 100)))])
-    leading = mistakes.leading(np.array([9.0, 2.51]), rules)
+    leading = mistakes.leading(np.array([9.0, 2.51]), rules, np.array([True, True]))
     assert (leading.single.tolist(), leading.places.tolist()) == ([True], [1])
     assert [leading.known[name] for name in leading.names] == ["wrong-pole"]
     assert list(leading.group_others()) == []

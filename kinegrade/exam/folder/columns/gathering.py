@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from kinegrade.exam.folder.columns.part import KeyPart, PartKeys
 from kinegrade.exam.folder.keys import NOT_ASKED, Keys
 from kinegrade.exam.folder.stated_keys import StatedKeys, read_stated_mistakes
+from kinegrade.numbers.decimals import FEW_DIGITS
 from kinegrade.numbers.tolerance import Tolerance
 
 Numbers = NDArray[np.float64]
@@ -25,13 +26,14 @@ Places = NDArray[np.intp]
 @dataclass(frozen=True, slots=True)
 class LedTo:
     """What mistakes lead to in some asks, one after the other: so many in each ask, which of those
-    that are `known`, and the wrong values.
+    that are `known`, and the wrong values, which are decimals `as_written` or any numbers.
     """
 
     counts: Places
     names: Places
     values: Numbers
     known: Sequence[str]
+    as_written: bool
 
     @classmethod
     def of(cls, mistakes: Sequence[Mapping[str, float | Fraction]]) -> LedTo:
@@ -44,6 +46,7 @@ class LedTo:
             np.array(names, dtype=np.intp),
             np.array(values, dtype=np.float64),
             tuple(numbers),
+            all(isinstance(value, float) for value in values),
         )
 
 
@@ -70,6 +73,35 @@ def _list_centres(keys: Keys) -> Sequence[float]:
                 nan if key.period or key is NOT_ASKED else float(Fraction(key.value))
                 for key in keys
             ]
+
+
+def find_decimals(papers: Sequence[Keys], places: Places, width: int) -> NDArray[np.bool_]:
+    """Which of the right answers at these places, counted through all papers of so many asks, are
+    decimals of few digits.
+    """
+    asked = (divmod(place, width) for place in places.tolist())
+    found = [_is_decimal(_state(papers[row], ask)) for row, ask in asked]
+    return np.array(found, dtype=np.bool_)
+
+
+def _state(keys: Keys, ask: int) -> str:
+    """The right answer, as a decimal or a fraction."""
+    match keys:
+        case StatedKeys(entries=entries):
+            return entries[ask].plain or entries[ask].decimal
+        case PartKeys(part=part, row=row):
+            return bytes(part.exact[row, ask]).decode()
+        case _:
+            return str(keys[ask].value)
+
+
+def _is_decimal(text: str) -> bool:
+    """Whether a number written as a decimal or a fraction is a decimal of few digits."""
+    numerator, _, denominator = text.partition("/")
+    if not denominator:
+        return len(text) <= FEW_DIGITS
+    digits, rest = divmod(int(numerator) * 10**FEW_DIGITS, int(denominator))
+    return not rest and len(str(abs(digits)).rstrip("0")) <= FEW_DIGITS
 
 
 def read_values(keys: Keys) -> Sequence[float]:
@@ -123,7 +155,8 @@ def _gather_mistakes(part: KeyPart, places: Places) -> LedTo:
     counts = part.ends[places + 1] - begins
     before = np.cumsum(counts) - counts
     chosen = np.arange(counts.sum()) + np.repeat(begins - before, counts)
-    return LedTo(counts, part.names[chosen], part.wrong[chosen], part.known)
+    names = part.names[chosen].astype(np.intp)
+    return LedTo(counts, names, part.wrong[chosen], part.known, as_written=True)
 
 
 def _find_rows(papers: Sequence[Keys]) -> tuple[KeyPart, Places] | None:

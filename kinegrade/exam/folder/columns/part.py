@@ -34,7 +34,7 @@ class KeyPart:
     exact: NDArray[np.bytes_]
     terms: Sequence[Terms]
     ends: NDArray[np.int64]
-    names: NDArray[np.intp]
+    names: NDArray[np.uint16]
     known: Sequence[str]
     wrong: NDArray[np.float64]
 

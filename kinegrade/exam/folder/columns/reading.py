@@ -29,7 +29,16 @@ from kinegrade.exam.folder.keys import Paper
 from kinegrade.exam.folder.records import ExamHead
 from kinegrade.exam.folder.stated_keys import Terms
 
-DAMAGED = (OSError, BadZipFile, KeyError, IndexError, ValueError, EOFError, msgspec.MsgspecError)
+DAMAGED = (
+    OSError,
+    BadZipFile,
+    KeyError,
+    IndexError,
+    ValueError,
+    TypeError,
+    EOFError,
+    msgspec.MsgspecError,
+)
 _Arrays = dict[str, NDArray[np.generic]]
 _read_about = msgspec.json.Decoder(About).decode
 
@@ -78,7 +87,7 @@ def _read_arrays(archive: ZipFile, number: int) -> _Arrays:
 
 
 def _make_part(arrays: _Arrays, terms: list[Terms], about: About) -> KeyPart:
-    names = arrays["names"].astype(np.intp)
+    names = arrays["names"].astype(np.uint16, casting="safe", copy=False)
     if names.max(initial=0) >= max(1, len(about.mistakes)):
         raise IndexError
     return KeyPart(
