@@ -9,7 +9,7 @@ a relation.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import partial
 from typing import assert_never
 
@@ -62,10 +62,16 @@ class Frames:
     bases: Mapping[str, Base]
     relations: tuple[Relation, ...]
     guiding: Mapping[Rate, int]
+    chains: dict[tuple[str, str], Chain] = field(
+        default_factory=dict, init=False, repr=False, compare=False
+    )
 
     def chain(self, body: str, point: str) -> Chain:
         """The terms whose sum is the velocity of `point`, taken as a point of `body`."""
-        return build_chain(self.mechanism, self.bases, body, point)
+        place = body, point
+        if place not in self.chains:
+            self.chains[place] = build_chain(self.mechanism, self.bases, body, point)
+        return self.chains[place]
 
 
 def build_frames(mechanism: Mechanism, arithmetic: Arithmetic) -> Frames:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping
 from functools import partial
 from typing import Any
 
@@ -21,17 +21,21 @@ QUANTITIES: Mapping[str, Signature] = {
 }
 
 
-def make_quantities(motion: Motion, arithmetic: Arithmetic) -> dict[str, Callable[..., Any]]:
+def make_quantities(
+    motion: Motion, arithmetic: Arithmetic, names: Collection[str] = QUANTITIES
+) -> dict[str, Callable[..., Any]]:
     """The functions of a motion and of its vectors by name, without those that need further
-    configurations.
+    configurations; of some `names` alone where others are not called.
     """
     reader = MotionReader(motion, arithmetic)
     read = {
         name: partial(function.read, reader)
-        for name, function in MOTION_FUNCTIONS.items()
-        if function.read is not None
+        for name in names
+        if (function := MOTION_FUNCTIONS.get(name)) and function.read is not None
     }
-    measured = {name: partial(measure.read, arithmetic) for name, measure in MEASURES.items()}
+    measured = {
+        name: partial(MEASURES[name].read, arithmetic) for name in names if name in MEASURES
+    }
     return {**read, **measured}
 
 

@@ -7,7 +7,7 @@ keeps one instance.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -17,7 +17,7 @@ from typing import Any
 
 from kinegrade.errors import KinegradeError
 from kinegrade.expressions.evaluation import evaluate
-from kinegrade.expressions.tree import Call, Expression
+from kinegrade.expressions.tree import Call, Expression, walk
 from kinegrade.mechanics import plan as plans
 from kinegrade.mechanics.frames import build_frames
 from kinegrade.mechanics.motion import Motion
@@ -182,6 +182,14 @@ class Follower:
         }
 
     @cached_property
+    def called(self) -> Mapping[str, Collection[str]]:
+        """The functions that are called in the quantity of each ask, by name."""
+        return {
+            name: {part.function for part in walk(tree) if isinstance(part, Call)}
+            for name, tree in self.quantities.items()
+        }
+
+    @cached_property
     def names(self) -> Mapping[str, Any]:
         """What the names in a quantity stand for."""
         return {
@@ -229,7 +237,8 @@ class Follower:
     def read(self, ask: Ask, motion: Motion) -> float | None:
         """An answer read off a motion, None where the motion does not determine it (yet)."""
         doubles = Doubles()
-        functions = {**self.fixed, **make_functions(motion, doubles)}
+        called = self.called[ask.name]
+        functions = {**self.fixed, **make_functions(motion, doubles, called)}
         try:
             number = evaluate(self.quantities[ask.name], self.names, functions, doubles)
             value = float(

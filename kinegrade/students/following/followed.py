@@ -93,8 +93,9 @@ class _Ways:
 
     def _move(self, motion: Motion, value: OwnValue, kept: Sequence[OwnValue]) -> list[Motion]:
         """The motions with one more value, in which those before it still are."""
+        now = value.read(motion) or 0.0
         moved = [
-            self._move_along(motion, value, response)
+            self._move_along(motion, value, now, response)
             for response in self._list_responses(motion, value)
         ]
         return [each for each in moved if each and all(old.is_kept(each) for old in kept)]
@@ -125,10 +126,14 @@ class _Ways:
         )
         return (above - below) / near
 
-    def _move_along(self, motion: Motion, value: OwnValue, response: Response) -> Motion | None:
-        """The motion with a value, found along a response; None where it is not to be had there."""
+    def _move_along(
+        self, motion: Motion, value: OwnValue, now: float, response: Response
+    ) -> Motion | None:
+        """The motion with a value, which is `now` another one, found along a response; None where
+        it is not to be had there.
+        """
         move = partial(self._take, motion, response)
-        distance = value.find_distance(move, self._choose_near(motion, response))
+        distance = value.find_distance(now, move, self._choose_near(motion, response))
         return None if distance is None else move(distance)
 
     def _choose_near(self, motion: Motion, response: Response) -> float:
@@ -159,8 +164,10 @@ class _Ways:
         """The motion with other rates, or changes of them."""
         match self.level:
             case "velocity":
-                return replace(motion, rates=rates)
+                found = rates, motion.changes
             case "acceleration":
-                return replace(motion, changes=rates)
+                found = motion.rates, rates
             case _:
                 assert_never(self.level)
+        # Not `replace`, which takes as long as the rest of a step
+        return Motion(motion.frames, motion.plan, *found, motion.reading)

@@ -8,7 +8,7 @@ points of one body is the body's rotation.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from typing import Any, assert_never
 
 from kinegrade.expressions.tree import Call, Expression, Name, Number, Operation, walk
@@ -26,8 +26,10 @@ from kinegrade.students.following.followed_terms import Share
 _ROTATION = "rotation_velocity"
 
 
-def make_functions(motion: Motion, arithmetic: Arithmetic) -> dict[str, Callable[..., Any]]:
-    """The functions of a quantity, read off such a motion."""
+def make_functions(
+    motion: Motion, arithmetic: Arithmetic, names: Collection[str]
+) -> dict[str, Callable[..., Any]]:
+    """The functions of a quantity, read off such a motion: those of these names."""
     reader = MotionReader(motion, arithmetic)
 
     def take_normal(place: Vector, base: Vector, body: Any) -> Vector:
@@ -41,7 +43,7 @@ def make_functions(motion: Motion, arithmetic: Arithmetic) -> dict[str, Callable
         return velocity
 
     return {
-        **make_quantities(motion, arithmetic),
+        **make_quantities(motion, arithmetic, names),
         "normal_acceleration": take_normal,
         _ROTATION: rotation,
     }

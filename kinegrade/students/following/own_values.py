@@ -49,15 +49,17 @@ class OwnValue:
         """
         return abs(copysign(self.value, now) - now)
 
-    def find_distance(self, move: Callable[[float], Motion], near: float) -> float | None:
-        """How far to move a motion so that it has this value, None where that does not change it;
-        `near` is a short way, by which the first step is found.
+    def find_distance(
+        self, now: float, move: Callable[[float], Motion], near: float
+    ) -> float | None:
+        """How far to move a motion, off which `now` is read, so that it has this value, None where
+        that does not change it; `near` is a short way, by which the first step is found.
         """
 
         def read(distance: float) -> float:
             return self.read(move(distance)) or 0.0
 
-        here, there = (0.0, read(0.0)), (near, read(near))
+        here, there = (0.0, now), (near, read(near))
         if abs(there[1] - here[1]) <= _NOTHING * max(abs(here[1]), abs(self.value)):
             return None
         target = self.value
