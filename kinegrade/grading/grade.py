@@ -51,8 +51,9 @@ class MarkingWishes:
     `exports` names the files for other systems that also go into the folder, such as
     `{"moodle.csv": kinegrade.lms.grades.moodle.export}`. `decimal` declares the decimal mark of the
     sheet. `policy` is a file, copied into the folder; `manual` are files of marks by hand, which
-    stand beside those that are carried over; `never_lower` is an earlier marking whose totals are
-    kept where they are higher; `follows` works out what follows from wrong answers. A
+    stand beside those that are carried over from the marking that is replaced or that goes `before`
+    this one; `never_lower` is an earlier marking whose totals are kept where they are higher;
+    `follows` works out what follows from wrong answers. A
     marking in which most answers fit other papers is refused, unless `own_papers` confirms that
     they belong to the students' own. A `pseudonymous` marking leaves names out of the folder.
     """
@@ -65,10 +66,11 @@ class MarkingWishes:
     own_papers: bool = False
     manual: tuple[Path, ...] = ()
     pseudonymous: bool = False
+    before: MarksFolder | None = None
 
     def find_hand_sources(self, output: Path) -> HandSources:
         """Where marks by hand come from, when they are written into a folder."""
-        earlier = None if self.never_lower is None else self.never_lower.path
+        earlier = None if self.before is None else self.before.path
         return HandSources(self.manual, output, earlier)
 
 

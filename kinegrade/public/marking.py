@@ -78,7 +78,7 @@ class GradeOptions:
 
     @property
     def earlier(self) -> MarksFolder | None:
-        """The marking whose log goes on."""
+        """The marking whose log goes on, and whose marks by hand are carried over."""
         return self.never_lower if self.since is None else self.since
 
     @property
@@ -101,6 +101,7 @@ class GradeOptions:
             self.own_papers,
             tuple(map(Path, _list_files(self.manual))),
             self.pseudonymous,
+            self.earlier,
         )
 
 

@@ -132,9 +132,12 @@ def test_marks_by_hand_are_carried_over_replaced_and_taken_back(folder: Path) ->
     assert totals(folder)[SOFYA] == ("7", "9.5")
 
 
-def test_a_new_folder_takes_those_of_the_marking_that_it_follows(folder: Path) -> None:
+@pytest.mark.parametrize("options", [["--never-lower"], ["--reason", "appeals", "--since"]])
+def test_a_new_folder_takes_those_of_the_marking_that_it_follows(
+    folder: Path, options: list[str]
+) -> None:
     give(folder, f"{ADA},q2,2,\n{SOFYA},q2,1,\n")
-    follow = grade(folder, "--never-lower", folder / "MARKS", marks="MARKS2")
+    follow = grade(folder, *options, folder / "MARKS", marks="MARKS2")
     assert "2 marks by hand carried over" in follow.stderr
     assert totals(folder, "MARKS2") == totals(folder)
 
