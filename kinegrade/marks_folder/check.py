@@ -67,7 +67,7 @@ def _find_faults(path: Path, totals: ClassTotals, sums: Sequence[StudentSums]) -
             yield from (
                 _explain(path, Message("marks.no-column", columns=name))
                 for name in each.points.by_question
-                if name not in row.points
+                if name not in totals.questions
             )
         shared = _list_shared(row, each)
         if (lines, *shared) in agreeing:

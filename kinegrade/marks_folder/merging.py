@@ -17,6 +17,7 @@ from kinegrade.files.csv_writing import neutralise, write_csv, write_for_people
 from kinegrade.language.message import Fault, Message, Quoted, list_statements
 from kinegrade.marks_folder.cells import read_records_if_any, read_whole
 from kinegrade.marks_folder.folder import MarksFolder
+from kinegrade.marks_folder.hand_marks import EXTRA
 from kinegrade.marks_folder.layout import (
     ANSWERS,
     COMPLAINTS,
@@ -68,10 +69,14 @@ class Merging:
             raise TableError(*faults)
         return found
 
-    @property
+    @cached_property
     def questions(self) -> tuple[str, ...]:
-        """The questions of all folders."""
-        return tuple(dict.fromkeys(name for each in self.folders for name in each.totals.questions))
+        """The questions of all folders, and EXTRA where anybody's marks that stand have it."""
+        listed = dict.fromkeys(name for each in self.folders for name in each.totals.questions)
+        stands = any(
+            EXTRA in folder.by_hand.get(student, {}) for student, folder in self.chosen.items()
+        )
+        return tuple(name for name in listed if stands or name != EXTRA)
 
     def write(self, target: Path) -> None:
         """Write the files of a marks folder into `target`, which exists. Raises TableError."""
@@ -161,18 +166,22 @@ class Merging:
 
     def _list_grades(self, header: Sequence[str]) -> Iterator[Sequence[str]]:
         """The rows of grades.csv, in the order of marks.csv."""
+        nothing = {EXTRA: "0"}  # which nobody has to have; other cells are empty
         for folder in self.folders:
             table = read_whole(folder.path, GRADES)
             for row in table.rows:
-                cells = dict(zip(table.header, row.cells, strict=False))
+                cells = {**nothing, **dict(zip(table.header, row.cells, strict=False))}
                 if self.chosen[cells["student"]] is folder:
                     yield [cells.get(name, "") for name in header]
 
     def _list_printed(self) -> Iterator[Sequence[str]]:
         """The questions of each paper, where they are not all or not in the bank's order."""
+        everywhere = tuple(name for name in self.questions if name != EXTRA)
         for student, folder in self.chosen.items():
-            held = folder.printed.get(student, tuple(folder.totals.by_student[student].points))
-            if held != self.questions:
+            points = folder.totals.by_student[student].points
+            counted = tuple(name for name in points if name != EXTRA)
+            held = folder.printed.get(student, counted)
+            if held != everywhere:
                 yield student, QUESTIONS_BETWEEN.join(held)
 
     def _list_elsewhere(self) -> Iterator[Sequence[str]]:

@@ -154,3 +154,27 @@ def test_grades_by_one_scale_are_merged_and_by_two_are_refused(both: Path) -> No
         f" {both / 'first' / 'MARKS'} - mark both by a policy with the same scale"
     )
     assert refused.stderr.splitlines() == [said]
+
+
+@pytest.mark.parametrize("order", [("first", "later"), ("later", "first")])
+@pytest.mark.parametrize("preference", ["first", "last", "better"])
+@pytest.mark.parametrize("rewarded", ["0012", "S8", "007"])
+def test_a_bonus_in_one_exam_alone_goes_with_the_marks_that_stand(
+    tmp_path: Path, order: tuple[str, str], preference: str, rewarded: str
+) -> None:
+    mark_class(tmp_path / "first", FIRST)
+    mark_class(tmp_path / "later", {**LATER, "S8": RIGHT})
+    by_hand, first = tmp_path / "by-hand.csv", tmp_path / "first"
+    by_hand.write_text(f"student,question,points\n{rewarded},bonus,1.5\n", encoding="utf-8")
+    again = "-o", first / "MARKS", "--force", "--manual", by_hand
+    assert kinegrade("grade", first / "EXAM", first / "answers.csv", *again).exit_code < 2
+    folders = [tmp_path / name / "MARKS" for name in order]
+    done = kinegrade("merge", *folders, "-o", tmp_path / "ALL", "--prefer", preference)
+    assert done.exit_code < 2, done.stderr
+    merged = open_marks(tmp_path / "ALL")
+    apart = [open_marks(folder).totals.by_student for folder in folders]
+    for student, total in merged.totals.by_student.items():
+        assert total.total in [each[student].total for each in apart if student in each]
+    assert {sums.student for sums in merged.sums} == merged.totals.by_student.keys()
+    exported = kinegrade("export", tmp_path / "ALL", "--to", "xlsx", "-o", tmp_path / "all.xlsx")
+    assert exported.exit_code < 2, exported.stderr
