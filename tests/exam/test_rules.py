@@ -160,8 +160,8 @@ def test_the_rules_leave_every_tolerance_to_the_rows(tmp_path: Path) -> None:
     english, chinese = write_rules(bank, "en"), write_rules(bank, "zh")
     assert len(english) == len(chinese) == 3
     assert "%" not in "".join(english)
-    assert "“near zero” is allowed where the exact value is smaller" in english[-1]
-    assert "“近零”一栏的偏差" in chinese[-1]
+    assert "smaller in magnitude than the amount stated for “near zero”" in english[-1]
+    assert "小于“近零”后所注的数值" in chinese[-1]
 
 
 def test_nothing_is_said_of_zero_where_amounts_alone_are_allowed(tmp_path: Path) -> None:
@@ -183,7 +183,7 @@ def test_arrows_are_not_said_to_be_drawn_to_scale(tmp_path: Path) -> None:
     file = tmp_path / "bank.toml"
     file.write_text(BANK, encoding="utf-8")
     assert write_rules(read_bank(file), "en")[1].endswith(
-        "Lengths in figures are drawn to scale; arrows are not."
+        "Lengths in figures are drawn to scale; arrows and numbers of teeth are not."
     )
 
 

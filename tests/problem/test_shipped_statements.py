@@ -13,6 +13,7 @@ from kinegrade.exam.quiz.paper import show_instance
 from kinegrade.problem.holding import condition_holds
 from kinegrade.problem.needs import find_needs
 from kinegrade.problem.statement import list_statement_languages, write_statement
+from kinegrade.problem.template.given_marks import ALONG_AXES
 from kinegrade.problem.template.library.library import find_template_names, load_template
 from kinegrade.problem.template.template import Template
 
@@ -43,3 +44,13 @@ def test_velocities_are_asked_before_accelerations(name: str) -> None:
 
 def is_of_accelerations(template: Template, ask: str) -> bool:
     return find_needs(template, [ask]).changes or template.asks[ask].unit.time == -2
+
+
+@pytest.mark.parametrize("name", find_template_names())
+def test_the_name_of_what_is_asked_leaves_the_positive_sense_to_its_own_line(name: str) -> None:
+    """A platform's "acceleration, upwards" would be false where the platform slows down."""
+    said = (", to the right", ", to the left", ", upwards", ", downwards", "为正", ", nach ")
+    for ask in load_template(name).asks.values():
+        if ask.sign in ALONG_AXES:
+            for meaning in ask.means.texts:
+                assert not [each for each in said if each in meaning], meaning
