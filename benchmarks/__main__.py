@@ -22,6 +22,7 @@ BENCHMARKS = (
     "templates",
     "marking",
     "papers",
+    "workers",
     "tags",
     "class_commands",
     "cycles",
