@@ -84,6 +84,10 @@ def _list_files() -> Iterable[str]:
     metavar="NUMBER",
 )
 @click.option(
+    "--of-scale",
+    is_flag=True,
+)
+@click.option(
     "--lang",
     "language",
     type=LanguageChoice(),

@@ -10,9 +10,11 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from html import escape
 
 TAG = re.compile(rb"<[^<>\"']*(?:(?:\"[^\"]*\"|'[^']*')[^<>\"']*)*>")
 _NAME = re.compile(rb"<[^\s/>]+")
+_NUMBER = re.compile(r"-?\d+(?:\.\d+)?")
 _TYPE = re.compile(rb"\st\s*=\s*(?:\"[^\"]*\"|'[^']*')")
 _REFERENCE = re.compile(r"\$?([A-Z]{1,3})\$?([0-9]{1,7})")
 _FIRST_LETTER = ord("A") - 1
@@ -87,26 +89,27 @@ class SheetXml:
     column_styles: Mapping[int, str]
     merged: Sequence[Merged]
 
-    def with_numbers(self, numbers: Mapping[Position, str]) -> bytes:
-        """The XML with these numbers in place of what the cells hold; every other byte stays.
+    def with_values(self, values: Mapping[Position, str]) -> bytes:
+        """The XML with these numbers and texts in place of what the cells hold; every other byte
+        stays.
 
         The rows have to be there.
         """
         pieces, done = [], 0
-        for start, end, cell in sorted(self._list_changes(numbers)):
+        for start, end, cell in sorted(self._list_changes(values)):
             pieces += [self.content[done:start], cell]
             done = end
         return b"".join([*pieces, self.content[done:]])
 
-    def _list_changes(self, numbers: Mapping[Position, str]) -> Iterator[tuple[int, int, bytes]]:
+    def _list_changes(self, values: Mapping[Position, str]) -> Iterator[tuple[int, int, bytes]]:
         """From where to where there is something else; new cells of one place by their columns."""
         new: dict[int, list[bytes]] = {}
-        for position, number in sorted(numbers.items()):
+        for position, value in sorted(values.items()):
             old = self.cells.get(position)
             if old is None:
-                new.setdefault(self._find_place(position), []).append(self._make(position, number))
+                new.setdefault(self._find_place(position), []).append(self._make(position, value))
             else:
-                yield old.start, old.end, self._change(old, number)
+                yield old.start, old.end, self._change(old, value)
         for place, cells in new.items():
             yield place, place, b"".join(cells)
 
@@ -116,14 +119,14 @@ class SheetXml:
         later = [each for each in self.cells if each[0] == row and each[1] > column]
         return self.cells[min(later)].start if later else self.row_ends[row]
 
-    def _change(self, old: SheetCell, number: str) -> bytes:
+    def _change(self, old: SheetCell, value: str) -> bytes:
         """A cell with another content, and its attributes but for the type."""
         found = TAG.match(self.content, old.start)
         tag = found[0] if found else b"<c>"
         opening = _TYPE.sub(b"", tag).removesuffix(b">").removesuffix(b"/").rstrip()
-        return _write_cell(opening, number)
+        return _write_cell(opening, value)
 
-    def _make(self, position: Position, number: str) -> bytes:
+    def _make(self, position: Position, value: str) -> bytes:
         """A new cell, in the style that its row or column gives to new cells."""
         row, column = position
         style = self.row_styles.get(row) or self.column_styles.get(column, "")
@@ -131,11 +134,16 @@ class SheetXml:
         name = _NAME.match(self.content, neighbour.start)
         styled = f' s="{style}"' if style else ""
         attributes = f' r="{write_position(position)}"{styled}'.encode()
-        return _write_cell((name[0] if name else b"<c") + attributes, number)
+        return _write_cell((name[0] if name else b"<c") + attributes, value)
 
 
-def _write_cell(opening: bytes, number: str) -> bytes:
-    """A cell from the beginning of its tag; its elements have the prefix of its own name."""
+def _write_cell(opening: bytes, value: str) -> bytes:
+    """A cell from the beginning of its tag, with a number, or else a text of its own; its elements
+    have the prefix of its own name.
+    """
     name = opening[1:].split(maxsplit=1)[0]
     prefix = name[: name.rfind(b":") + 1]
-    return b"%b><%bv>%b</%bv></%b>" % (opening, prefix, number.encode(), prefix, name)
+    if _NUMBER.fullmatch(value):
+        return b"%b><%bv>%b</%bv></%b>" % (opening, prefix, value.encode(), prefix, name)
+    text = b"<%bt>%b</%bt>" % (prefix, escape(value).encode(), prefix)
+    return b'%b t="inlineStr"><%bis>%b</%bis></%b>' % (opening, prefix, text, prefix, name)

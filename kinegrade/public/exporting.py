@@ -63,7 +63,8 @@ def export(
     options = replace(options, title=options.title.strip())
     made = _make_file(to, grades, options)
     write_file(place, made.content, made.kind, force=force)
-    notes = *made.notes, _tell(made, place, grades, options), *_list_above(grades, options)
+    above = *_list_above(grades, options), *_mention_scale(to, grades, options)
+    notes = *made.notes, _tell(made, place, grades, options), *above
     untold = _list_untold(grades, place) if options.per_question else ()
     return Outcome(place, notes, (*made.complaints, *untold, *_list_open(marks, place)))
 
@@ -76,6 +77,9 @@ def _require_possible(to: str, options: ExportOptions) -> None:
         raise OptionError(Message("terminal.no-headers"))
     if options.overwrite and to != WORKBOOK:
         raise OptionError(Message("terminal.no-overwrite"))
+    points = options.per_question or options.scale or options.maximum is not None
+    if options.of_scale and (points or to != WORKBOOK or options.into is None):
+        raise OptionError(Message("terminal.no-of-scale"))
 
 
 def _export_workbook(marks: MarksFolder, place: Path, *, force: bool) -> Outcome:
@@ -108,6 +112,13 @@ def _list_above(grades: ClassGrades, options: ExportOptions) -> Iterator[Message
     above = sum(each.points[TOTAL] > each.out_of[TOTAL] for each in exported)
     if above:
         yield Message("terminal.above-maximum", count=above)
+
+
+def _mention_scale(to: str, grades: ClassGrades, options: ExportOptions) -> Iterator[Message]:
+    """That an office's workbook got points, where there are grades of a scale as well."""
+    total = to == WORKBOOK and not options.per_question and not options.of_scale
+    if total and any(each.scale_grade for each in grades.students):
+        yield Message("terminal.points-not-grades")
 
 
 @dataclass(frozen=True, slots=True)
@@ -166,6 +177,8 @@ def _require_sense(options: ExportOptions, grades: ClassGrades) -> None:
     ]
     if options.per_question and partly:
         raise OptionError(Message("terminal.alternatives", questions=list_plainly(partly)))
+    if options.of_scale and not any(each.scale_grade for each in grades.students):
+        raise OptionError(Message("terminal.no-grades-of-scale"))
     items = grades.questions if options.per_question else ("",)
     for item in options.columns:
         if item not in items:

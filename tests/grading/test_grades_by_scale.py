@@ -10,7 +10,7 @@ from io import BytesIO
 from pathlib import Path
 
 import pytest
-from openpyxl import load_workbook
+from openpyxl import Workbook, load_workbook
 
 from tests.grading.marked_folder import COLUMNS, RIGHT, Page, mark_class
 from tests.small_class import contents, kinegrade, table
@@ -253,3 +253,47 @@ def test_a_third_of_a_point_does_not_make_a_grade_look_changed(exam: Path) -> No
     assert grades(marks)[2] == "A"
     assert len(COLUMNS) == 3
     assert kinegrade("diff", marks, marks).exit_code == 0
+
+
+def write_office(folder: Path) -> Path:
+    """An office's list of all, with a word in the cell of somebody who was ill."""
+    book = Workbook()
+    sheet = book.active
+    assert sheet is not None
+    for row in (("Matrikelnr.", "Note"), *((student, None) for student in ANSWERS)):
+        sheet.append(row)
+    book.save(folder / "office.xlsx")
+    return folder / "office.xlsx"
+
+
+def fill_office(folder: Path, marks: Path, *options: str) -> tuple[list[object], str]:
+    """The grades in the office's list, and what was said."""
+    filled, place = folder / "filled.xlsx", ("--into", write_office(folder), "--column", "Note")
+    done = kinegrade("export", marks, "--to", "xlsx", *place, "-o", filled, "--force", *options)
+    if done.exit_code > 1:
+        return [], done.stderr
+    sheet = load_workbook(filled).active
+    assert sheet is not None
+    return [sheet.cell(row, 2).value for row in range(2, 2 + len(ANSWERS))], done.stderr
+
+
+def test_an_office_gets_grades_of_the_scale_where_it_is_told(exam: Path) -> None:
+    """As numbers, with which its formulas count; a word as a text; where points were filled in, it
+    is said that there are grades.
+    """
+    marks = mark(exam, f'{GERMAN}absent = "n. e. <&>"')
+    points, said = fill_office(exam.parent, marks)
+    assert points == [9.5, 7, 4, 0, None]
+    assert "points were filled in; --of-scale fills in the grades of the scale" in said
+    grades, said = fill_office(exam.parent, marks, "--of-scale", "--ungraded")
+    assert grades == [1, 2.7, 5, 5, "n. e. <&>"]
+    assert "--of-scale" not in said
+    assert fill_office(exam.parent, marks, "--of-scale")[0] == [1, 2.7, 5, 5, None]
+
+
+def test_grades_of_a_scale_are_for_an_office_alone_and_have_to_be_there(exam: Path) -> None:
+    marks = mark(exam, "attempts = 'last'")
+    assert "nobody has a grade of a scale" in fill_office(exam.parent, marks, "--of-scale")[1]
+    graded = mark(exam, name="ALSO")
+    wrong = fill_office(exam.parent, graded, "--of-scale", "--maximum", "100")[1]
+    assert "--of-scale: the grades of the scale go into an office's workbook" in wrong

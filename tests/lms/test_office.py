@@ -233,7 +233,7 @@ def test_cells_are_written_in_the_manner_of_their_sheet() -> None:
         (1, 4): "shared",
         (5, 1): "",
     }
-    written = sheet.with_numbers({(1, 4): "2.5", (1, 3): "1", (5, 1): "3", (5, 27): "4"})
+    written = sheet.with_values({(1, 4): "2.5", (1, 3): "1", (5, 1): "3", (5, 27): "4"})
     new = b'<x:c r="C1" s="7"><x:v>1</x:v></x:c>'
     assert written == PREFIXED.replace(
         b"<x:c r='D1' t='s' s='2' ><x:v>0</x:v></x:c>",

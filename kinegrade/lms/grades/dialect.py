@@ -164,7 +164,8 @@ class ExportOptions:
     or to write, empty for the system's default; `columns` the headers by item, the total's under
     ""; `feedback` None where the system decides; `maximum` the item's maximum in the system, to
     which grades are scaled; `scale` scales to the maximum that the file states; `language` that of
-    translated headers, None for the exam's.
+    translated headers, None for the exam's; with `of_scale` a workbook gets the grades of the scale
+    in place of points.
     """
 
     by: tuple[Field, ...] = ()
@@ -178,3 +179,4 @@ class ExportOptions:
     language: str | None = None
     into: str | PathLike[str] | None = None
     overwrite: bool = False
+    of_scale: bool = False

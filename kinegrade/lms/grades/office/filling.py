@@ -37,36 +37,52 @@ def fill_workbook(grades: ClassGrades, into: Path, options: ExportOptions) -> Fi
         item: found.find_header(options.columns.get(item, ""))[1]
         for item in (grades.questions if options.per_question else (TOTAL,))
     }
-    numbers = dict(_list_numbers(found, columns, grades, options))
-    faults = list(_find_faults(found, numbers, options))
+    values = dict(_list_values(found, columns, grades, options))
+    faults = list(_find_faults(found, values, options))
     if faults:
         raise TableError(*faults[:_MOST_NAMED])
     cells = found.sheet.xml.cells
-    new = {place: text for place, text in numbers.items() if not _holds(cells.get(place), text)}
-    xml = found.sheet.xml.with_numbers(new)
+    new = {place: text for place, text in values.items() if not _holds(cells.get(place), text)}
+    xml = found.sheet.xml.with_values(new)
     return Filled(
         book.with_part(found.sheet.part, xml),
-        len({row for row, _ in numbers}),
+        len({row for row, _ in values}),
         tuple(_list_complaints(found, grades, options)),
         tuple(_list_notes(book, found, columns)),
     )
 
 
-def _list_numbers(
+def _list_values(
     found: ClassList, columns: Mapping[str, int], grades: ClassGrades, options: ExportOptions
 ) -> Iterator[tuple[Position, str]]:
-    """The grades of those who have one row, by the cell that they go into."""
+    """The points of those who have one row, or their grades of the scale, by the cell that they go
+    into.
+    """
     target = target_maximum(None, options)
     for grade in grades.exported(ungraded=options.ungraded):
         rows = found.rows.get(grade.student, ())
         for item, column in columns.items():
-            if len(rows) == 1 and item in grade.points:
-                yield (rows[0], column), write_amount(scaled(grade, item, target))
+            if len(rows) != 1 or item not in grade.points:
+                continue
+            points = write_amount(scaled(grade, item, target))
+            if text := _say(grade.scale_grade) if options.of_scale else points:
+                yield (rows[0], column), text
+
+
+def _say(grade: str) -> str:
+    """A grade of the scale: 1,3 as a number, as the office counts with it, and others as a text; ""
+    for the absent where the scale has no word for them.
+    """
+    value = number(grade)
+    return grade if value is None else write_amount(value)
 
 
 def _holds(cell: SheetCell | None, text: str) -> bool:
-    """Whether a cell holds that number already."""
-    return cell is not None and number(trim(cell.text)) == number(text)
+    """Whether a cell holds that number or text already."""
+    if cell is None:
+        return False
+    held = trim(cell.text)
+    return held == text or number(held) == number(text) is not None
 
 
 def _may_hold(cell: SheetCell, text: str) -> bool:
@@ -75,10 +91,10 @@ def _may_hold(cell: SheetCell, text: str) -> bool:
 
 
 def _find_faults(
-    found: ClassList, numbers: Mapping[Position, str], options: ExportOptions
+    found: ClassList, values: Mapping[Position, str], options: ExportOptions
 ) -> Iterator[Problem]:
     """Why cells cannot be filled, one after the other."""
-    for place, text in numbers.items():
+    for place, text in values.items():
         where = f"{found.where}: {write_position(place)}"
         cell = found.sheet.xml.cells.get(place)
         if cell is not None and cell.is_computed:
