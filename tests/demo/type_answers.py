@@ -44,7 +44,10 @@ UNREADABLE: dict[tuple[str, str], str] = {
     ("s1830227", "q4.v_O"): "1/2√3",
 }
 WRONG_UNIT: dict[tuple[str, str], str] = {("u7204431", "q2.omega_II"): "7.5 m/s"}
-DOUBTFUL: dict[tuple[str, str], str] = {("20220368", "q3.a_cor_y"): "1,234"}
+DOUBTFUL: dict[tuple[str, str], str] = {
+    ("20220368", "q3.a_cor_y"): "1,234",
+    ("20220518", "q2.v_C_x"): "8.887",
+}
 NOTES: Mapping[str, str] = {
     "0241211": "第 4 题时间不够",
     "20220329": "q3: rho read off the figure, sorry",

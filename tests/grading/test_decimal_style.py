@@ -55,7 +55,9 @@ def reading(
     ("1,234", ["0.5"], [["0,5"]], None, 1.234,
      "a comma is the decimal mark, as the papers say; but this student's other answers have a "
      "decimal point"),
-    ("1.234", ["0,5"], [["0.5"]], None, 1.234, ""),
+    ("1.234", ["0,5"], [["0.5"]], None, 1.234,
+     "a point is a decimal point, as the papers say; but this student's other answers have a decimal comma"),
+    ("1.234", ["0,5", "0.5"], [["0.5"]], None, 1.234, ""),
     ("1.234", ["0,5"], [["2,5"]], None, 1.234,
      "a point is a decimal point, as the papers say; all other unambiguous answers have a decimal "
      "comma"),

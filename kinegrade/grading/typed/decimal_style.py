@@ -80,7 +80,10 @@ class FileStyle:
         comma, comma_reason = self._comma(row)
         if "." in row.groups and "." not in row.decimal:
             return DecimalStyle(comma, "groups", comma_reason, Message("marking.own-point-groups"))
-        return DecimalStyle(comma, self.style.point, comma_reason, self.style.point_reason)
+        doubt = self.style.point_reason
+        if not doubt and "," in row.decimal and "." not in row.decimal:
+            doubt = Message("marking.against-own-commas")
+        return DecimalStyle(comma, self.style.point, comma_reason, doubt)
 
     def _comma(self, row: Evidence) -> tuple[MarkUse, Text]:
         if "," in row.decimal and "," in row.groups:
