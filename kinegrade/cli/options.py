@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 COMPLAINTS = 1
 #: It cannot be done, and nothing was written.
 FAILURE = 2
-#: Seconds between two lines on the progress of long work in a log.
+# Seconds between two lines on the progress of long work in a log.
 BETWEEN_LINES = 30.0
 FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO)
 LANGUAGE = click.option(
