@@ -64,11 +64,15 @@ def merge(
 def forget(exam: Path, marks: tuple[Path, ...], *, yes: bool) -> None:
     """Remove all people from EXAM and MARKS for ever, and keep what statistics need."""
     from kinegrade.exam.archiving.forgetting import Forgetting
+    from kinegrade.grading.same_key import require_same_exam
     from kinegrade.public.folders import expect_folders
 
     expect_folders((exam, "EXAM"), *((each, "MARKS") for each in marks))
     opened = tuple(kinegrade.open_marks(each) for each in marks)
-    forgetting = Forgetting(kinegrade.open_exam(exam), opened)
+    folder = kinegrade.open_exam(exam)
+    for marked in opened:
+        require_same_exam(folder, marked)
+    forgetting = Forgetting(folder, opened)
     if yes:
         say(Message("archive.forgotten", exam=str(exam), count=forgetting.forget()))
         return

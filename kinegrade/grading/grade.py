@@ -29,6 +29,7 @@ from kinegrade.grading.other_papers import OtherPapers
 from kinegrade.grading.policy.accepted import alternatives
 from kinegrade.grading.policy.policy import Policy
 from kinegrade.grading.policy.reading import read_policy, stated_policy
+from kinegrade.grading.same_key import identify_exam, require_same_exam
 from kinegrade.grading.sheets.class_sheet import class_sheet
 from kinegrade.grading.sheets.pool import read_pool
 from kinegrade.grading.totals import TotalTerms, work_out_totals
@@ -108,6 +109,8 @@ def _mark(
     wishes: MarkingWishes,
 ) -> ClassGrades:
     """Writes all files of the folder but the exports."""
+    sources = wishes.find_hand_sources(output)
+    _require_same_exam(exam, wishes, sources)
     files = _read_files(answers)
     sheet, rules = class_sheet(files, exam), _choose_policy(exam, wishes.policy)
     untimed = check_times(sheet, rules.penalties.late)
@@ -115,7 +118,7 @@ def _mark(
     accepted = alternatives(exam, rules, exam, pool.put_together(exam, sheet), pool.papers)
     terms = MarkingTerms(rules, accepted, wishes.decimal, wishes.follows, pool)
     orders = exam.printed_orders()
-    hands = gather_hand_marks(wishes.find_hand_sources(output), find_markable(exam, rules, orders))
+    hands = gather_hand_marks(sources, find_markable(exam, rules, orders))
     by_hand = HandMarking(hands.by_hand, exam.head)
     blocks = by_hand.watched(others.watched(mark_blocks(exam, sheet, terms)))
     grades = collect_grades(exam, sheet, write_marks(folder, blocks))
@@ -132,13 +135,25 @@ def _mark(
     return replace(grades, notes=hands.notes)
 
 
+def _require_same_exam(exam: ExamFolder, wishes: MarkingWishes, sources: HandSources) -> None:
+    """Raises TableError for an earlier marking, or one whose marks by hand would be carried over,
+    of another exam.
+    """
+    for earlier in (wishes.before, wishes.never_lower):
+        if earlier is not None:
+            require_same_exam(exam, earlier)
+    if sources.carried is not None:
+        require_same_exam(exam, MarksFolder(sources.carried.parent))
+
+
 def _leave_out_names(grades: ClassGrades) -> ClassGrades:
     nameless = (msgspec.structs.replace(each, name="") for each in grades.grades)
     return replace(grades, grades=tuple(nameless))
 
 
 def _write_by_hand(folder: MarksWriter, settled: Settled, exam: ExamFolder) -> None:
-    """Writes the marks by hand, and who still lacks one; and how old the key is."""
+    """Writes the marks by hand, and who still lacks one; and by which key of which exam."""
+    folder.exam(identify_exam(exam.head))
     folder.corrections(exam.head.corrections)
     folder.by_hand(settled.list_marks())
     names = {each.student: each.name for each in settled.grades.grades}

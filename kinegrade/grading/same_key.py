@@ -1,15 +1,44 @@
-"""Marks go with the key by which they were given."""
+"""Marks go with the exam, and the key, by which they were given."""
 
 from __future__ import annotations
 
+from hmac import digest
+
 from kinegrade.errors import TableError
 from kinegrade.exam.folder.exam_folder import ExamFolder
+from kinegrade.exam.folder.records import ExamHead
 from kinegrade.language.message import Fault, Message
 from kinegrade.marks_folder.folder import MarksFolder
 
+_BYTES = 8  # of what an exam is known by: enough to tell apart all that there are
+
 
 def require_same_key(exam: ExamFolder, marks: MarksFolder) -> None:
-    """Raises TableError where answers of the exam were corrected after these marks."""
+    """Raises TableError for marks of another exam, and where answers of this one were corrected
+    after them.
+    """
+    require_same_exam(exam, marks)
     if marks.corrections != exam.head.corrections:
         what, expected = Message("marks.another-key"), Message("marks.key-of-now")
         raise TableError(Fault(str(marks.path), what, expected, Message("exam.mark-again")))
+
+
+def require_same_exam(exam: ExamFolder, marks: MarksFolder) -> None:
+    """Raises TableError for marks of another exam, as far as both say which one they are."""
+    if marks.exam and marks.exam != (identify_exam(exam.head) or marks.exam):
+        what = Message("marks.another-exam", exam=str(exam.path))
+        raise TableError(Fault(str(marks.path), what, do=Message("exam.name-exam-of-marks")))
+
+
+def identify_exam(head: ExamHead) -> str:
+    """By what marks know an exam, whoever is added to it and however often its key is corrected;
+    empty where its secret was taken out of the folder.
+
+    It tells nothing of the secret.
+    """
+    drawn_from = head.drawn_from
+    if head.known_as or drawn_from is None:
+        return head.known_as
+    asked = [f"{each.question}={each.template}" for each in head.questions]
+    whole = "\n".join((drawn_from.coding, *asked, *head.columns))
+    return digest(drawn_from.drawing.encode(), whole.encode(), "sha256")[:_BYTES].hex()

@@ -17,11 +17,13 @@ from kinegrade.errors import TableError
 from kinegrade.files.tables import Table, parse_table
 from kinegrade.language.message import Fault, Message, Quoted, Text, list_plainly
 from kinegrade.marks_folder.layout import TableFile
+from kinegrade.numbers.written import NumberError, read_number
 
 AS_WRITTEN = Message("marks.as-written")
 _GRADE_AGAIN = Message("marks.grade-again")
 Record = tuple[str, ...]
 _AMOUNT = re.compile(r"[0-9]{1,20}(?:\.[0-9]{1,20})?")
+_PLAIN = re.compile(r"-?[0-9]{1,40}(?:\.[0-9]{1,40})?")
 _LONGEST_SHOWN = 40
 
 
@@ -120,6 +122,17 @@ def read_amount(cell: str, path: Path, line: int, column: str) -> Fraction:
     if found is None:
         raise TableError(explain_amount(path, line, column, cell))
     return found
+
+
+def require_number(cell: str, path: Path, line: int, column: str) -> str:
+    """The cell, unchanged, if it is empty or a number of bounded size. Raises TableError."""
+    if not cell or _PLAIN.fullmatch(cell):
+        return cell
+    try:
+        read_number(cell)
+    except NumberError as fault:
+        raise TableError(explain_cell(path, line, column, cell, Message("marks.number"))) from fault
+    return cell
 
 
 @contextmanager

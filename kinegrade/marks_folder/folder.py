@@ -6,7 +6,6 @@ needed; marks.csv line by line, so that a class of any size takes no memory.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
@@ -27,6 +26,7 @@ from kinegrade.marks_folder.cells import (
     read_records,
     read_records_if_any,
     read_whole,
+    require_number,
 )
 from kinegrade.marks_folder.check import refuse_changed_totals
 from kinegrade.marks_folder.complaints import read_complaints
@@ -39,6 +39,7 @@ from kinegrade.marks_folder.layout import (
     BONUS,
     BY_POLICY,
     CHANGES,
+    EXAM,
     FOR_PEOPLE,
     GRADES,
     MANUAL,
@@ -64,9 +65,6 @@ from kinegrade.marks_folder.subtractions import read_subtracted
 from kinegrade.marks_folder.sums import read_sums
 from kinegrade.marks_folder.table_html import write_table_html
 from kinegrade.marks_folder.totals import read_totals
-from kinegrade.numbers.written import NumberError, read_number
-
-_PLAIN = re.compile(r"-?[0-9]{1,40}(?:\.[0-9]{1,40})?")
 
 
 @dataclass(frozen=True)
@@ -149,6 +147,11 @@ class MarksFolder:
         return read_corrections(self.path)
 
     @cached_property
+    def exam(self) -> str:
+        """By what the exam is known that the class was marked by; empty where that is unknown."""
+        return next((exam for _, (exam,) in read_records_if_any(self.path, EXAM)), "")
+
+    @cached_property
     def subtracted(self) -> Mapping[str, Subtracted]:
         """What was subtracted from totals, by student."""
         return read_subtracted(self.path)
@@ -187,7 +190,7 @@ class MarksFolder:
                 question,
                 ask,
                 restore(typed),
-                _number(read_as, path, line),
+                require_number(read_as, path, line, "read_as"),
                 unit,
                 verdict,
                 mark.points if mark else amount,
@@ -234,15 +237,3 @@ def _find_mistakes(verdict: str, listed: str, reason: str) -> tuple[str, ...]:
     if verdict != MISTAKE:
         return ()
     return tuple(listed.split(NAMES_BETWEEN)) if listed else find_named_mistakes(reason)
-
-
-def _number(text: str, path: Path, line: int) -> str:
-    """What an answer was read as, unchanged, if it is empty or a number of bounded size."""
-    if not text or _PLAIN.fullmatch(text):
-        return text
-    try:
-        read_number(text)
-    except NumberError as fault:
-        expected = Message("marks.number")
-        raise TableError(explain_cell(path, line, "read_as", text, expected)) from fault
-    return text

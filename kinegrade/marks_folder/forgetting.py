@@ -18,7 +18,7 @@ from kinegrade.marks_folder.layout import (
     TableFile,
 )
 
-_OF_PEOPLE = ("student", "key_of")
+_NAMED = ("student", "key_of", "exam")
 # May hold a name, what somebody typed, or a time that another system's log has, too
 _TELLING = ("name", "reason", "marks", "comment", "submitted")
 _READ_AS = "read_as"
@@ -26,7 +26,8 @@ _READ_AS = "read_as"
 
 def forget_marks(marks: MarksFolder, names: Mapping[str, str], target: Path) -> None:
     """Write the files of a marks folder into `target`, which exists, with these names in place of
-    ids. Complaints, which quote what was typed, are left out; so are files for other systems.
+    ids, and of what the exam was known by. Complaints, which quote what was typed, are left out; so
+    are files for other systems.
     """
     for file in TABLES:
         if file != GRADES and (marks.path / file.name).exists():
@@ -62,6 +63,6 @@ def _forget_cells(file: TableFile, cells: Sequence[str], names: Mapping[str, str
 
 
 def _forget_cell(column: str, cell: str, names: Mapping[str, str]) -> str:
-    if column in _OF_PEOPLE:
+    if column in _NAMED:
         return names[cell]
     return "" if column in _TELLING else cell

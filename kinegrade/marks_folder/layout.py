@@ -128,6 +128,9 @@ SUBTRACTED: Final = TableFile(
 SCALE: Final = TableFile("scale.csv", ("grade", "from", "result"))
 #: How often the key was corrected before the class was marked; only where it was.
 CORRECTIONS: Final = TableFile("corrections.csv", ("corrections",))
+#: By what the exam is known by which the class was marked: commands refuse marks of another one. It
+#: tells nothing of the secret.
+EXAM: Final = TableFile("exam.csv", ("exam",))
 #: Students whose marks come from another exam, such as a make-up exam, with the folder of marks
 #: that had them; only where folders were merged.
 MERGED: Final = TableFile("merged.csv", ("student", "marks"))
@@ -156,6 +159,7 @@ TABLES: Final = (
     SCALE,
     SUBTRACTED,
     CORRECTIONS,
+    EXAM,
     MERGED,
     CHANGES,
 )

@@ -22,6 +22,7 @@ from kinegrade.marks_folder.layout import (
     ANSWERS,
     COMPLAINTS,
     CORRECTIONS,
+    EXAM,
     GRADES,
     KEPT,
     MERGED,
@@ -40,7 +41,7 @@ from kinegrade.numbers.amounts import write_amount
 Preference = Literal["first", "last", "better"]
 _MADE_ANEW = (GRADES, PRINTED, MERGED)
 _OF_PEOPLE = (COMPLAINTS, KEPT)
-_OF_THE_FIRST = (SCALE, CORRECTIONS)
+_OF_THE_FIRST = (SCALE, CORRECTIONS, EXAM)
 
 
 @dataclass(frozen=True)

@@ -32,6 +32,7 @@ from kinegrade.marks_folder.layout import (
     BONUS,
     COMPLAINTS,
     CORRECTIONS,
+    EXAM,
     GRADES,
     KEPT,
     MANUAL,
@@ -133,6 +134,11 @@ class MarksWriter:
         """How often the key was corrected before."""
         if count:
             write_csv(self.path / CORRECTIONS.name, CORRECTIONS.columns, [(str(count),)])
+
+    def exam(self, identity: str) -> None:
+        """By what the exam is known."""
+        if identity:
+            write_csv(self.path / EXAM.name, EXAM.columns, [(identity,)])
 
     def open(self, questions: Iterable[OpenQuestion], names: Mapping[str, str]) -> None:
         """Who is still to be marked by hand for which questions; `names` are by student."""

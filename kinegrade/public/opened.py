@@ -21,7 +21,9 @@ _READERS: Mapping[str, str] = {
 
 
 def expect_exam_and_marks(exam: ExamFolder, marks: MarksFolder) -> None:
-    """Raises OptionError for a path in place of either, TableError for marks by another key."""
+    """Raises OptionError for a path in place of either, TableError for marks of another
+    exam or by another key.
+    """
     expect_opened(exam=exam, marks=marks)
     require_same_key(exam, marks)
 

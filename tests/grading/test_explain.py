@@ -135,11 +135,14 @@ def test_whom_and_what_nobody_has_is_refused_with_what_is_near(car: Path) -> Non
     assert "q1.v" in said
 
 
-def test_marks_of_another_class_are_refused(car: Path, tmp_path: Path) -> None:
+def test_marks_of_another_class_by_an_earlier_version_are_refused(
+    car: Path, tmp_path: Path
+) -> None:
     other = set_exam(tmp_path, CAR)
     (tmp_path / "answers.csv").write_text(ANSWERS, encoding="utf-8")
     kinegrade("grade", other, tmp_path / "answers.csv", "-o", tmp_path / "MARKS")
     marks = tmp_path / "MARKS"
+    (marks / "exam.csv").unlink()  # which such marks do not have
     for file in ("marks.csv", "grades.csv"):
         text = (marks / file).read_text(encoding="utf-8")
         (marks / file).write_text(text.replace("1003", "2003"), encoding="utf-8")

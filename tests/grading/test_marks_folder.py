@@ -64,6 +64,7 @@ def test_what_is_written_is_read_again(tmp_path: Path) -> None:
     writer.by_hand([mark])
     writer.bonus({"q2": Fraction(2)})
     writer.corrections(12)
+    writer.exam("5c0ffee5")
     writer.policy("")
     assert sorted(path.name for path in tmp_path.iterdir()) == sorted({*FILES} - LATER)
     (total,) = open_marks(tmp_path).totals.students
@@ -84,7 +85,7 @@ def test_what_is_written_is_read_again(tmp_path: Path) -> None:
     assert (folder.put, folder.printed) == ({"7": {"q1.v": "8"}}, {"7": ("q2", "q1")})
     assert folder.open == (OpenQuestion("q3", HALF, ("7",)),)
     assert folder.by_hand == {"7": {"q2.v": mark}}
-    assert folder.corrections == 12
+    assert (folder.corrections, folder.exam) == (12, "5c0ffee5")
 
 
 def test_files_that_not_every_folder_has_are_not_missed(tmp_path: Path) -> None:

@@ -11,7 +11,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass
 from pathlib import Path
-from secrets import SystemRandom
+from secrets import SystemRandom, token_hex
 
 from msgspec import structs
 
@@ -61,13 +61,14 @@ class Forgetting:
         """Removes everybody from the folders, from all of them or from none; gives how many people
         there were. Raises OutputError, ExamError, TableError.
         """
-        names = self._make_names()
+        names, known_as = self._make_names(), token_hex(8)
         with ExitStack() as stack:
             for each in self.marks:
                 contents = *FILES, _OTHER_SYSTEMS
                 written = output_folder(each.path, marker=MARKER, contents=contents, force=True)
-                forget_marks(each, names, stack.enter_context(written))
-            self._write_exam(stack.enter_context(open_grown_folder(self.exam)), names)
+                target = stack.enter_context(written)
+                forget_marks(each, {**names, each.exam: known_as}, target)
+            self._write_exam(stack.enter_context(open_grown_folder(self.exam)), names, known_as)
         return len(names)
 
     def _make_names(self) -> Mapping[str, str]:
@@ -84,7 +85,7 @@ class Forgetting:
     def _list_pool(self) -> Iterator[str]:
         return (each.student for each in self.exam.pool_lines())
 
-    def _write_exam(self, folder: Path, names: Mapping[str, str]) -> None:
+    def _write_exam(self, folder: Path, names: Mapping[str, str], known_as: str) -> None:
         for file in self.exam.path.iterdir():
             if file.name in _STAY or _is_bank(file.name):
                 (folder / file.name).write_bytes(file.read_bytes())
@@ -94,7 +95,7 @@ class Forgetting:
         (folder / KEY).write_bytes(_encode(self.exam.lines(), names))
         if self.exam.has_pool:
             (folder / POOL).write_bytes(_encode(self.exam.pool_lines(), names))
-        head = _forget_head(self.exam.head, names)
+        head = structs.replace(_forget_head(self.exam.head, names), known_as=known_as)
         stated = self.exam.head.editable
         left = {name: each for name, each in (stated or {}).items() if (folder / name).exists()}
         write_head(head, None if stated is None else left, folder)

@@ -78,8 +78,8 @@ class ExamHead(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True, di
     `pages` unless in large print, 0 where earlier versions printed them; `method` found the
     velocities of worked solutions, if one was asked for, and they have graphs over the `cycle`. Of
     the questions of `choices` papers hold only some, `spares` have no student, the key had so many
-    `corrections`, and where people were `forgotten`, names stand for them. Papers of an `unprinted`
-    exam are printed when asked for.
+    `corrections`, and where people were `forgotten`, names stand for them and marks have the exam
+    as `known_as`. Papers of an `unprinted` exam are printed when asked for.
     """
 
     format: int
@@ -114,6 +114,7 @@ class ExamHead(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True, di
     earlier: dict[str, tuple[dict[str, str], ...]] = {}
     corrections: int = 0
     forgotten: bool = False
+    known_as: str = ""
     unprinted: bool = False
 
     def __repr__(self) -> str:

@@ -91,6 +91,7 @@ HEAD = ExamHead(
     earlier={"slider-crank": ({"r": "0.35"},)},
     corrections=1,
     forgotten=True,
+    known_as="5c0ffee5",
     unprinted=True,
     editable={"bank.toml": "0f"},
 )
