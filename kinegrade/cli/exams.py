@@ -70,6 +70,10 @@ _WITH_ADD = (
     is_flag=True,
 )
 @click.option(
+    "--accept-changes",
+    is_flag=True,
+)
+@click.option(
     "--avoid",
     type=FILE,
     multiple=True,

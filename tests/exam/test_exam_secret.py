@@ -271,7 +271,8 @@ def test_an_earlier_folder_is_written_again_with_the_same_papers(
     # What templates no longer draw, such as a = 0, the bank has to draw
     with (earlier / "bank.toml").open("a", encoding="utf-8") as bank:
         bank.write("draw.a = [0, 1, 2, 3]\ndraw.phi = [30, 45, 60, 75, 105, 120, 135, 150]\n")
-    result = kinegrade("generate", earlier / "bank.toml", roster, "-o", earlier, "--force")
+    again = "-o", earlier, "--force", "--accept-changes"
+    result = kinegrade("generate", earlier / "bank.toml", roster, *again)
     assert result.exit_code == 0, result.stderr
     assert "2 papers keep their numbers, 0 changed, 0 gone, 1 new" in result.stderr
     after = key_lines(earlier)

@@ -142,9 +142,10 @@ def test_rooms_may_change_before_papers_are_printed(tmp_path: Path) -> None:
     folder = write_seated_class(tmp_path)
     assert generate(folder).exit_code == 0
     (folder / "roster.csv").write_text(ROSTER.replace("Hall 7", "Hall 8"), encoding="utf-8")
-    result = generate(folder, "EXAM", "--force")
+    result = generate(folder, "EXAM", "--force", "--accept-changes")
     assert result.exit_code == 0, result.stderr
     assert "4 papers keep their numbers" in result.stderr
+    assert "this changed: room of " in result.stderr
     assert not (folder / "EXAM" / "rooms" / "Hall-7.pdf").exists()
     (folder / "roster.csv").write_text("student,name\n007,Ann\n", encoding="utf-8")
     assert generate(folder, "PLAIN").exit_code == 0

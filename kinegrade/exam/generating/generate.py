@@ -35,8 +35,8 @@ from kinegrade.exam.generating.exam_files import (
 from kinegrade.exam.generating.hand_work import digest_editable
 from kinegrade.exam.generating.options import GenerateOptions
 from kinegrade.exam.generating.page_counts import Printer, fill_up_papers
+from kinegrade.exam.generating.paper_changes import PaperChanges
 from kinegrade.exam.generating.replaced_exam import (
-    PaperChanges,
     ReplacedExam,
     replaced_exam,
     settle,
@@ -123,7 +123,7 @@ def generate(
         printer = partial(print_class, workers=workers, jobs=jobs)
         run, candidates = _print_papers(journal, run, dealt, printer, options)
         _write_rest(make_exam_head(dealt, candidates, run), sources, folder)
-        settled = settle(old, folder, new_numbers=wish.new, solutions=extras.solutions)
+        settled = settle(old, folder, options)
     drawn, said = _list_drawn_templates(blueprint, bank), (*found, *_list_unbound(bank, extras))
     return Generated(dealt, drawn, said, *settled, resumed=len(journal.lines))
 

@@ -13,6 +13,7 @@ from kinegrade.exam.bank.blueprint import Bank, Blueprint
 from kinegrade.exam.folder.contents import HEAD, TEMPLATES
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.generating.exam_files import source_files, translation_files
+from kinegrade.exam.generating.paper_changes import compare_students
 from kinegrade.exam.printing.reprint import find_kinds
 from kinegrade.exam.roster.roster import Roster
 from kinegrade.exam.roster.students import Student, choose_places, make_file_names, make_student_key
@@ -114,17 +115,7 @@ def _roster_faults(
 
 def _changes(exam: ExamFolder, known: Student, roster: Roster, given: Student) -> Iterator[Fault]:
     """What of a student stands otherwise in the exam, on whose paper the name is printed."""
-    fields = (
-        ("name", given.name, known.name),
-        ("email", given.email, known.email),
-        ("group", given.group, known.group),
-        ("room", given.room, known.room),
-        ("seat", given.seat, known.seat),
-        ("language", given.language, known.language),
-        ("extra-time", given.extra_time, known.extra_time),
-        ("format", given.print_format, known.print_format),
-    )
-    for field, here, there in fields:
+    for field, here, there in compare_students(given, known):
         if here != there:
             whose, file = Quoted(given.student), str(exam.path / HEAD)
             yield Fault(

@@ -16,7 +16,7 @@ from pathlib import Path
 
 from msgspec import json, structs
 
-from kinegrade.errors import ExamError, OutputError
+from kinegrade.errors import ExamError
 from kinegrade.exam.folder.contents import ANSWERS, HEAD, POOL, SOLUTIONS
 from kinegrade.exam.folder.exam_folder import ExamFolder, open_exam
 from kinegrade.exam.folder.exam_secret import ExamSecret
@@ -24,38 +24,13 @@ from kinegrade.exam.folder.faults import AS_GENERATED
 from kinegrade.exam.folder.head import read_head
 from kinegrade.exam.folder.records import ExamHead, KeyLine, StatedAnswer
 from kinegrade.exam.generating.hand_work import is_answered, refuse_edited, require_nothing_edited
+from kinegrade.exam.generating.options import GenerateOptions
+from kinegrade.exam.generating.paper_changes import PaperChanges, list_otherwise
 from kinegrade.exam.roster.students import read_place
-from kinegrade.language.message import Fault, Message, Quoted, list_plainly
+from kinegrade.language.message import Fault, Message, Quoted
 
 _UNKNOWN = Message("exam.unknown-before")
-_NAMED = 5  # students that a message names
 _MOST_PLACES = 100  # for each student; beyond the class are only those of students who left
-
-
-@dataclass(frozen=True)
-class PaperChanges:
-    """The students by what the replacement does to their papers."""
-
-    unchanged: tuple[str, ...]
-    changed: tuple[str, ...]
-    gone: tuple[str, ...]
-    added: tuple[str, ...]
-
-    @property
-    def harmless(self) -> bool:
-        """Whether every paper that exists stays as it is."""
-        return not self.changed and not self.gone
-
-    @property
-    def summary(self) -> Message:
-        """How many there are of each, in one line."""
-        return Message(
-            "exam.changes",
-            count=len(self.unchanged),
-            changed=len(self.changed),
-            gone=len(self.gone),
-            added=len(self.added),
-        )
 
 
 @dataclass(frozen=True)
@@ -79,33 +54,17 @@ class ReplacedExam:
 
     def changes(self, new: Path) -> PaperChanges:
         """How the papers differ from those of the folder `new`. Raises ExamError."""
-        papers = _paper_digests(ExamFolder(new, read_head(new)))
+        head = read_head(new)
+        papers = _paper_digests(ExamFolder(new, head))
         common = [student for student in self.papers if student in papers]
+        stated = list_otherwise(self.folder, self.head, new, head) if self.head else ()
         return PaperChanges(
             tuple(student for student in common if self.papers[student] == papers[student]),
             tuple(student for student in common if self.papers[student] != papers[student]),
             tuple(student for student in self.papers if student not in papers),
             tuple(student for student in papers if student not in self.papers),
+            tuple(stated),
         )
-
-    def require_papers_kept(self, changes: PaperChanges) -> None:
-        """Raises OutputError where a paper would change, or that of a student who is not in the
-        roster be gone.
-        """
-        if changes.harmless:
-            return
-        whose = [*changes.changed, *changes.gone]
-        names = [*whose[:_NAMED], *(["..."] if len(whose) > _NAMED else [])]
-        what = Message(
-            "exam.papers-would-change",
-            changed=len(changes.changed),
-            papers=len(self.papers),
-            gone=len(changes.gone),
-            names=list_plainly(names),
-            added=len(changes.added),
-        )
-        keep = Message("exam.keep-all" if changes.gone else "exam.keep-sources")
-        raise OutputError(Fault(str(self.folder), what, Message("exam.papers-as-printed"), keep))
 
 
 def replaced_exam(folder: Path, *, new_numbers: bool) -> ReplacedExam | None:
@@ -161,27 +120,32 @@ def _require_places(exam: ExamFolder, kept: Mapping[str, KeyLine]) -> None:
 
 
 def settle(
-    old: ReplacedExam | None, folder: Path, *, new_numbers: bool, solutions: bool
+    old: ReplacedExam | None, folder: Path, options: GenerateOptions
 ) -> tuple[PaperChanges | None, tuple[Message, ...]]:
     """Keep in the new exam at `folder` what belongs to papers that stay; give the changes, and
     remarks on the rest; no changes where the old exam cannot be read.
 
-    With `solutions` the new exam has its own. Raises OutputError where something would be lost,
-    papers too but for `new_numbers`; ExamError.
+    Raises OutputError where something would be lost or changed that the `options` do not allow to;
+    ExamError.
     """
     if old is None:
         return None, ()
     require_nothing_edited(old.folder, old.head, folder)
-    names = (POOL,) if solutions else (SOLUTIONS, f"{SOLUTIONS}.pdf", POOL)
+    printed = () if options.solutions else (SOLUTIONS, f"{SOLUTIONS}.pdf")
     if old.secret is None:
-        return None, (_UNKNOWN, *_dropped(names, old.folder))
+        return None, (_UNKNOWN, *_dropped((*printed, POOL), old.folder))
     changes = old.changes(folder)
-    if not new_numbers:
-        old.require_papers_kept(changes)
+    if not options.new_numbers:
+        changes.require_numbers_kept(old.folder)
     if not changes.harmless:
-        return changes, tuple(_dropped(names, old.folder))
-    remarks = tuple(_keep(names, old.folder, folder))
-    if not solutions:
+        return changes, tuple(_dropped((*printed, POOL), old.folder))
+    if not (options.new_numbers or options.accept_changes):
+        changes.require_rest_kept(old.folder)
+    if changes.otherwise:
+        dropped = _dropped(printed, old.folder)
+        return changes, (*changes.remarks(), *dropped, *_keep((POOL,), old.folder, folder))
+    remarks = tuple(_keep((*printed, POOL), old.folder, folder))
+    if not options.solutions:
         _move_solutions(old, folder)
     return changes, remarks
 
