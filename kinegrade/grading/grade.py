@@ -116,9 +116,10 @@ def _mark(
     untimed = check_times(sheet, rules.penalties.late)
     pool, others = read_pool(exam, sheet), OtherPapers(exam.asks)
     accepted = alternatives(exam, rules, exam, pool.put_together(exam, sheet), pool.papers)
-    terms = MarkingTerms(rules, accepted, wishes.decimal, wishes.follows, pool)
     orders = exam.printed_orders()
     hands = gather_hand_marks(sources, find_markable(exam, rules, orders))
+    follows = wishes.follows
+    terms = MarkingTerms(rules, accepted, wishes.decimal, follows, pool, hands.by_hand)
     by_hand = HandMarking(hands.by_hand, exam.head)
     blocks = by_hand.watched(others.watched(mark_blocks(exam, sheet, terms)))
     grades = collect_grades(exam, sheet, write_marks(folder, blocks))

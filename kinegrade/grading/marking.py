@@ -6,7 +6,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import lru_cache, partial
@@ -48,6 +48,7 @@ class MarkingTerms:
     `alternatives` are the policy's accepted answers, worked out. `decimal` declares the decimal
     mark of the sheet; without it, unambiguous cells decide what 1,234 means. `follows` works out
     what follows from a student's answers; `pool` has the papers whose questions were put to others.
+    `by_hand` are those who have a mark by hand, and so handed in.
     """
 
     policy: Policy = AS_PRINTED
@@ -55,6 +56,7 @@ class MarkingTerms:
     decimal: DecimalMark | None = None
     follows: Follows | None = None
     pool: Pool = field(default_factory=Pool)
+    by_hand: Collection[str] = ()
 
 
 _BY_THE_PAPERS = MarkingTerms()
@@ -78,7 +80,7 @@ def mark_blocks(exam: Sitting, sheet: Sheet, terms: MarkingTerms) -> Iterator[Ma
     judge = BlockJudge(papers, policy, terms.alternatives, styles, terms.follows)
     asks = tuple(policy.ruling(ask.column).ask(ask) for ask in exam.asks)
     submissions = Submissions(policy.penalties)
-    marker = _Marker(sheet, judge, asks, add_counted(asks), terms.pool, submissions)
+    marker = _Marker(sheet, judge, asks, add_counted(asks), terms.pool, submissions, terms.by_hand)
     each = exam.papers()
     while block := list(islice(each, _BLOCK)):
         yield marker.block(block)
@@ -98,6 +100,7 @@ class _Marker:
     out_of: Fraction
     pool: Pool
     submissions: Submissions
+    by_hand: Collection[str]
     known: dict[bytes, tuple[Fraction, ...]] = field(default_factory=dict)
 
     def block(self, papers: Sequence[Paper]) -> MarkedBlock:
@@ -122,7 +125,7 @@ class _Marker:
 
     def _judged(self, rows: Sequence[Row]) -> JudgedBlock:
         """These rows judged, by what their papers ask alone."""
-        return self.judge.judged([(row[0], leave_out(*row)) for row in rows])
+        return self.judge.judged([(row[0], leave_out(*row)) for row in rows], self._handed_in)
 
     def _make_grades(self, rows: Sequence[Row], judged: JudgedBlock) -> list[Grade]:
         """A student's grade by each row; that of a paper without some alternatives is of the others
@@ -135,7 +138,7 @@ class _Marker:
         ]
         blank = np.isnan(judged.cells.values.reshape(len(rows), -1))
         for row in np.flatnonzero(blank.all(axis=1)).tolist():  # without a number
-            absent = not self._answered(rows[row][0])
+            absent = not self._handed_in(rows[row][0])
             grades[row] = msgspec.structs.replace(grades[row], absent=absent)
         if not penalised:
             return grades
@@ -168,10 +171,10 @@ class _Marker:
     def _entries(self, paper: Paper) -> Sequence[Entry]:
         return self.sheet.entries[paper.student]
 
-    def _answered(self, paper: Paper) -> bool:
-        """Whether a student answered anything, in any entry."""
+    def _handed_in(self, paper: Paper) -> bool:
+        """Whether a student answered anything, in any entry, or has a mark by hand."""
         responses = chain.from_iterable(entry.responses for entry in self._entries(paper))
-        return any(map(is_answered, responses))
+        return paper.student in self.by_hand or any(map(is_answered, responses))
 
     def _row(self, paper: Paper, entry: Entry) -> Row:
         return self.pool.paper(paper, entry), entry
@@ -218,16 +221,13 @@ class _Marker:
         """
         known = self.known if len(judged.credits) == USUAL_CREDITS else {}
         add_up = lru_cache(maxsize=None)(partial(self._question_points, judged))
-        shares = judged.shares.reshape(-1, len(self.asks))
+        shares, questions = judged.shares.reshape(-1, len(self.asks)), self.judge.papers.questions
         ways = _list_keys(shares)
         for row, key in enumerate(ways):
             if key not in known:
                 way = tuple(shares[row].tolist())
                 known[key] = tuple(
-                    [
-                        add_up(each, way[each.start : each.stop])
-                        for each in self.judge.papers.questions
-                    ]
+                    [add_up(each, way[each.start : each.stop]) for each in questions]
                 )
         return [known[key] for key in ways]
 

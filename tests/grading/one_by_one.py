@@ -12,6 +12,7 @@ from math import nan
 import numpy as np
 
 from kinegrade.exam.folder.keys import Examinee, KeyedExam, Paper
+from kinegrade.files.cell_text import is_answered
 from kinegrade.grading.fast.another_paper import PapersAnswered
 from kinegrade.grading.judging.decision import Decision, decide, void
 from kinegrade.grading.judging.follow import Decided, Follows, follow_answers, withhold
@@ -97,6 +98,8 @@ def _withhold(
 def _mark(examinee: Examinee, entry: Entry, each: Decided, better: Mapping[str, Decision]) -> Mark:
     verdict, share = better.get(each.ask.column, each.decision)
     if each.ruling.void:
-        verdict, share = void((verdict, share), each.ruling, handed_in=entry.line is not None)
+        verdict, share = void(
+            (verdict, share), each.ruling, handed_in=any(map(is_answered, entry.responses))
+        )
     now = each.ruling.ask(each.ask)
     return Mark(examinee.student, now, each.reading, verdict, share * now.points)

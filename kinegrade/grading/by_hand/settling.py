@@ -108,7 +108,6 @@ class HandMarking:
             grade,
             points=tuple(map(points.get, questions)),
             out_of=grade.out_of + more,
-            absent=grade.absent and not marks,
         )
 
     def _list_open(

@@ -18,7 +18,7 @@ from operator import itemgetter
 import numpy as np
 
 from kinegrade.exam.folder.columns.gathering import read_mistakes, read_rules
-from kinegrade.exam.folder.keys import Ask, Key
+from kinegrade.exam.folder.keys import Ask, Key, Paper
 from kinegrade.grading.fast.another_paper import PapersAnswered
 from kinegrade.grading.fast.bounds import Flags, Places, Rules, tabulate_rules
 from kinegrade.grading.fast.compared_cells import compare_cells
@@ -67,8 +67,8 @@ class BlockJudge:
         """The language of the papers."""
         return self.papers.sitting.language
 
-    def judged(self, rows: Sequence[Row]) -> JudgedBlock:
-        """Judges every answer in these rows."""
+    def judged(self, rows: Sequence[Row], handed_in: Callable[[Paper], bool]) -> JudgedBlock:
+        """Judges every answer in these rows; void asks may give points to who `handed_in`."""
         cells = CellReader(self.asks, self.styles).cells([entry.responses for _, entry in rows])
         keys = [paper.keys for paper, _ in rows]
         rules = self._rules([read_rules(each) for each in keys])
@@ -82,8 +82,18 @@ class BlockJudge:
             for row, led_on in groupby(questions, _ROW):
                 self._credit(block, row, [question for _, question in led_on], self.follows)
         for number, ask in enumerate(self.asks):
-            self._void(block, number, self.policy.ruling(ask.column))
+            if self.policy.ruling(ask.column).void:
+                self._void(block, number, handed_in)
         return block
+
+    def _void(self, block: JudgedBlock, number: int, handed_in: Callable[[Paper], bool]) -> None:
+        """Marks all answers to an ask as void."""
+        ruling = self.policy.ruling(self.asks[number].column)
+        for row, (paper, _) in enumerate(block.rows):
+            if number not in paper.lacks:
+                place = row * len(self.asks) + number
+                decision = block.decision(place)
+                block.put(place, void(decision, ruling, handed_in=handed_in(paper)))
 
     def _ruling(self, place: int) -> Ruling:
         return self.policy.ruling(self.asks[place % len(self.asks)].column)
@@ -237,14 +247,3 @@ class BlockJudge:
         better = follow_answers(sources.pop(), answers, follows)
         names = {self.asks[number].ask: number for number in question}
         return {names[ask]: decision for ask, decision in better.items()}
-
-    def _void(self, block: JudgedBlock, number: int, ruling: Ruling) -> None:
-        """Marks all answers to an ask as void, if it is void."""
-        if ruling.void:
-            for row, (paper, entry) in enumerate(block.rows):
-                if number in paper.lacks:
-                    continue
-                place = row * len(self.asks) + number
-                block.put(
-                    place, void(block.decision(place), ruling, handed_in=entry.line is not None)
-                )
