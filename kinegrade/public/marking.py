@@ -29,6 +29,7 @@ from kinegrade.public.folders import expect_own_place
 from kinegrade.public.marking_notes import (
     describe_by_hand,
     describe_grades,
+    describe_lapsed,
     describe_subtracted,
     list_written,
 )
@@ -139,8 +140,7 @@ def grade(
     """Mark a class by its answer sheet, a download from a learning management system, or several
     such files, as `kinegrade grade` does.
 
-    `output` is the marks folder, which is written whole or not at all; with `force` it may replace
-    one. Raises KinegradeError.
+    `output` is the marks folder, whole or not at all; `force` replaces one. Raises KinegradeError.
 
     >>> exam = kinegrade.open_exam("EXAM")
     >>> [grade.total for grade in grade(exam, "answers.csv", "AGAIN").grades.grades]
@@ -157,10 +157,12 @@ def grade(
     read = read_class([Path(file) for file in _list_files(answers)], exam, options.reading)
     for assumption in read.assumed:
         options.assuming(assumption)
+    lapsed = tuple(describe_lapsed(_list_earlier(place, options)))  # before they are replaced
     grades = mark_class(exam, read.files, place, options.marking(exam), force=force)
     marks = MarksFolder(place)  # was checked before it was put there
     written = [
         *list_written(grades, place, kept=options.never_lower is not None),
+        *lapsed,
         *describe_by_hand(grades, marks),
         *describe_subtracted(marks),
         *describe_grades(marks, exam, options.policy),
@@ -180,6 +182,13 @@ def _require_kept_log(place: Path, options: GradeOptions) -> None:
     if replaced and not {*replaced} <= {*kept}:
         what, do = Message("terminal.log-lost"), Message("terminal.keep-log")
         raise OptionError(Fault(str(place / CHANGES.name), what, do=do))
+
+
+def _list_earlier(place: Path, options: GradeOptions) -> Iterator[Path]:
+    """The marks folders whose policy might have been meant, where none is given."""
+    if options.policy is None:
+        yield place
+        yield from (each.path for each in (options.since, options.never_lower) if each is not None)
 
 
 def _list_files(

@@ -4,7 +4,8 @@ subtracted, and the grades.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import tomllib
+from collections.abc import Iterable, Iterator
 from fractions import Fraction
 from os import PathLike
 from pathlib import Path
@@ -13,12 +14,23 @@ from kinegrade.errors import Problem
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.grading.marks import ClassGrades
 from kinegrade.grading.policy.reading import read_policy, stated_policy
-from kinegrade.language.message import Message
+from kinegrade.language.message import Message, list_plainly
 from kinegrade.marks_folder.folder import MarksFolder
 from kinegrade.marks_folder.hand_marks import list_hand_marks
-from kinegrade.marks_folder.layout import KEPT, MANUAL, SUBTRACTED
+from kinegrade.marks_folder.layout import KEPT, MANUAL, POLICY, SUBTRACTED
 from kinegrade.marks_folder.open_questions import describe_open
 from kinegrade.numbers.amounts import write_amount
+
+
+def describe_lapsed(folders: Iterable[Path]) -> Iterator[Message]:
+    """Which of these earlier markings were by a policy, whose rules do not hold without it."""
+    for file in dict.fromkeys(folder / POLICY for folder in folders):
+        try:
+            stated = tomllib.loads(file.read_text(encoding="utf-8"))
+        except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError):
+            continue  # no marks folder, or none that anybody could mark by
+        if stated:
+            yield Message("terminal.policy-lapsed", file=str(file), keys=list_plainly(stated))
 
 
 def describe_by_hand(grades: ClassGrades, marks: MarksFolder) -> Iterator[Problem]:

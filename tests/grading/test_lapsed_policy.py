@@ -1,0 +1,60 @@
+"""Marking again without the policy of before says that its rules no longer hold."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.small_class import generate, kinegrade, write_class
+
+POLICY = 'tolerance = { relative = "3 %" }\n[questions.q1]\nvoid = "drop"\n'
+EARLIER = ("--since", "--never-lower")
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    """EXAM, and MARKS by a policy."""
+    write_class(tmp_path)
+    assert generate(tmp_path, "EXAM", "--no-papers").exit_code == 0
+    (tmp_path / "answers.csv").write_text("student,q2.v_y\n007,4\n", encoding="utf-8")
+    (tmp_path / "policy.toml").write_text(POLICY, encoding="utf-8")
+    grade(tmp_path, "MARKS", "--policy", tmp_path / "policy.toml")
+    return tmp_path
+
+
+def grade(folder: Path, name: str, *options: str | Path) -> list[str]:
+    """What is said of the policy when the class is marked into a folder."""
+    files = folder / "EXAM", folder / "answers.csv", "-o", folder / name
+    done = kinegrade("grade", *files, *options)
+    assert done.exit_code in (0, 1), done.stderr
+    return [line for line in done.stderr.splitlines() if "no longer hold" in line]
+
+
+def lapsed(folder: Path) -> list[str]:
+    return [
+        f"{folder}/MARKS/policy.toml: the marking before was by a policy (tolerance, questions);"
+        " without --policy its rules no longer hold"
+    ]
+
+
+def test_a_policy_that_is_replaced_is_named_once(folder: Path) -> None:
+    assert grade(folder, "MARKS", "--force") == lapsed(folder)
+    assert grade(folder, "MARKS", "--force") == []
+
+
+@pytest.mark.parametrize("earlier", EARLIER)
+def test_a_policy_of_the_earlier_marking_is_named(folder: Path, earlier: str) -> None:
+    reason = ("--reason", "Appeals") if earlier == "--since" else ()
+    assert grade(folder, "NEW", earlier, folder / "MARKS", *reason) == lapsed(folder)
+
+
+def test_a_policy_that_is_given_again_says_nothing(folder: Path) -> None:
+    again = "--policy", folder / "policy.toml"
+    assert grade(folder, "MARKS", "--force", *again) == []
+    assert grade(folder, "NEW", "--never-lower", folder / "MARKS", *again) == []
+
+
+def test_a_damaged_copy_holds_no_rules(folder: Path) -> None:
+    (folder / "MARKS" / "policy.toml").write_text("= 3", encoding="utf-8")
+    assert grade(folder, "MARKS", "--force") == []
