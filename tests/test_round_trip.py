@@ -123,6 +123,7 @@ def test_marking_again_gives_the_same_bytes(small_class: Path, tmp_path: Path) -
     assert {file.name: file.read_bytes() for file in marks.iterdir()} == before
     assert sorted(before) == [
         "complaints.csv",
+        "exam.csv",
         "grades.csv",
         "marks.csv",
         "moodle.csv",
