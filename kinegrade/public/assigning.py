@@ -28,4 +28,5 @@ def assign(
     """
     expect_opened(exam=exam)
     done = assign_paper(exam.path, code, Student(student, name, email, "", group=group))
-    return Outcome(exam.path, (Message("terminal.of", where=str(exam.path), what=done.summary),))
+    said = Message("terminal.of", where=str(exam.path), what=done.summary)
+    return Outcome(exam.path, (*done.typed, said))

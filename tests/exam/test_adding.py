@@ -320,11 +320,18 @@ def test_a_sheet_without_ids_is_refused(folder: Path) -> None:
     assert line.startswith('EXAM/answers.csv: no column "student" - expected the answer sheet')
 
 
-def test_an_edited_workbook_is_not_lost(folder: Path) -> None:
-    with (folder / "EXAM" / "answers.xlsx").open("ab") as book:
-        book.write(b"typed")
-    (line,) = refused(folder)
-    assert line.startswith("EXAM: holds answers.xlsx, edited or added since it was generated")
+def test_answers_typed_into_the_workbook_stay(folder: Path) -> None:
+    book = folder / "EXAM" / "answers.xlsx"
+    filled = load_workbook(book)
+    filled.active["D3"] = "1.5"
+    filled.save(book)
+    typed = book.read_bytes()
+    result = added(folder)
+    said = "answers.xlsx stays as it was typed; type the answers of "
+    assert f'{said}"late1", "=2" into a new row' in result.stderr
+    assert book.read_bytes() == typed
+    again = generate(folder, "--force", "--accept-changes")
+    assert "holds answers.xlsx, edited or added" in again.stderr
 
 
 def test_what_people_put_into_the_folder_stays_and_is_known_as_theirs(folder: Path) -> None:

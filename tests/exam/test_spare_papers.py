@@ -93,6 +93,15 @@ def test_an_assigned_paper_is_that_of_the_student(exam: Path, tmp_path: Path) ->
     assert totals["0099"] == "3"
 
 
+def test_answers_typed_into_the_workbook_outlive_an_assigned_paper(exam: Path) -> None:
+    typed = (exam / "answers.xlsx").read_bytes() + b"typed"
+    (exam / "answers.xlsx").write_bytes(typed)
+    result = kinegrade("assign", exam, list_codes(exam)[0], "1009")
+    assert result.exit_code == 0, result.stderr
+    assert 'stays as it was typed; type the answers of "1009" into a new row' in result.stderr
+    assert (exam / "answers.xlsx").read_bytes() == typed
+
+
 def test_spare_and_assigned_papers_outlive_a_class_that_grows_or_is_set_again(
     exam: Path, tmp_path: Path
 ) -> None:

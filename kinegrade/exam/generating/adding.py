@@ -4,6 +4,7 @@ paper changes.
 
 from __future__ import annotations
 
+import shutil
 from collections.abc import Iterable
 from contextlib import closing
 from dataclasses import dataclass, replace
@@ -13,7 +14,7 @@ from msgspec import structs
 
 from kinegrade.errors import OutputError, Problem
 from kinegrade.exam.bank.blueprint import Blueprint
-from kinegrade.exam.folder.contents import KEY, PAPERS, SOLUTIONS
+from kinegrade.exam.folder.contents import ANSWER_WORKBOOK, KEY, PAPERS, SOLUTIONS
 from kinegrade.exam.folder.exam_folder import ExamFolder, open_exam
 from kinegrade.exam.folder.records import ExamHead
 from kinegrade.exam.generating.added_answers import write_grown_answers
@@ -37,7 +38,7 @@ from kinegrade.exam.roster.roster import Roster
 from kinegrade.exam.setting.dealing import ClassDeal, deal_exam
 from kinegrade.exam.setting.kept_exam import KeptExam, student_of
 from kinegrade.figure.sketchbook import open_sketchbook
-from kinegrade.language.message import Fault, Message
+from kinegrade.language.message import Fault, Message, Quoted, list_plainly
 from kinegrade.press.sheet import KeyPaper
 from kinegrade.processes.executor import open_executor
 from kinegrade.processes.garbage_collection import bulk_work
@@ -51,7 +52,7 @@ _MISSING = {
 @dataclass(frozen=True)
 class Added:
     """How many papers were added, how many stay, what a person should look at, and what is said of
-    numbers that several have.
+    numbers that several have and of a workbook that was typed into.
     """
 
     papers: int
@@ -103,8 +104,8 @@ def add_students(
             written = write_papers(folder, run, newcomers, results, earlier=earlier, spare=apart)
         longer = tuple(list_longer_papers(run, newcomers, written.pages))
         require_none(longer if options.strict else ())
-        write_rest(exam, folder, _grown_head(exam, dealt, run, students, written.keys))
-    complaints, sharing = (*said, *longer), tuple(dealt.sharing())
+        typed = write_rest(exam, folder, _grown_head(exam, dealt, run, students, written.keys))
+    complaints, sharing = (*said, *longer), (*dealt.sharing(), *typed)
     return Added(len(newcomers), len(exam.students), complaints, sharing)
 
 
@@ -143,9 +144,9 @@ def _grown_head(
     return structs.replace(head, spares=exam.head.spares)
 
 
-def write_rest(exam: ExamFolder, folder: Path, head: ExamHead) -> None:
-    """The booklets of rooms, the answer sheets, with what was typed into the one that people type
-    into, and the head.
+def write_rest(exam: ExamFolder, folder: Path, head: ExamHead) -> tuple[Message, ...]:
+    """The booklets of rooms, the answer sheets, with what was typed into them, and the head; gives
+    what is to be said of a workbook that has no row for those who are new.
 
     Raises OutputError where a file would be lost that was edited by hand, TableError.
     """
@@ -153,6 +154,14 @@ def write_rest(exam: ExamFolder, folder: Path, head: ExamHead) -> None:
     write_grown_answers(exam.path, head, folder)
     write_blank_workbook(head, folder)
     lost = list(find_edited(exam.path, exam.head, folder))
+    said: tuple[Message, ...] = ()
+    if ANSWER_WORKBOOK in lost:
+        shutil.copy2(exam.path / ANSWER_WORKBOOK, folder / ANSWER_WORKBOOK)
+        lost.remove(ANSWER_WORKBOOK)
+        new = [Quoted(each) for each in head.candidates if each not in exam.head.candidates]
+        where, students = str(exam.path / ANSWER_WORKBOOK), list_plainly(new)
+        said = (Message("exam.workbook-stays", file=where, students=students),)
     if lost:
         raise refuse_edited(exam.path, lost)
     write_head(head, digest_grown(exam, folder), folder)
+    return said

@@ -32,11 +32,14 @@ from kinegrade.press.protocol import Printout
 
 @dataclass(frozen=True)
 class Assigned:
-    """Whose paper it is now, by its code, and how many spare papers are left."""
+    """Whose paper it is now, by its code, how many spare papers are left, and what is said of a
+    workbook that was typed into.
+    """
 
     student: str
     code: str
     left: int
+    typed: tuple[Message, ...]
 
     @property
     def summary(self) -> Message:
@@ -64,8 +67,8 @@ def assign_paper(path: Path, code: str, student: Student) -> Assigned:
         _rename_files(folder, Path(spare.file).stem, Path(owner.file).stem)
         _print_again(ExamFolder(folder, head), owner)
         _print_key(ExamFolder(folder, head))
-        write_rest(exam, folder, head)
-    return Assigned(owner.student, owner.paper, len(left))
+        typed = write_rest(exam, folder, head)
+    return Assigned(owner.student, owner.paper, len(left), typed)
 
 
 def _find_spare(exam: ExamFolder, code: str) -> Candidate:
