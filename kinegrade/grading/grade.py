@@ -121,7 +121,7 @@ def _mark(
     hands = gather_hand_marks(sources, find_markable(exam, rules, orders))
     follows = wishes.follows
     terms = MarkingTerms(rules, accepted, wishes.decimal, follows, pool, hands.by_hand)
-    by_hand = HandMarking(hands.by_hand, exam.head)
+    by_hand = HandMarking(hands.by_hand, exam.head, rules.given_to_all)
     blocks = by_hand.watched(others.watched(mark_blocks(exam, sheet, terms)))
     grades = collect_grades(exam, sheet, write_marks(folder, blocks))
     if not wishes.own_papers:

@@ -50,3 +50,14 @@ def test_whoever_is_absent_gets_nothing_though_a_blank_row_was_typed(
 def test_whoever_wrote_words_alone_handed_in(exam: Path, tmp_path: Path) -> None:
     grades, _ = grade(exam, tmp_path / "MARKS", "1001,q2,0,\n1002,q2,2.5,\n")
     assert grades == [("3", "3", "marked"), ("3", "9.5", "marked")]
+
+
+@pytest.mark.parametrize("column", ["q1.v_B", "q1"])
+def test_a_mark_by_hand_that_gives_less_is_named(exam: Path, tmp_path: Path, column: str) -> None:
+    grades, said = grade(exam, tmp_path / "MARKS", f"1002,{column},1.5,\n")
+    assert grades[1] == ("1.5", "5.5", "marked")
+    assert [line for line in said if "1002" in line] == [
+        f'complaint: manual.csv: {column}: "1002": 1.5 by hand where everybody who handed in gets 3'
+        " - the mark by hand stands - to take it back, delete its row in manual.csv and grade again"
+    ]
+    assert not any("1002" in line for line in grade(exam, tmp_path / "MORE", "1002,q1,3,\n")[1])

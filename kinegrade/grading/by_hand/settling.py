@@ -11,7 +11,7 @@ import msgspec
 from kinegrade.exam.folder.records import ExamHead
 from kinegrade.files.tables import Complaint
 from kinegrade.grading.marks import ClassGrades, MarkedBlock
-from kinegrade.language.message import Message
+from kinegrade.language.message import Message, Quoted
 from kinegrade.marks_folder.hand_marks import (
     EXTRA,
     ByHand,
@@ -21,21 +21,22 @@ from kinegrade.marks_folder.hand_marks import (
     list_hand_marks,
     settle_points,
 )
-from kinegrade.marks_folder.layout import OPEN
+from kinegrade.marks_folder.layout import MANUAL, OPEN
 from kinegrade.marks_folder.open_questions import OpenQuestion, describe_lacking
 from kinegrade.marks_folder.rows import Grade
-from kinegrade.numbers.amounts import add_amounts
+from kinegrade.numbers.amounts import add_amounts, write_amount
 from kinegrade.question_numbers import sort_as_in_bank
 
 
 @dataclass(frozen=True)
 class HandMarking:
     """The marks `by_hand` of a class; `machine` is what the machine gave to the asks they are for,
-    by student and column, as far as the class has been marked.
+    by student and column, as far as the class has been marked. Asks `given_to_all` are void.
     """
 
     by_hand: ByHand
     head: ExamHead
+    given_to_all: Set[str] = frozenset()
     machine: dict[tuple[str, str], Fraction] = field(default_factory=dict)
 
     def watched(self, blocks: Iterable[MarkedBlock]) -> Iterator[MarkedBlock]:
@@ -76,10 +77,24 @@ class HandMarking:
         ]
         still_open = tuple(self._list_open(settled, only))
         lacking = [_complain_of_lacking(each) for each in still_open if each.counts]
-        complaints = (*lacking, *grades.complaints)
+        complaints = (*self._list_lower(beside), *lacking, *grades.complaints)
         found = replace(grades, questions=questions, grades=tuple(settled), complaints=complaints)
         extra = {name: points for name, points in only.items() if name in self.bonus}
         return Settled(found, beside, still_open, extra)
+
+    def _list_lower(self, beside: ByHand) -> Iterator[Complaint]:
+        """The marks that give less than everybody gets who handed in."""
+        given = {*self.given_to_all, *(each.partition(".")[0] for each in self.given_to_all)}
+        for mark in list_hand_marks(beside):
+            if mark.column in given and mark.machine is not None and mark.points < mark.machine:
+                what = Message(
+                    "marking.lower-than-all",
+                    student=Quoted(mark.student),
+                    points=write_amount(mark.points),
+                    all=write_amount(mark.machine),
+                )
+                done = Message("marking.lower-stands", file=MANUAL.name)
+                yield Complaint(MANUAL.name, None, mark.column, "", what, done)
 
     def _put_beside(self, mark: HandMark, grade: Grade, questions: tuple[str, ...]) -> HandMark:
         """The mark with what the machine gave in the same place."""

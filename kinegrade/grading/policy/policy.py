@@ -6,7 +6,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Set
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from typing import Literal, assert_never
@@ -102,6 +102,11 @@ class Policy:
     text: str = ""
     scale: StatedScale | None = None
     penalties: Penalties = NO_PENALTIES
+
+    @property
+    def given_to_all(self) -> Set[str]:
+        """The answer columns whose points everybody gets who handed in."""
+        return {column for column, each in self.rulings.items() if each.void == "full"}
 
     def ruling(self, column: str) -> Ruling:
         """The ruling for an answer column."""
