@@ -4,7 +4,7 @@ grade`.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import assert_never
@@ -14,7 +14,7 @@ import msgspec
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.files.answer_file import AnswerFile
 from kinegrade.files.output import output_folder
-from kinegrade.files.tables import Complaint, Table, read_table
+from kinegrade.files.tables import Table, read_table
 from kinegrade.grade_scale.kinds import make_scale
 from kinegrade.grade_scale.scale import Scale
 from kinegrade.grading.answer_lines import write_marks
@@ -36,7 +36,6 @@ from kinegrade.grading.totals import TotalTerms, work_out_totals
 from kinegrade.grading.typed.decimal_style import Mark as DecimalMark
 from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
-from kinegrade.language.message import Message
 from kinegrade.marks_folder.folder import MarksFolder, open_marks
 from kinegrade.marks_folder.layout import FILES, MARKER
 from kinegrade.marks_folder.rows import StudentTotal
@@ -128,8 +127,7 @@ def _mark(
         others.refuse(exam, ", ".join(each.table.file for each in files))
     settled = by_hand.settle(_leave_out_names(grades) if wishes.pseudonymous else grades)
     scale = None if settled.still_open else _make_scale(rules, exam.language)
-    blank = tuple(_find_blank(files, settled.grades))
-    grades = replace(settled.grades, complaints=(*untimed, *blank, *settled.grades.complaints))
+    grades = replace(settled.grades, complaints=(*untimed, *settled.grades.complaints))
     earlier = _find_earlier(wishes.never_lower)
     grades = _write_totals(folder, grades, TotalTerms(rules.penalties, earlier, scale))
     folder.policy(rules.text)
@@ -147,14 +145,6 @@ def _require_same_exam(exam: ExamFolder, wishes: MarkingWishes, sources: HandSou
             require_same_exam(exam, earlier)
     if sources.carried is not None:
         require_same_exam(exam, MarksFolder(sources.carried.parent))
-
-
-def _find_blank(files: Sequence[AnswerFile], grades: ClassGrades) -> Iterator[Complaint]:
-    """That nobody has an answer: it was another sheet that was filled in."""
-    if grades.questions and grades.grades and all(each.absent for each in grades.grades):
-        names = ", ".join(each.table.file for each in files)
-        problem, done = Message("marking.nobody"), Message("marking.typed-elsewhere")
-        yield Complaint(names, None, "", "", problem, done)
 
 
 def _leave_out_names(grades: ClassGrades) -> ClassGrades:

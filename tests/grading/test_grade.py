@@ -18,7 +18,6 @@ from kinegrade.lms.grades import moodle
 from kinegrade.numbers.amounts import write_amount
 from tests.grading.small_exam import STUDENTS, exam, paper, write_exam
 from tests.said import said
-from tests.small_class import kinegrade
 
 HEADER = "student,name,q1.v_B,q1.omega_AB,q2.a_B\n"
 ROWS = """007,王伟,"1,73",0.002,-0.125
@@ -364,14 +363,3 @@ def test_the_sheet_of_another_exam_is_refused(exam_folder: Path) -> None:
         TableError, match=r"most answer columns are not asked in this exam \(q1.v_d, q2.omega_de"
     ):
         grade(open_exam(exam_folder), sheet, exam_folder.parent / "MARKS")
-
-
-def test_a_sheet_without_any_answer_is_a_complaint(exam_folder: Path) -> None:
-    sheet = exam_folder.parent / "answers.csv"
-    sheet.write_text(f"{HEADER}007,,,,\n0012,,,,\nS9,,,,\n12,,,,\n", encoding="utf-8")
-    done = kinegrade("grade", exam_folder, sheet, "-o", exam_folder.parent / "MARKS")
-    assert done.exit_code == 1
-    assert "answers.csv: no student has an answer here - all count as absent" in done.stderr
-    sheet.write_text(f"{HEADER}007,,,,\n0012,,?,,\nS9,,,,\n12,,,,\n", encoding="utf-8")
-    done = kinegrade("grade", exam_folder, sheet, "-o", exam_folder.parent / "MARKS", "--force")
-    assert "no student has an answer here" not in done.stderr
