@@ -144,10 +144,18 @@ def _find_unturned(motion: Motion) -> Iterator[str]:
     """The bodies that neither turn at the instant nor begin to."""
     for body in motion.frames.bases:
         rate = make_turning(body)
-        if rate in motion.rates and not any(
-            double(rates[rate]) for rates in (motion.rates, motion.changes)
+        if rate in motion.rates and all(
+            _is_nothing(rates[rate]) for rates in (motion.rates, motion.changes)
         ):
             yield body
+
+
+def _is_nothing(number: Any) -> bool:
+    """Whether a rate is zero, but for rounding; one beyond all doubles is not."""
+    try:
+        return double(number) == 0
+    except OverflowError:
+        return False
 
 
 def write_row(row: Row) -> str:

@@ -50,7 +50,7 @@ def test_what_only_serves_to_find_a_pole_is_assumed_and_not_given() -> None:
     assert "What is asked does not depend on how fast $AB$ turns" in solution
     assert "Given: " not in solution
     assert "Known: " not in solution
-    assert "Given: the angular velocity of the crank $OA$." in told("crank-rocker-towed-wheel")
+    assert "Given: the angular velocity of the bar $OA$." in told("crank-rocker-towed-wheel")
 
 
 def test_a_centre_that_goes_round_goes_round_a_named_point() -> None:
