@@ -185,3 +185,17 @@ def test_the_symbol_of_a_small_circle_takes_its_place_before_that_of_a_large_one
     wheel = Rim("wheel", "P", at["P"], 6.0, "wheel", False, ORIGIN, ORIGIN)
     layout = add_radii(Layout.of(()), at, (ring, wheel), [Radius("R", "O"), Radius("r", "P")])
     assert [label.symbol for label in layout.labels] == ["r", "R"]
+
+
+def test_an_arrow_does_not_span_the_ring_between_two_circles_about_one_centre() -> None:
+    """It would read as the difference of their radii."""
+
+    def comes_from_outside(*rims: Rim) -> bool:
+        [head] = heads(mark(rims))
+        tip, *others = (length(corner) for corner in head.corners)
+        return min(others) > tip
+
+    small = make_rim(ORIGIN, 7.0)
+    assert comes_from_outside(small)
+    assert not comes_from_outside(small, make_rim(ORIGIN, 14.0, "A"))
+    assert comes_from_outside(small, make_rim(ORIGIN, 40.0, "A"))

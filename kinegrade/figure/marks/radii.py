@@ -10,7 +10,7 @@ from typing import assert_never
 
 from kinegrade.errors import TemplateError, suggest
 from kinegrade.figure.joints.symbol import Rim
-from kinegrade.figure.marks.radius_arrows import RadiusFromCentre, RadiusFromOutside
+from kinegrade.figure.marks.radius_arrows import FROM_OUTSIDE, RadiusFromCentre, RadiusFromOutside
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.placing.mark import Mark
 from kinegrade.figure.placing.obstacles import COST_BOLD, Obstacles
@@ -30,6 +30,9 @@ _LEANING, _LEAST_ANGLE = 6.0, cos(pi / 10)  # cost of an arrow nearer than that 
 # Cost of an arrow nearer than that to a line's prolongation, as both would read as a diameter
 _PROLONGING, _STRAIGHT = 12.0, -cos(pi / 9)
 _WITHIN_ANGLE = 12.0  # cost of an arrow between the sides of an angle, as if it were one of them
+# Cost of an arrow that reads as the distance of two circles, and millimetres from its tail to the
+# outer one
+_SPANNING, _AT_OUTER = 60.0, 2.6
 _INWARD = 9.0  # cost of an arrow at a large circle from outside, less than one firm line
 _AT_POINT = 3.0  # cost of a tip that hides a point on the rim
 # Millimetres beyond a rim in which a bar leaves a narrow wedge, and the cost of a tip beside one
@@ -81,15 +84,26 @@ def _add_radius(
         leaning = _LEANING * any(toward.dot(line) > _LEAST_ANGLE for line in lines)
         inward = partial(RadiusFromOutside, rim.at, rim.radius, outside, symbol)
         if rim.radius < _SMALL_RADIUS:
-            marks.append(inward(leaning, rim.kind == "gear"))
-            continue
+            spanning = _SPANNING * _spans_ring(rim, found)
+            marks.append(inward(leaning + spanning, rim.kind == "gear"))
+            if not spanning:
+                continue
         demerit = leaning + _WITHIN_ANGLE * any(_lies_within(angle, arc) for arc in sectors)
         demerit += _PROLONGING * any(toward.dot(line) < _STRAIGHT for line in lines)
         demerit += _BESIDE_BAR * _ends_beside_bar(rim, toward, layout.obstacles)
         marks.append(_draw_from_centre(rim, found, at.values(), symbol, (toward, demerit)))
-        if not rim.ring and rim.kind != "cam" and rim.find_arc() is None:
+        large = rim.radius >= _SMALL_RADIUS
+        if large and not rim.ring and rim.kind != "cam" and rim.find_arc() is None:
             marks.append(inward(leaning + _INWARD, rim.kind == "gear"))
     return layout.marked(marks)
+
+
+def _spans_ring(rim: Rim, found: Iterable[Rim]) -> bool:
+    """Whether an arrow from outside would go from a larger circle about the same centre to this
+    one, as if their distance were meant.
+    """
+    outer = (other.radius for other in found if length(other.at - rim.at) < NEAR)
+    return any(abs(radius - rim.radius - FROM_OUTSIDE) < _AT_OUTER for radius in outer)
 
 
 def _list_angles(rim: Rim) -> list[float]:

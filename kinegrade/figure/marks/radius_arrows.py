@@ -21,6 +21,7 @@ _ACROSS, _TOWARD_CENTRE = 15.0, 1.5
 _HALO, _OFF_EDGE = 0.6, FIRM.width / 2 + 0.1
 _BESIDE = 1.2  # millimetres beside another wheel within which an arrow seems to lie on its rim
 _PAST_TEETH = TOOTH_TIP + 1.0  # millimetres from a pitch circle to where an arrow is past its teeth
+FROM_OUTSIDE = 7.0  # millimetres from a rim to the tail of an arrow from outside
 _TOUCHING = 0.99  # share of a radius: nearer is within the circle
 
 
@@ -101,15 +102,17 @@ class RadiusFromOutside:
 
     def path(self) -> tuple[Segment, ...]:
         """The arrow without the tip, which touches the rim in any case, or is between teeth."""
-        return ((self._out(_PAST_TEETH if self.toothed else 0.4), self._out(7.0)),)
+        return ((self._out(_PAST_TEETH if self.toothed else 0.4), self._out(FROM_OUTSIDE)),)
 
     def wish(self) -> Wish:
         """Around the tail."""
-        return Wish(self.symbol, list_spots_around(self.symbol, self._out(7.0), away=self.toward))
+        return Wish(
+            self.symbol, list_spots_around(self.symbol, self._out(FROM_OUTSIDE), away=self.toward)
+        )
 
     def primitives(self) -> tuple[Primitive, ...]:
         """A thin line and its arrowhead."""
-        shaft = (self._out(HEAD_LENGTH * 0.8), self._out(7.0))
+        shaft = (self._out(HEAD_LENGTH * 0.8), self._out(FROM_OUTSIDE))
         return (Strokes((shaft,), THIN), draw_arrowhead(self._out(0.0), -self.toward))
 
     def _out(self, gap: float) -> Vector:
