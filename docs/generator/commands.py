@@ -20,7 +20,8 @@ def write_commands() -> str:
         "# Commands",
         "`kinegrade COMMAND --help` says the same at the terminal, in its language. Results go to "
         "standard output or to what `-o` names, messages to standard error. An output that exists "
-        "is replaced only with `--force`, and only where kinegrade wrote it.",
+        "is replaced only with `--force`: a folder only where kinegrade wrote it and nobody "
+        "added to it, a single file whatever it holds.",
         *(block for command in main.commands.values() for block in _describe(command)),
     )
 

@@ -118,16 +118,19 @@ class _Fit:
         right, key = self.follower.right(self.earlier), self.follower.right(self.later)
         if not right or key is None:
             return
-        found: dict[str, None] = {}
-        for share in _BESIDE:
-            wrong = {self.earlier: right * share}
-            alone = self.follower.consequences(wrong, self.later)
-            for other in others:
-                both = {**wrong, other: self.follower.right(other) or 0.0}
-                together = self.follower.consequences(both, self.later)
-                if any(not _is_near(each, (key, *alone)) for each in together):
-                    found[other] = None
-        yield from found
+        wrong = tuple({self.earlier: right * share} for share in _BESIDE)
+        for other in others:
+            if any(self._matters(other, beside, key) for beside in wrong):
+                yield other
+
+    def _matters(self, other: str, wrong: Mapping[str, float], key: float) -> bool:
+        """Whether the right answer to another ask, taken together with a wrong one, leads neither
+        to the `key` nor to what follows from the wrong one alone.
+        """
+        known = key, *self.follower.consequences(wrong, self.later)
+        both = {**wrong, other: self.follower.right(other) or 0.0}
+        together = self.follower.consequences(both, self.later)
+        return any(not _is_near(each, known) for each in together)
 
     def list_ways(self) -> tuple[tuple[str, ...], ...]:
         """The coefficients of each way of going on, with a "+" where they hold for values of the

@@ -63,8 +63,8 @@ def export(
     options = replace(options, title=options.title.strip())
     made = _make_file(to, grades, options)
     write_file(place, made.content, made.kind, force=force)
-    above = *_list_above(grades, options), *_mention_scale(to, grades, options)
-    notes = *made.notes, _tell(made, place, grades, options), *above
+    remarks = *_list_above(grades, options), *_mention_scale(to, grades, options)
+    notes = *made.notes, _tell(made, place, grades, options), *remarks
     untold = _list_untold(grades, place) if options.per_question else ()
     return Outcome(place, notes, (*made.complaints, *untold, *_list_open(marks, place)))
 
