@@ -55,7 +55,7 @@ def test_lines_of_code_are_lines_without_docstrings_comments_and_blanks(tmp_path
 # mechanisms came to move (cycles)
 FAR = {
     "syntax nodes": 711_700,
-    "lines of code": 74_000,
+    "lines of code": 74_020,
     "syntax nodes a line": 9.62,
     "modules of more than 250 lines": 23,
 }

@@ -37,8 +37,10 @@ _GUIDE_GAP = BOLD.width / 2 + 0.55  # from the axis of a rod to its guide
 RACK_DEPTH = 2.6  # from the pitch line of a rack to its back
 # Millimetres: a tooth of a jaw, and the gap at the mouth; the slope between the two jaws
 _TOOTH, _MOUTH, _MOUTH_SLOPE = 0.9, 2.2, 0.3
-# Heights of a fixed pin's stand, and of one about whose pin a sleeve turns, which hides its top
-STAND, STAND_OF_SLEEVE = 3.6, 6.2
+# Heights of a fixed pin's stand, of one that fits into the smallest wheel, and of one about whose
+# pin a sleeve turns, which hides its top
+STAND, SMALL_STAND, STAND_OF_SLEEVE = 3.6, 2.2, 6.2
+_HALF_BASES = {STAND: 2.6, SMALL_STAND: 1.3, STAND_OF_SLEEVE: 2.3}
 _STEPS = 60  # corners of a round band, whose edges are drawn over them
 _STEP = 2 * pi / _STEPS
 SOLID_AT_PIN = 3.0  # millimetres that a slot keeps from a pin of its own body, at least
@@ -66,14 +68,16 @@ def draw_pivot(at: Vector, upright: Vector) -> tuple[Primitive, ...]:
     from the pin.
     """
     base, across = at + upright, unit(upright).turned()
+    share = min(1.0, length(upright) / STAND)
     half = find_half_base(length(upright))
-    triangle = Outline((at, base + across * 1.8, base - across * 1.8), FIRM, "white")
-    return (triangle, *draw_ground(base - across * half, base + across * half, unit(upright)))
+    corners = (at, base + across * 1.8 * share, base - across * 1.8 * share)
+    ground = draw_ground(base - across * half, base + across * half, unit(upright), share)
+    return (Outline(corners, FIRM, "white"), *ground)
 
 
 def find_half_base(height: float) -> float:
     """Half the width of the hatched base of a stand of that height."""
-    return 2.6 if height < STAND_OF_SLEEVE else 2.3
+    return _HALF_BASES[min(_HALF_BASES, key=lambda stand: abs(stand - height))]
 
 
 def draw_knife_edge(at: Vector, toward: Vector) -> tuple[Primitive, ...]:
@@ -120,12 +124,15 @@ def draw_jaw(pivot: Vector, mouth: Vector, back: Vector) -> tuple[Primitive, ...
     return (*faced, plate, Strokes(((pivot, mouth),), PITCH))
 
 
-def draw_ground(start: Vector, end: Vector, side: Vector) -> tuple[Primitive, ...]:
-    """A fixed straight surface with hatching on the given side."""
+def draw_ground(
+    start: Vector, end: Vector, side: Vector, share: float = 1.0
+) -> tuple[Primitive, ...]:
+    """A fixed straight surface with hatching on the given side, of that share of the usual size."""
     along, size = unit(end - start), length(end - start)
-    count = max(3, ceil(size / 1.25))
+    count = max(3, ceil(size / (1.25 * share)))
     steps = [start + along * (size * (index + 0.5) / count) for index in range(count)]
-    hatching = tuple((step, step + (side - along) * _HATCH * 0.75) for step in steps)
+    stroke = (side - along) * (_HATCH * 0.75 * share)
+    hatching = tuple((step, step + stroke) for step in steps)
     return (Strokes(hatching, THIN), Strokes(((start, end),), FIRM))
 
 

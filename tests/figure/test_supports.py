@@ -15,7 +15,7 @@ from kinegrade.figure.mechanism.stands import choose_upright, draw_stands
 from kinegrade.figure.plane import length, unit
 from kinegrade.figure.scene import THIN, Outline, Strokes
 from kinegrade.figure.sketch import sketch
-from kinegrade.mechanics.joints import GROUND, Circle, Line, Mesh, Pin, Roll, Slide
+from kinegrade.mechanics.joints import GROUND, Belt, Circle, Line, Mesh, Pin, Roll, Slide
 from kinegrade.mechanics.mechanism import Body, Mechanism
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import FigureHints
@@ -75,6 +75,19 @@ def test_a_stand_hangs_above_a_bar_that_leaves_downward(angle: float) -> None:
 def test_a_stand_is_of_one_size_beside_every_bar(angle: float) -> None:
     assert list(map(length, uprights_of_stands(crank(angle)))) == [3.6]
     assert list(map(length, uprights_of_stands(sleeve(angle)))) == [6.2]
+
+
+def pulleys(one: float, other: float) -> Mechanism:
+    """Two pulleys of those radii with a belt."""
+    points = {"O": ORIGIN, "A": RIGHT * 0.4, "B": RIGHT * 0.42, "C": RIGHT * 0.02}
+    bodies = (Body("I", ("O", "C")), Body("II", ("A", "B")))
+    belt = Belt("I", Circle("O", one), "II", Circle("A", other), GROUND)
+    return Mechanism(points, bodies, (Pin("O", ("I", GROUND)), Pin("A", ("II", GROUND)), belt), ())
+
+
+def test_the_stands_of_all_wheels_fit_into_the_smallest() -> None:
+    assert list(map(length, uprights_of_stands(pulleys(0.12, 0.07)))) == [3.6, 3.6]
+    assert list(map(length, uprights_of_stands(pulleys(0.12, 0.05)))) == [2.2, 2.2]
 
 
 @pytest.mark.parametrize(("angle", "side"), [(180, UP), (-30, UP), (90, DOWN)])

@@ -41,7 +41,8 @@ class Picture:
 
     `ink` is what is seen of each shape, `heads` the black triangles of arrows, `pins` the centres of
     small circles; `arcs` are the thin arcs as lines, `lines` the thin straight ones longer than
-    hatching, `toothed` what gears and racks cover, teeth and all.
+    hatching, `toothed` what gears and racks cover, teeth and all; `hatchings` are those of one
+    support or guide each, `rims` the edges of wheels.
     """
 
     paper: Polygon
@@ -52,6 +53,8 @@ class Picture:
     arcs: tuple[LineString, ...] = ()
     lines: tuple[LineString, ...] = ()
     toothed: tuple[Polygon, ...] = ()
+    hatchings: tuple[MultiLineString, ...] = ()
+    rims: tuple[LineString, ...] = ()
 
 
 def read_picture(text: str) -> Picture:
@@ -68,12 +71,16 @@ def read_picture(text: str) -> Picture:
     letters: list[Letters] = []
     thin: list[LineString] = []
     toothed: list[Polygon] = []
+    hatchings: list[MultiLineString] = []
+    rims: list[LineString] = []
     for element in drawing:
         if element.tag == f"{SVG}text":
             letters.append(read_letters(element, size))
             continue
         lines, area = read_shape(element)
         pins += [area.centroid] if float(element.attrib.get("r", PIN)) < PIN else []
+        rims += [area.exterior] if is_rim(element) else []
+        hatchings += read_hatching(element)
         thin += read_thin_lines(element)
         fill = element.attrib.get("fill")
         toothed += [area] if fill and element.attrib.get("stroke-width") == TOOTHED else []
@@ -87,7 +94,23 @@ def read_picture(text: str) -> Picture:
     arcs = tuple(line for line in thin if len(line.coords) > 2)
     lines = tuple(line for line in thin if len(line.coords) == 2 and line.length > HATCHING)
     shapes = tuple(ink), tuple(heads), tuple(pins), tuple(letters)
-    return Picture(box(0, 0, width, height), *shapes, arcs, lines, tuple(toothed))
+    round_and_rough = tuple(toothed), tuple(hatchings), tuple(rims)
+    return Picture(box(0, 0, width, height), *shapes, arcs, lines, *round_and_rough)
+
+
+def is_rim(element: ElementTree.Element) -> bool:
+    """Whether an element is a wheel: a filled circle larger than a pin, or one with teeth."""
+    attributes = element.attrib
+    toothed = attributes.get("stroke-width") == TOOTHED
+    large = float(attributes.get("r", 0.0)) >= PIN
+    return "fill" in attributes and attributes.get("stroke") != "none" and (toothed or large)
+
+
+def read_hatching(element: ElementTree.Element) -> list[MultiLineString]:
+    """The strokes of a path that is hatching: at least three short thin lines."""
+    lines = read_thin_lines(element)
+    hatched = len(lines) > 2 and all(line.length < HATCHING for line in lines)
+    return [MultiLineString(lines)] if hatched else []
 
 
 def read_thin_lines(element: ElementTree.Element) -> list[LineString]:

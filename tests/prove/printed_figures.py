@@ -11,6 +11,7 @@ from tests.figures.angle_flaws import find_angle_flaws
 from tests.figures.flaws import find_flaws, find_part_flaws
 from tests.figures.known import drop_known
 from tests.figures.on_paper import find_points_on_paper
+from tests.figures.support_flaws import find_support_flaws
 from tests.figures.svg_shapes import read_picture
 from tests.prove.draws import seeded_solution, seeded_template
 
@@ -26,5 +27,6 @@ def hold(seed: int, _: Path) -> None:
     flaws = find_flaws(picture) + find_part_flaws(picture, mechanism, hints, scene.scale)
     points = find_points_on_paper(picture, mechanism, scene.scale)
     flaws += find_angle_flaws(picture, points, hints.angles)
+    flaws += find_support_flaws(picture)
     found = drop_known(name, flaws)
     assert found == [], f"{name}: {'; '.join(found)}"

@@ -31,12 +31,14 @@ from kinegrade.figure.plane import (
 )
 from kinegrade.figure.scene import BOLD, Primitive
 from kinegrade.figure.symbols import (
+    SMALL_STAND,
     STAND,
     STAND_OF_SLEEVE,
     draw_knife_edge,
     draw_pivot,
     find_half_base,
 )
+from kinegrade.figure.teeth import TOOTH_ROOT
 from kinegrade.language.message import Fault, Message
 from kinegrade.mechanics.joints import GROUND
 from kinegrade.mechanics.vector import Vector
@@ -49,6 +51,7 @@ _AROUND = 1.6  # millimetres around the upright of a stand that keep clear of ot
 # Millimetres beyond the foot of a stand and at its sides that hide a marked centre
 _HATCHED, _CROSS = 3.0, 0.8
 _INSIDE = 8.5  # millimetres of radius at which a stand is clear of the hatching of a fixed wheel
+_ROOMY = 6.4  # millimetres from the centre of a wheel to its rim, or teeth, that a stand takes
 
 
 def draw_stands(anatomy: Anatomy) -> Iterator[Primitive]:
@@ -76,15 +79,27 @@ def draw_stands(anatomy: Anatomy) -> Iterator[Primitive]:
 
 
 def choose_upright(name: str, anatomy: Anatomy) -> Vector:
-    """The vector from a fixed pin to the ground of its stand, always of one size: on the side that
-    the author wants, else down, so that the supports of a mechanism look alike in all postures,
-    unless something is in the way there.
+    """The vector from a fixed pin to the ground of its stand, of one size in a figure: on the side
+    that the author wants, else down, so that the supports of a mechanism look alike in all
+    postures, unless something is in the way there.
     """
     at = anatomy.mechanism.points[name]
-    height = STAND_OF_SLEEVE if _turns_a_sleeve(at, anatomy) else STAND
+    height = STAND_OF_SLEEVE if _turns_a_sleeve(at, anatomy) else _choose_height(anatomy)
     wanted = anatomy.hints.supports.get(name, _SIDES[0])
     uprights = [SIDE_VECTORS[side] * height for side in dict.fromkeys((wanted, *_SIDES))]
     return min(uprights, key=lambda upright: _measure_hindrance(at, upright, anatomy))
+
+
+def _choose_height(anatomy: Anatomy) -> float:
+    """The height of all stands: they fit into the smallest wheel that turns about a fixed pin."""
+    pins = [anatomy.mechanism.points[name] for name in find_fixed_pins(anatomy.symbols)]
+    narrow = any(
+        not rim.ring
+        and rim.radius - TOOTH_ROOT * (rim.kind == "gear") < _ROOMY
+        and any(length(rim.at - pin) < NEAR for pin in pins)
+        for rim in anatomy.rims
+    )
+    return SMALL_STAND if narrow else STAND
 
 
 def _turns_a_sleeve(at: Vector, anatomy: Anatomy) -> bool:
