@@ -62,7 +62,7 @@ from kinegrade.marks_folder.rows import (
 )
 from kinegrade.marks_folder.scale_file import read_scale_file
 from kinegrade.marks_folder.subtractions import read_subtracted
-from kinegrade.marks_folder.sums import read_sums
+from kinegrade.marks_folder.sums.reading import read_sums
 from kinegrade.marks_folder.table_html import write_table_html
 from kinegrade.marks_folder.totals import read_totals
 

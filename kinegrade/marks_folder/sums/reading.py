@@ -6,7 +6,7 @@ from collections import defaultdict
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence, Set
 from fractions import Fraction
 from functools import lru_cache
-from itertools import groupby
+from itertools import groupby, islice
 from operator import itemgetter
 from pathlib import Path
 
@@ -31,14 +31,14 @@ from kinegrade.marks_folder.hand_marks import (
 )
 from kinegrade.marks_folder.layout import ANSWERS
 from kinegrade.marks_folder.rows import QuestionSums, StudentSums
+from kinegrade.marks_folder.sums.columns import OddTextError, read_students
 from kinegrade.numbers.amounts import add_amounts
 
 _Line = tuple[int, Record]
 _read_response = itemgetter(ANSWERS.columns.index("response"))
-# The question beside the amount
-_AMOUNTS: Mapping[str, Callable[[Record], tuple[str, str]]] = {
-    column: itemgetter(*map(ANSWERS.columns.index, ("question", column)))
-    for column in ("points", "out_of")
+_read_question = itemgetter(ANSWERS.columns.index("question"))
+_AMOUNTS: Mapping[str, Callable[[Record], str]] = {
+    column: itemgetter(ANSWERS.columns.index(column)) for column in ("points", "out_of")
 }
 
 
@@ -50,16 +50,30 @@ def read_sums(folder: Path, bonus: Set[str], by_hand: ByHand) -> Iterator[Studen
     path = folder / ANSWERS.name
     only_by_hand = find_only_by_hand(by_hand)
     seen: set[str] = set()
-    for student, lines in groupby(read_records(folder, ANSWERS), _read_student):
-        sums = _find_sums(student, list(lines), path)
-        marks = by_hand.get(student, {})
-        if marks or only_by_hand or bonus:
-            sums = _settle(sums, marks, only_by_hand, bonus)
+    for added in _sum_up(folder):
+        student = added.student
         if student in seen:
             problem = Message("marks.lines-apart", student=Quoted(student))
-            raise TableError(explain_edited(f"{path}:{sums.line}", problem))
+            raise TableError(explain_edited(f"{path}:{added.line}", problem))
         seen.add(student)
-        yield sums
+        marks = by_hand.get(student, {})
+        settled = marks or only_by_hand or bonus
+        yield _settle(added, marks, only_by_hand, bonus) if settled else added
+
+
+def _sum_up(folder: Path) -> Iterator[StudentSums]:
+    """The sums as the machine gave them: by columns as far as the text is as `grade` writes it, and
+    record by record from there on.
+    """
+    path, summed = folder / ANSWERS.name, 0
+    try:
+        for sums in read_students(path, _add_up):
+            summed += sums.points.lines
+            yield sums
+    except (OddTextError, OSError):
+        rest = islice(read_records(folder, ANSWERS), summed, None)
+        for name, lines in groupby(rest, _read_student):
+            yield _find_sums(name, list(lines), path)
 
 
 def _read_student(line: _Line) -> str:
@@ -69,7 +83,8 @@ def _read_student(line: _Line) -> str:
 def _find_sums(student: str, lines: Sequence[_Line], path: Path) -> StudentSums:
     """The sums of the lines of one student, as the machine gave them."""
     records = [cells for _, cells in lines]
-    points, out_of = (_add_up(tuple(map(read, records))) for read in _AMOUNTS.values())
+    questions = tuple(map(_read_question, records))
+    points, out_of = (_add_up(questions, tuple(map(read, records))) for read in _AMOUNTS.values())
     if points is None or out_of is None:
         raise TableError(next(_find_damaged(lines, path)))
     answered = any(is_answered(restore(response)) for response in map(_read_response, records))
@@ -77,10 +92,10 @@ def _find_sums(student: str, lines: Sequence[_Line], path: Path) -> StudentSums:
 
 
 @lru_cache(maxsize=4096)  # few students have points that nobody else has
-def _add_up(cells: tuple[tuple[str, str], ...]) -> QuestionSums | None:
-    """The sums of amounts, each beside its question; None where one is no amount."""
+def _add_up(questions: tuple[str, ...], cells: tuple[str, ...]) -> QuestionSums | None:
+    """The sums of amounts, each with its question; None where one is no amount."""
     listed = defaultdict[str, list[Fraction]](list)
-    for question, cell in cells:
+    for question, cell in zip(questions, cells, strict=True):
         amount = find_amount(cell)
         if amount is None:
             return None
@@ -93,7 +108,7 @@ def _find_damaged(lines: Iterable[_Line], path: Path) -> Iterator[Fault]:
     """What is wrong with the cells of these lines that hold no amount."""
     for line, record in lines:
         for column, read in _AMOUNTS.items():
-            _, cell = read(record)
+            cell = read(record)
             if find_amount(cell) is None:
                 yield explain_amount(path, line, column, cell)
 
