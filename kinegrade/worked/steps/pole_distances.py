@@ -19,8 +19,10 @@ from kinegrade.worked.formulas.measures import bearing, length
 from kinegrade.worked.formulas.numbers import measure, state_number
 from kinegrade.worked.formulas.symbols import join_letters, name_coordinate
 from kinegrade.worked.steps.couplers import Coupler
+from kinegrade.worked.vectors.angle_sums import explain_sums
 from kinegrade.worked.vectors.arms import introduce_lengths, name_length
 from kinegrade.worked.vectors.inclinations import (
+    Cosine,
     Inclination,
     find_cosine,
     introduce_angle,
@@ -74,6 +76,7 @@ class PoleTriangle:
         for part in (self.coupler.rotation, self.coupler.base, self.coupler.point):
             yield from introduce_angle(part, self.case)
         yield from map(self.case.show, introduce_lengths((self._ends,), self.case))
+        yield from explain_sums(self._list_cosines(), self.case)
 
     def _name_law(self) -> Message:
         """By what the distances follow from the angles."""
@@ -92,21 +95,43 @@ class PoleTriangle:
         """PA cos(PA, v_B) = AB cos(AB, v_B), since PB is normal to v_B; its value alone where the
         angles have no names.
         """
-        case, points = self.case, self.case.motion.points
-        chord = points[other.point] - points[part.point]
-        axis = name_direction(bearing(find_heading(other)), other, case)
-        side = name_direction(bearing(chord), self.coupler.rotation, case)
-        arm = name_direction(bearing(self._find_arm(part)), part, case)
+        case, directions = self.case, self._name_directions(part, other)
         value = state_number(length(self._find_arm(part), case.arithmetic), "m")
         left = self.name_distance(part)
-        if axis is None or side is None or arm is None:
+        if directions is None:
             return Equation(left, value)
-        names = name_length(*self._ends, case), measure(length(chord, case.arithmetic), "m")
+        chord = measure(length(self._find_chord(part, other), case.arithmetic), "m")
+        names = name_length(*self._ends, case), chord
         working = (
-            _divide(name, side, arm, axis, in_numbers)
+            _divide(name, *directions, in_numbers)
             for name, in_numbers in zip(names, (False, True), strict=True)
         )
         return Equation(left, drop_repetition(equate(*working), value))
+
+    def _name_directions(
+        self, part: Part, other: Part
+    ) -> tuple[Inclination, Inclination, Inclination] | None:
+        """The directions of the chord, of the arm from a point to the pole, and of the other
+        point's velocity, to which its own arm is normal; None where one of them has no name.
+        """
+        chord, arm = bearing(self._find_chord(part, other)), bearing(self._find_arm(part))
+        side = name_direction(chord, self.coupler.rotation, self.case)
+        reach = name_direction(arm, part, self.case)
+        axis = name_direction(bearing(find_heading(other)), other, self.case)
+        return None if side is None or reach is None or axis is None else (side, reach, axis)
+
+    def _list_cosines(self) -> Iterator[Cosine | None]:
+        """The cosines that the distances take."""
+        base, point = self.coupler.base, self.coupler.point
+        for pair in ((base, point), (point, base)):
+            directions = self._name_directions(*pair)
+            if directions is not None:
+                *named, axis = directions
+                yield from (find_cosine(one, axis) for one in named)
+
+    def _find_chord(self, part: Part, other: Part) -> Vector:
+        points = self.case.motion.points
+        return points[other.point] - points[part.point]
 
     def _state_coordinate(self, axis: AxisName, start: Part) -> Equation:
         """x_P = x_A + PA cos(PA, x)."""

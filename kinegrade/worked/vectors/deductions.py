@@ -29,8 +29,9 @@ from kinegrade.worked.senses import (
     state_way_round,
 )
 from kinegrade.worked.vectors.alignments import explain_alignments
+from kinegrade.worked.vectors.angle_sums import explain_sums
 from kinegrade.worked.vectors.arms import name_length
-from kinegrade.worked.vectors.inclinations import find_ends, introduce_angle
+from kinegrade.worked.vectors.inclinations import Cosine, find_ends, introduce_angle
 from kinegrade.worked.vectors.magnitudes import find_heading, find_path_ends
 from kinegrade.worked.vectors.projection import Deduction, Projection
 from kinegrade.worked.vectors.stage import (
@@ -51,6 +52,7 @@ def explain_deduction(
     case, single = stage.case, len(deduction.unknowns) == 1 and not deduction.scalars
     for projection in deduction.projections:
         yield from _introduce_angles(stage, projection)
+        yield from explain_sums(_list_cosines(stage, projection), case)
         yield from explain_alignments(projection, case)
         yield case.say(_announce_axis(stage, projection))
         if single:
@@ -61,6 +63,13 @@ def explain_deduction(
         yield case.say(Message("solution.together"))
         results = (result for rate in deduction.unknowns for result in _state_results(stage, rate))
         yield case.show(*results)
+
+
+def _list_cosines(stage: Stage, projection: Projection) -> Iterator[Cosine | None]:
+    """The cosines of a projection, as far as their directions have names."""
+    for share in projection.shares:
+        if share.angle:
+            yield find_share_cosine(projection, share, stage.case)
 
 
 def _introduce_angles(stage: Stage, projection: Projection) -> Iterator[Block]:

@@ -48,12 +48,15 @@ class Inclination:
 
 @dataclass(frozen=True)
 class Cosine:
-    """The cosine of the angle between two directions, as a sine or cosine of named angles."""
+    """The cosine of the angle between two directions, as a sine or cosine of named angles;
+    `summands` are those of its angle in degrees, with their signs, where it is a sum.
+    """
 
     sign: int
     function: _Ratio
     angle: Formula
     value: float
+    summands: tuple[float, ...] = ()
 
     def state(self, in_numbers: bool) -> Formula:
         """The function without its sign, of the angle in symbols or in degrees."""
@@ -74,7 +77,9 @@ def find_cosine(heading: Inclination, axis: Inclination) -> Cosine | None:
     if angle is None:
         return None
     sign, function = _TURNED[(heading.quarters - axis.quarters) % 4]
-    return Cosine(sign, function, angle, value)
+    values = sorted((sign * one.value for sign, one in terms), key=lambda each: each < 0)
+    summands = tuple(values) if len(values) > 1 and isinstance(angle, Sum) else ()
+    return Cosine(sign, function, angle, value, summands)
 
 
 def _mirror(one: Inclination) -> Inclination:

@@ -1,0 +1,45 @@
+"""Sums of angles, each worked out once where a sine or a cosine first takes it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from kinegrade.language.message import Listing, Message
+from kinegrade.worked.case import Case
+from kinegrade.worked.document import Block
+from kinegrade.worked.formulas.atoms import Number, add_terms
+from kinegrade.worked.formulas.equation import Equation, approximate, equate
+from kinegrade.worked.formulas.numbers import state_angle
+from kinegrade.worked.vectors.inclinations import Cosine
+
+
+def explain_sums(cosines: Iterable[Cosine | None], case: Case) -> Iterator[Block]:
+    """What the angles in some cosines come to where they are sums that are not read at a glance:
+    those of which a summand has been rounded.
+    """
+    new = list(_select_new(cosines, case.findings.summed))
+    if new:
+        sums = Listing(tuple(case.tell(_state_sum(one)) for one in new), "and")
+        yield case.say(Message("solution.here", equations=sums))
+
+
+def _select_new(cosines: Iterable[Cosine | None], said: set[frozenset[float]]) -> Iterator[Cosine]:
+    """Those that have to be worked out and have not been."""
+    for one in cosines:
+        if one is None or not any(map(_is_rounded, one.summands)):
+            continue
+        if frozenset(one.summands) not in said:
+            said.add(frozenset(one.summands))
+            yield one
+
+
+def _is_rounded(angle: float) -> bool:
+    number = state_angle(angle).number
+    return isinstance(number, Number) and number.rounded
+
+
+def _state_sum(cosine: Cosine) -> Equation:
+    """The sum in symbols, in degrees, and what it comes to."""
+    terms = (state_angle(abs(one)).signed(1 if one > 0 else -1) for one in cosine.summands)
+    links = (*equate(add_terms(terms)), *approximate(state_angle(cosine.value)))
+    return Equation(cosine.angle, links)

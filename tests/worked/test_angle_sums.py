@@ -1,0 +1,40 @@
+"""A sum of angles is worked out before a sine or a cosine takes it."""
+
+from __future__ import annotations
+
+import pytest
+
+from kinegrade.language import Language
+from kinegrade.problem.solving import solve_template
+from kinegrade.problem.template.library.library import load_template
+from tests.worked.draws import kept, told
+from tests.worked.telling import lines, proses
+
+
+def test_a_sum_has_its_value_before_the_law_of_sines_takes_it() -> None:
+    first, *taken = (line for line in lines(kept("stone-crusher")) if "21.14" in line)
+    assert r"$\psi_{EG} + \delta = 6.14^\circ + 15^\circ \approx 21.14^\circ$" in first
+    assert any("cos" in line for line in taken)
+
+
+def test_the_angles_of_a_projection_are_worked_out_once() -> None:
+    """The velocities use three of them, and the accelerations the same again."""
+    found = [text for text in proses(kept("pin-in-two-rings")) if "105.79" in text]
+    assert found == [
+        r"Here $\psi_{CM} + \psi_{O_{2}M} = 35.26^\circ + 70.53^\circ \approx 105.79^\circ$, "
+        r"$\angle O_{2}O_{1}M + \psi_{O_{2}M} = 70.53^\circ + 70.53^\circ \approx 141.06^\circ$ "
+        r"and $\psi_{O_{2}M} - \psi_{AM} = 70.53^\circ - 35.26^\circ \approx 35.26^\circ$."
+    ]
+
+
+def test_a_sum_of_whole_degrees_is_read_at_a_glance() -> None:
+    """sin(beta + gamma), then sin 120 degrees."""
+    said = proses(kept("stone-crusher"))
+    assert not any(r"\beta + \gamma =" in text for text in said)
+
+
+@pytest.mark.parametrize(("language", "start"), [("de", "Hier gilt"), ("zh", "其中")])
+def test_it_is_said_in_the_language_of_the_page(language: Language, start: str) -> None:
+    blocks = told(solve_template(load_template("geneva-drive"), {}), language=language)
+    (found,) = (text for text in proses(blocks) if r"\varphi + \psi_{CP} =" in text)
+    assert found.startswith(start)
