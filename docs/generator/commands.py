@@ -21,7 +21,9 @@ def write_commands() -> str:
         "`kinegrade COMMAND --help` says the same at the terminal, in its language. Results go to "
         "standard output or to what `-o` names, messages to standard error. An output that exists "
         "is replaced only with `--force`: a folder only where kinegrade wrote it and nobody "
-        "added to it, a single file whatever it holds.",
+        "added to it, a single file whatever it holds: what a table or a text held is kept beside "
+        "it as `NAME.previous-1`, `NAME.previous-2` ..., of any other file the last as "
+        "`NAME.previous`.",
         *(block for command in main.commands.values() for block in _describe(command)),
     )
 

@@ -9,7 +9,7 @@ from typing import Literal
 from kinegrade.errors import OutputError
 from kinegrade.language.message import Fault, Message, list_choices
 
-Kind = Literal["pdf", "html", "csv", "xlsx", "toml", "jsonl", "svg", "zip", "grades"]
+Kind = Literal["pdf", "html", "csv", "xlsx", "toml", "svg", "zip", "grades"]
 
 _ENDINGS: Mapping[Kind, tuple[str, ...]] = {
     "pdf": (".pdf",),
@@ -17,13 +17,18 @@ _ENDINGS: Mapping[Kind, tuple[str, ...]] = {
     "csv": (".csv",),
     "xlsx": (".xlsx",),
     "toml": (".toml",),
-    "jsonl": (".jsonl",),
     "svg": (".svg",),
     "zip": (".zip",),
     "grades": (".csv", ".txt", ".tsv", ".xls"),  # text, as systems name it
 }
+_FILLED_IN: frozenset[Kind] = frozenset({"csv", "xlsx", "toml", "grades"})  # by people, afterwards
 # Kinds that nothing here writes, but that people ask for
-_OTHERS = (".docx", ".tex", ".md", ".txt", ".json", ".xml", ".png", ".xls", ".ods")
+_OTHERS = (".docx", ".tex", ".md", ".txt", ".json", ".jsonl", ".xml", ".png", ".xls", ".ods")
+
+
+def is_filled_in(kind: Kind) -> bool:
+    """Whether people write into files of a kind, so that each of them may hold their work."""
+    return kind in _FILLED_IN
 
 
 def require_ending(path: Path, kind: Kind) -> None:

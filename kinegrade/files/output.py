@@ -20,8 +20,8 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from kinegrade.errors import OutputError
-from kinegrade.files.endings import Kind, require_ending
-from kinegrade.files.leftovers import (
+from kinegrade.files.endings import Kind, is_filled_in, require_ending
+from kinegrade.files.placing.leftovers import (
     clear_leftovers,
     leave,
     list_in_use,
@@ -29,7 +29,8 @@ from kinegrade.files.leftovers import (
     make_process_name,
     remove,
 )
-from kinegrade.files.publishing import (
+from kinegrade.files.placing.previous import Previous, keep_previous
+from kinegrade.files.placing.publishing import (
     check_file,
     check_folder,
     move_to_free_place,
@@ -120,22 +121,26 @@ def find_unfinished(path: Path, workings: str) -> Path | None:
 
 
 def write_file(path: Path, content: bytes, kind: Kind, *, force: bool = False) -> None:
-    """Writes a file of that kind whole or not at all; with `force` over an existing plain file.
+    """Writes a file of that kind whole or not at all; with `force` over an existing plain file,
+    which is kept beside it.
 
     Raises OutputError, too where the file's name is that of another kind.
     """
     require_ending(path, kind)
-    with output_file(path, force=force) as partial:
+    previous = Previous.ALL if is_filled_in(kind) else Previous.LAST
+    with output_file(path, force=force, previous=previous) as partial:
         partial.write_bytes(content)
 
 
 @contextmanager
-def output_file(path: Path, *, force: bool = False) -> Iterator[Path]:
+def output_file(
+    path: Path, *, force: bool = False, previous: Previous = Previous.LAST
+) -> Iterator[Path]:
     """Gives a hidden name for a file to write; it becomes `path` when the block ends without an
     error.
 
-    With `force` an existing plain file is replaced. Raises OutputError, before the block where
-    `path` exists and must not be replaced.
+    With `force` an existing plain file is replaced, and kept beside it as `previous` says. Raises
+    OutputError, before the block where `path` exists and must not be replaced.
     """
     target = _find_place(path)
     with _open_partial(path, target) as partial:
@@ -143,6 +148,7 @@ def output_file(path: Path, *, force: bool = False) -> Iterator[Path]:
         yield partial
         _flush(partial)
         if force:
+            keep_previous(target, partial, previous)
             os.replace(partial, target)
         else:
             move_to_free_place(path, partial, target)

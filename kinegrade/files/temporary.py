@@ -10,7 +10,7 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from kinegrade.errors import OutputError
-from kinegrade.files.leftovers import clear_leftovers, make_process_name, remove
+from kinegrade.files.placing.leftovers import clear_leftovers, make_process_name, remove
 from kinegrade.language.message import Fault, Message
 
 _BEGINNING = "kinegrade"

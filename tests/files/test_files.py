@@ -14,9 +14,9 @@ from pathlib import Path
 import pytest
 
 from kinegrade.errors import OutputError
-from kinegrade.files import publishing
-from kinegrade.files.leftovers import make_process_name
 from kinegrade.files.output import Access, output_folder, write_file
+from kinegrade.files.placing import publishing
+from kinegrade.files.placing.leftovers import make_process_name
 
 FILES = 25
 WRITE_VERSIONS = f"""
@@ -147,7 +147,7 @@ def test_a_file_is_written_whole_and_replaced_only_by_force(tmp_path: Path) -> N
     assert target.read_bytes() == b"one"
     write_file(target, b"two", "csv", force=True)
     assert target.read_bytes() == b"two"
-    assert os.listdir(tmp_path) == ["moodle.csv"]
+    assert sorted(os.listdir(tmp_path)) == ["moodle.csv", "moodle.csv.previous-1"]
 
 
 def test_only_a_plain_file_is_replaced_by_a_file(tmp_path: Path) -> None:

@@ -15,6 +15,7 @@ from kinegrade.exam.folder.faults import explain_broken
 from kinegrade.exam.roster.students import read_place
 from kinegrade.files.csv_writing import neutralise, write_for_people
 from kinegrade.files.output import output_file, output_folder
+from kinegrade.files.placing.previous import Previous
 from kinegrade.language.message import Fault, Message, Quoted
 
 SEND_COLUMNS = ("student", "name", "email", "file")
@@ -81,7 +82,7 @@ def send_list(
         ]
         for each in listed
     ]
-    with output_file(target, force=force) as partial:
+    with output_file(target, force=force, previous=Previous.ALL) as partial:
         write_for_people(partial, SEND_COLUMNS, rows)
         yield sum(bool(each.email) for each in listed)
 

@@ -25,7 +25,8 @@ from kinegrade.exam.folder.faults import describe_damage, explain_broken, name_l
 from kinegrade.exam.folder.records import KeyLine, KeyQuestion
 from kinegrade.exam.quiz.paper import show_instance
 from kinegrade.exam.quiz.quiz import different
-from kinegrade.files.output import write_file
+from kinegrade.files.output import output_file
+from kinegrade.files.placing.previous import Previous
 from kinegrade.language.message import Fault, Message
 from kinegrade.language.prose.html import write_prose
 from kinegrade.problem.statement import list_statement_languages, write_statement
@@ -65,7 +66,8 @@ def _write(exam: ExamFolder, lines: Sequence[bytes]) -> None:
     if not lines:
         exam.pool.unlink(missing_ok=True)
         return
-    write_file(exam.pool, b"".join(line + b"\n" for line in lines), "jsonl", force=True)
+    with output_file(exam.pool, force=True, previous=Previous.NONE) as partial:
+        partial.write_bytes(b"".join(line + b"\n" for line in lines))
     exam.pool.chmod(exam.key.stat().st_mode & 0o777)
 
 

@@ -20,7 +20,7 @@ from kinegrade.exam.printing.printed_files import collect_files, read_printouts
 from kinegrade.exam.printing.printing import Printed
 from kinegrade.exam.resuming.begun import Order, write_begun
 from kinegrade.exam.roster.students import Student
-from kinegrade.files.leftovers import remove
+from kinegrade.files.placing.leftovers import remove
 from kinegrade.press.sheet import KeyPaper
 
 _JOURNAL = "papers.jsonl"

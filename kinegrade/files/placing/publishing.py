@@ -13,7 +13,7 @@ from collections.abc import Collection, Iterator
 from pathlib import Path, PurePosixPath
 
 from kinegrade.errors import OutputError
-from kinegrade.files.leftovers import remove
+from kinegrade.files.placing.leftovers import remove
 from kinegrade.language.message import Fault, Message, list_plainly
 
 DESKTOP_DROPPINGS = {".DS_Store", "Thumbs.db", "desktop.ini"}
