@@ -25,6 +25,7 @@ from kinegrade.worked.answers.named_steps import explain_steps
 from kinegrade.worked.answers.poses import explain_pose_answers, is_positional
 from kinegrade.worked.case import Case
 from kinegrade.worked.checks.chapters import check_places
+from kinegrade.worked.contacts import find_contact, introduce_contacts
 from kinegrade.worked.document import Block, Heading, WorkedSolution
 from kinegrade.worked.formulas.symbols import read_symbol
 from kinegrade.worked.numbering import number_steps
@@ -38,7 +39,6 @@ from kinegrade.worked.steps.ideas import explain_idea
 from kinegrade.worked.steps.methods import Way, find_way
 from kinegrade.worked.steps.used_points import find_placed_points, find_used_points
 from kinegrade.worked.unit_of_length import count_lengths_as_given
-from kinegrade.worked.vectors.contacts import find_contact, introduce_contacts
 from kinegrade.worked.vectors.needed_rates import (
     NOTHING,
     Needs,

@@ -13,8 +13,8 @@ from kinegrade.problem.quantities.functions import find_motion_calls
 from kinegrade.problem.quantities.motion_functions import MOTION_FUNCTIONS
 from kinegrade.problem.template.template import Ask
 from kinegrade.worked.case import Case
+from kinegrade.worked.contacts import turn_about_contact
 from kinegrade.worked.formulas.leaves import count_quarter_turns
-from kinegrade.worked.vectors.contacts import turn_about_contact
 from kinegrade.worked.vectors.needed_rates import find_references
 
 

@@ -17,6 +17,7 @@ from kinegrade.mechanics.relations import Chain, Term, add_vectors
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Level, Part, find_term_value, list_term_parts
 from kinegrade.worked.case import Case
+from kinegrade.worked.contacts import needs_components, turn_about_contact
 from kinegrade.worked.document import Block
 from kinegrade.worked.findings import Fact, Piece
 from kinegrade.worked.formulas.atoms import AXES, TWO, ZERO, VectorSymbol
@@ -27,7 +28,6 @@ from kinegrade.worked.senses import state_way_about
 from kinegrade.worked.vectors.arms import introduce_lengths, name_length
 from kinegrade.worked.vectors.carried import explain_turning, state_carried_component
 from kinegrade.worked.vectors.components import add_components, find_known
-from kinegrade.worked.vectors.contacts import needs_components, turn_about_contact
 from kinegrade.worked.vectors.facts import make_key
 from kinegrade.worked.vectors.known_vectors import find_positive_sense
 from kinegrade.worked.vectors.relatives import find_relative, index_relative
