@@ -50,6 +50,14 @@ def write_csv_text(header: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
     return "".join(f"{line[:-2]}\n" for line in lines.written)
 
 
+def write_quoted_csv_text(header: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
+    """The same with every cell in quotation marks."""
+    return "".join(
+        ",".join('"' + cell.replace('"', '""') + '"' for cell in line) + "\n"
+        for line in chain([header], rows)
+    )
+
+
 def write_csv_cell(text: str) -> str:
     """A cell as `write_csv_text` writes it among others: in quotation marks only where necessary.
 

@@ -8,9 +8,10 @@ or a cell.
 from __future__ import annotations
 
 from array import array
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import accumulate
+from operator import itemgetter
 from pathlib import Path
 from typing import NamedTuple, overload
 
@@ -94,8 +95,14 @@ class PackedRows(Sequence[Row]):
         if isinstance(place, slice):
             return [self[each] for each in range(*place.indices(len(self)))]
         each = range(len(self))[place]
-        text = self.text[self.ends[each] : self.ends[each + 1]]
-        return Row(self.lines[each], tuple(text.decode("utf-8", "surrogatepass").split(_BETWEEN)))
+        return self._row(self.lines[each], self.ends[each], self.ends[each + 1])
+
+    def __iter__(self) -> Iterator[Row]:
+        return map(self._row, self.lines, self.ends, self.ends[1:])
+
+    def _row(self, line: int, begin: int, end: int) -> Row:
+        text = self.text[begin:end].decode("utf-8", "surrogatepass")
+        return Row(line, tuple(text.split(_BETWEEN)))
 
 
 @dataclass(frozen=True, slots=True)
@@ -170,11 +177,32 @@ def pack_rows(rows: Iterable[Row]) -> Sequence[Row]:
     [Row(line=2, cells=('007', '0.5')), Row(line=4, cells=('', ''))]
     """
     listed = list(rows)
-    if any(not row.cells or any(_BETWEEN in cell for cell in row.cells) for row in listed):
-        return listed
     texts = [_BETWEEN.join(row.cells).encode("utf-8", "surrogatepass") for row in listed]
+    together, counts = b"".join(texts), [len(row.cells) for row in listed]
+    if 0 in counts or together.count(_BETWEEN.encode()) != sum(counts) - len(counts):
+        return listed
     ends = array("q", accumulate(map(len, texts), initial=0))
-    return PackedRows(b"".join(texts), ends, array("q", [row.line for row in listed]))
+    return PackedRows(together, ends, array("q", [row.line for row in listed]))
+
+
+def choose_cells(places: Sequence[int | None]) -> Callable[[tuple[str, ...]], tuple[str, ...]]:
+    """A function that picks these cells of a row; those that it does not have, and those of no
+    place, are blank.
+
+    >>> choose_cells([2, None, 0])(("007", "0.5"))
+    ('', '', '007')
+    """
+
+    def one_by_one(cells: tuple[str, ...]) -> tuple[str, ...]:
+        return tuple(
+            [cells[place] if place is not None and place < len(cells) else "" for place in places]
+        )
+
+    known = [place for place in places if place is not None]
+    if len(known) < len(places) or len(known) < 2:
+        return one_by_one
+    all_at_once, width = itemgetter(*known), max(known) + 1
+    return lambda cells: all_at_once(cells) if len(cells) >= width else one_by_one(cells)
 
 
 def drop_headers(table: Table) -> tuple[Row, ...]:
@@ -183,9 +211,9 @@ def drop_headers(table: Table) -> tuple[Row, ...]:
     >>> [row.line for row in drop_headers(parse_table(b"id,x\\n1,2\\nid,x\\n3,4\\n", "a.csv"))]
     [2, 4]
     """
-    first = table.header[0] if table.header else ""
+    first = table.header[:1]
     return tuple(
-        [row for row in table.rows if row.cell(0) != first or not _is_header(row, table.header)]
+        [row for row in table.rows if row.cells[:1] != first or not _is_header(row, table.header)]
     )
 
 

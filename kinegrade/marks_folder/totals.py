@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence, Set
+from collections.abc import Callable, Mapping, Sequence, Set
 from dataclasses import dataclass, field
 from fractions import Fraction
+from operator import itemgetter
 from pathlib import Path
 from typing import NamedTuple
 
 from kinegrade.errors import TableError
 from kinegrade.files.csv_writing import restore
-from kinegrade.files.tables import Row, Table
+from kinegrade.files.tables import Row, Table, choose_cells
 from kinegrade.language.message import Fault
 from kinegrade.marks_folder.cells import explain_amount, find_amount, read_whole
 from kinegrade.marks_folder.layout import GRADES, SCALE_GRADE, SUBTRACTED_POINTS
@@ -23,7 +24,10 @@ def read_totals(folder: Path, kept: Mapping[str, KeptTotal], some: Set[str]) -> 
     """
     table = read_whole(folder, GRADES)
     questions = tuple(name for name in table.header if name not in GRADES.columns)
-    reader = _Reader(folder / GRADES.name, table, questions, kept, some)
+    places = {name: place for place, name in enumerate(table.header)}
+    who = itemgetter(places.pop("student"), places.pop("name"))
+    held = choose_cells([*places.values()])
+    reader = _Reader(folder / GRADES.name, table, questions, kept, some, who, held)
     students = tuple(map(reader.total, table.rows))
     if reader.faults:
         raise TableError(*reader.faults)
@@ -44,9 +48,9 @@ class _Amounts(NamedTuple):
 
 @dataclass
 class _Reader:
-    """Reads rows by the columns of their table; `faults` are those found so far, `known` what rows
-    without any hold, by their cells and whether they have all questions; `shared` are points by the
-    cells of the questions.
+    """Reads rows by the columns of their table: of the cells of a row `who` picks id and name,
+    `held` the others. `faults` are those found so far, `known` what rows without any hold, by their
+    cells and whether they have all questions; `shared` are points by the cells of the questions.
     """
 
     path: Path
@@ -54,16 +58,17 @@ class _Reader:
     questions: tuple[str, ...]
     kept: Mapping[str, KeptTotal]
     some: Set[str]
+    who: Callable[[tuple[str, ...]], tuple[str, str]]
+    held: Callable[[tuple[str, ...]], tuple[str, ...]]
     faults: list[Fault] = field(default_factory=list)
     known: dict[tuple[bool, tuple[str, ...]], _Amounts] = field(default_factory=dict)
     shared: dict[tuple[str, ...], Mapping[str, Fraction]] = field(default_factory=dict)
 
     def total(self, row: Row) -> StudentTotal:
         """A row, typed."""
-        cells = dict(zip(self.table.header, row.cells, strict=False))
-        student, name = cells.pop("student"), cells.pop("name")
-        key = student not in self.some, tuple(cells.values())
-        held = self.known.get(key) or self._read(row, cells, key)
+        student, name = self.who(row.cells)
+        key = student not in self.some, self.held(row.cells)
+        held = self.known.get(key) or self._read(row, key)
         return StudentTotal(
             row.line,
             student,
@@ -78,10 +83,9 @@ class _Reader:
             held.subtracted,
         )
 
-    def _read(
-        self, row: Row, cells: Mapping[str, str], key: tuple[bool, tuple[str, ...]]
-    ) -> _Amounts:
+    def _read(self, row: Row, key: tuple[bool, tuple[str, ...]]) -> _Amounts:
         """What a row holds; it is known from then on if nothing is wrong with it."""
+        cells = dict(zip(self.table.header, row.cells, strict=False))
         whole, before = key[0], len(self.faults)
         held = [name for name in self.questions if whole or cells[name]]
         # What is subtracted is blank where of several folders put together this one says nothing

@@ -6,7 +6,6 @@ import re
 from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from operator import itemgetter
 from unicodedata import normalize
 
 from kinegrade.ask_names import AskNames
@@ -19,7 +18,7 @@ from kinegrade.exam.roster.known_columns import (
 )
 from kinegrade.files.answer_file import AnswerFile, Sources
 from kinegrade.files.cell_text import make_header_key, trim
-from kinegrade.files.tables import Table
+from kinegrade.files.tables import Table, choose_cells
 from kinegrade.grading.sheets.sheet import Place
 from kinegrade.language.message import Fault, Message, Text, list_plainly
 
@@ -44,20 +43,7 @@ class Columns:
 
     def responses(self) -> Callable[[tuple[str, ...]], tuple[str, ...]]:
         """A function that picks the responses from the cells of a row; missing ones are blank."""
-
-        def one_by_one(cells: tuple[str, ...]) -> tuple[str, ...]:
-            return tuple(
-                [
-                    cells[index] if index is not None and index < len(cells) else ""
-                    for index in self.asks
-                ]
-            )
-
-        places = [index for index in self.asks if index is not None]
-        if len(places) < len(self.asks) or len(places) == 1:
-            return one_by_one
-        all_at_once, width = itemgetter(*places), max(places) + 1
-        return lambda cells: all_at_once(cells) if len(cells) >= width else one_by_one(cells)
+        return choose_cells(self.asks)
 
     def sources(self, answers: AnswerFile) -> Mapping[int, Sources]:
         """By line, the student whose line of the key each ask is marked by, in the order of the

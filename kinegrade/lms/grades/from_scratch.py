@@ -6,15 +6,16 @@ nothing is left out, because an empty or zero grade would replace the one in the
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from html import escape
+from operator import attrgetter
 from typing import assert_never
 
 from kinegrade.errors import Problem, TableError
 from kinegrade.exam.folder.contents import HEAD
-from kinegrade.files.csv_writing import neutralise, write_csv_text
+from kinegrade.files.csv_writing import neutralise, write_csv_text, write_quoted_csv_text
 from kinegrade.files.tables import Complaint
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.known import read_language
@@ -57,11 +58,11 @@ def new_file(dialect: Dialect, grades: ClassGrades, options: ExportOptions) -> F
     _refuse_unknown_addresses(plan.key, students)
     known = [each for each in students if known_as(each, plan.key)]
     header = [header for _, header, _ in plan.columns]
-    rows = [
-        [_write_cell(plan, column, item, each) for column, _, item in plan.columns]
-        for each in known
-    ]
-    text = _quote(header, rows) if layout.quotes_all else write_csv_text(header, rows)
+    cells = [map(_choose_writer(plan, column, item), known) for column, _, item in plan.columns]
+    rows = list(zip(*cells, strict=True))
+    text = (
+        write_quoted_csv_text(header, rows) if layout.quotes_all else write_csv_text(header, rows)
+    )
     mark = BYTE_ORDER_MARK if layout.mark else ""
     return Fresh(mark + text, len(known), tuple(_find_keyless(plan.key, students)))
 
@@ -212,23 +213,28 @@ def _is_kept(
             assert_never(column.role)
 
 
-def _write_cell(plan: _Plan, column: Column, item: str, grade: StudentGrade) -> str:
+def _choose_writer(plan: _Plan, column: Column, item: str) -> Callable[[StudentGrade], str]:
+    """What writes a grade's cell of a column."""
     match column.role:
         case "id" | "login" | "email":
-            return column.text + known_as(grade, plan.key) if column.holds(plan.key) else ""
+            if not column.holds(plan.key):
+                return lambda _: ""
+            return lambda grade: column.text + known_as(grade, plan.key)
         case "name":
-            return grade.name
+            return attrgetter("name")
         case "name and id":
-            return f"{grade.name} [{grade.student}]"
+            return lambda grade: f"{grade.name} [{grade.student}]"
         case "grade":
-            return write_amount(scaled(grade, item, plan.targets[item]), plan.dialect.places)
+            target, places = plan.targets[item], plan.dialect.places
+            return lambda grade: write_amount(scaled(grade, item, target), places)
         case "letter":
-            return neutralise(grade.scale_grade)
+            return lambda grade: neutralise(grade.scale_grade)
         case "feedback":
-            text = plan.feedback.write(grade)
-            return escape(text, quote=False) if column.text == "html" else text
+            if column.text == "html":
+                return lambda grade: escape(plan.feedback.write(grade), quote=False)
+            return plan.feedback.write
         case "feedback format" | "fixed":
-            return column.text
+            return lambda _: column.text
         case _:
             assert_never(column.role)
 
@@ -239,11 +245,3 @@ def _find_keyless(key: Field, students: Sequence[StudentGrade]) -> Iterator[Comp
             problem = Message("grades.no-address", student=Quoted(each.student))
             done = Message("grades.give-address")
             yield Complaint(HEAD, None, "", each.student, problem, done)
-
-
-def _quote(header: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
-    """Every cell in quotation marks."""
-    return "".join(
-        ",".join('"' + cell.replace('"', '""') + '"' for cell in line) + "\n"
-        for line in (header, *rows)
-    )

@@ -120,32 +120,36 @@ class People:
         """The students of all rows; an id that differs by zeros or case is accepted where that is
         certain.
         """
-        found = [self.find(row, header, columns) for row in rows]
         place = columns.identifier
         if place is None:
-            return tuple(found)
+            return tuple([self.find(row, header, columns) for row in rows])
+        cells = [row.cell(place) for row in rows]
+        # As in most files; an address beside the id may be that of another student
+        exact = [None] * len(rows) if columns.email is not None else self._ids.all_exact(cells)
+        found = [
+            self.find(row, header, columns) if student is None else Found(student)
+            for row, student in zip(rows, exact, strict=True)
+        ]
         unknown = [
             number
             for number, each in enumerate(found)
             if each.student is None and not self._other_address(rows[number], columns)
         ]
         restored = self._ids.restored(
-            [rows[number].cell(place) for number in unknown],
+            [cells[number] for number in unknown],
             {each.student for each in found if each.student is not None},
         )
         for number in unknown:
-            cell = rows[number].cell(place)
-            if cell in restored:
-                found[number] = Found(restored[cell])
-        return tuple(
-            self._said(row.cell(place), each) for row, each in zip(rows, found, strict=True)
-        )
+            if cells[number] in restored:
+                found[number] = Found(restored[cells[number]])
+        return tuple(map(self._said, cells, found))
 
     def _said(self, cell: str, found: Found) -> Found:
         """The same, with the id as it stands in the file where it is that student's in another
         form.
         """
-        if found.student is None or trim(cell) == trim(found.student):
+        student = found.student
+        if student is None or cell == student or trim(cell) == trim(student):
             return found
         if self._ids.coded(cell) == found.student:
             return found
@@ -160,10 +164,6 @@ class People:
 
     def find(self, row: Row, header: Sequence[str], columns: Columns) -> Found:
         """The student of a row; none where id and address are those of different students."""
-        if columns.email is None and columns.identifier is not None:
-            exact = self.by_id(row.cell(columns.identifier))  # as in most files
-            if exact is not None:
-                return Found(exact)
         cells = {index: row.cell(index) for index in columns.indices}
         named = {who for cell in cells.values() if (who := self.by_id(cell) or self.by_email(cell))}
         if len(named) == 1:

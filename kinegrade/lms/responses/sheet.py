@@ -17,7 +17,7 @@ from kinegrade.exam.roster.known_columns import (
 )
 from kinegrade.files.cell_text import make_header_key
 from kinegrade.files.spreadsheet import read_workbook
-from kinegrade.files.tables import Table, read_table
+from kinegrade.files.tables import Table, choose_cells, read_table
 from kinegrade.files.workbook_inspection import is_workbook
 from kinegrade.language.message import Fault, Message
 from kinegrade.language.spellings import list_spellings
@@ -43,9 +43,12 @@ def read(table: Table, head: ExamHead, attempts: Attempts) -> TypedRows:
     named: dict[Kind, Sequence[int]] = {"id": student[:1], "email": email[:1], "code": codes}
     end = _places(table.header, [SUBMITTED])
     others = [place for place in range(len(table.header)) if place not in {*student[:1], *end}]
+    choose = choose_cells(others)
     rows = tuple(
-        TypedRow(row, tuple(map(row.cell, others)), submitted="".join(map(row.cell, end)))
-        for row in table.rows
+        [
+            TypedRow(row, choose(row.cells), submitted="".join(map(row.cell, end)))
+            for row in table.rows
+        ]
     )
     return TypedRows(
         tuple(table.header[place] for place in others), frozenset(others), rows, (), named

@@ -8,6 +8,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Literal
 
+import msgspec
+
 from kinegrade.files.cell_text import shorten
 from kinegrade.files.csv_writing import write_csv_text
 from kinegrade.files.tables import Complaint, Row
@@ -17,8 +19,7 @@ from kinegrade.lms.responses.people import Kind
 Attempts = Literal["finished", "all"]
 
 
-@dataclass(frozen=True, slots=True)
-class TypedRow:
+class TypedRow(msgspec.Struct, frozen=True, gc=False):  # there are many
     """A row of the download, and its responses in the order of the columns, exactly as typed.
 
     `moment` sorts the attempts of a student; "" where the file is in chronological order. `right`
