@@ -118,7 +118,8 @@ class Box:
 @dataclass(frozen=True)
 class Scene:
     """A finished drawing; `scale` is millimetres on paper per metre, and `crowded` are the symbols
-    that found no good place; `strain` is what marks cost that cross something firm.
+    that found no good place, `astray` those that stand off from their points behind a wall;
+    `strain` is what marks cost that cross something firm.
     """
 
     width: float
@@ -127,6 +128,7 @@ class Scene:
     primitives: tuple[Primitive, ...]
     crowded: tuple[str, ...] = ()
     strain: float = 0.0
+    astray: tuple[str, ...] = ()
 
     @property
     def labels(self) -> tuple[Label, ...]:

@@ -95,6 +95,9 @@ def draw_unit_figure(shown: Subject) -> Scene:
     if best.strain:
         other = fit_scene(partial(_compose, begin, _LENGTHS_FIRST), first, span)
         best = min(best, other, key=_rate_scene)
+    if best.astray:
+        other = fit_scene(partial(_compose, begin, _LETTERS_EARLY), first, span)
+        best = min(best, other, key=_rate_scene)
     for order in _OTHER_ORDERS:
         if best.crowded:
             other = fit_scene(partial(_compose, begin, order), first, span)
@@ -106,9 +109,11 @@ def draw_unit_figure(shown: Subject) -> Scene:
     return best
 
 
-def _rate_scene(scene: Scene) -> tuple[int, float]:
-    """How bad a figure is: first by symbols without a good place, then by what marks cross."""
-    return len(scene.crowded), round(scene.strain, 6)
+def _rate_scene(scene: Scene) -> tuple[int, int, float]:
+    """How bad a figure is: first by symbols without a good place, then by letters behind walls, at
+    last by what marks cross.
+    """
+    return len(scene.crowded), len(scene.astray), round(scene.strain, 6)
 
 
 @dataclass(frozen=True)

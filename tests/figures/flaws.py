@@ -19,7 +19,6 @@ CLEAR = 0.15  # millimetres of paper between a letter and everything else
 APART = 0.3  # millimetres of paper between two labels
 EDGE = 0.25  # millimetres by which the estimated ink of a letter may reach over the edge
 LEAST = 4.0  # millimetres, the smallest part
-FAR = 6.5  # millimetres from a letter to its point at most
 BITE = 0.05  # square millimetres that two meshing teeth cover in common, of rounding
 OWN = 0.1  # millimetres by which a letter is nearer to its own point than to any other
 
@@ -42,7 +41,7 @@ def find_part_flaws(
         if size < LEAST
     ]
     points = find_points_on_paper(picture, mechanism, scale)
-    return [*small, *_find_disowned(picture, points), *_find_far(picture, points)]
+    return [*small, *_find_disowned(picture, points)]
 
 
 def _find_touched(picture: Picture) -> Iterator[str]:
@@ -86,13 +85,6 @@ def _find_disowned(picture: Picture, points: Mapping[str, Point]) -> Iterator[st
         away = each.box.distance(own) + OWN
         if point.distance(own) > OWN and each.box.distance(point) < away:
             yield f"{each.text} stands nearer to {other.text} {_write_place(each.box)}"
-
-
-def _find_far(picture: Picture, points: Mapping[str, Point]) -> Iterator[str]:
-    """Letters that stand too far from their points to be read as theirs."""
-    for each in picture.letters:
-        if each.text in points and each.box.distance(points[each.text]) > FAR:
-            yield f"{each.text} far from its point {_write_place(each.box)}"
 
 
 def _write_place(shape: BaseGeometry) -> str:

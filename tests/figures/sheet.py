@@ -39,10 +39,11 @@ class Graded:
 
 def print_figure(template: str, seed: str) -> str:
     """The SVG of the first figure that is dealt at a seed."""
-    return _draw(_deal(template, seed))
+    return _draw(deal(template, seed))
 
 
-def _deal(template: str, seed: str) -> Solution:
+def deal(template: str, seed: str) -> Solution:
+    """The first instance that is dealt at a seed."""
     [instance] = drawn(draw_filter(load_template(template), seed), 1)
     return instance.solution
 
@@ -74,7 +75,7 @@ def write_sheet(folder: Path, templates: Iterable[str], seeds: Sequence[str]) ->
     for name in templates:
         cells = []
         for seed in seeds:
-            solution = _deal(name, seed)
+            solution = deal(name, seed)
             svg = _draw(solution)
             picture = f"{name}-{seed}.svg"
             (folder / picture).write_text(svg, encoding="utf-8")

@@ -24,8 +24,8 @@ from kinegrade.figure.placing.place import (
     list_spots_around,
     rate_nearness,
 )
-from kinegrade.figure.plane import NEAR, length, on_line, unit
-from kinegrade.figure.scene import THIN, Bow
+from kinegrade.figure.plane import NEAR, length, nearest_of, on_line, unit
+from kinegrade.figure.scene import THIN, Bow, Strokes
 from kinegrade.mechanics.joints import Line
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
@@ -94,10 +94,21 @@ def label_point(
         partial(_look_closely, symbol, at, others, wedges),
     )
     walls = (
-        *((rail.start, rail.end) for rail in drawing.rails if not rail.bare),
+        *_list_grounds(at, drawing),
         *(chord for rim in drawing.rims if _lies_within(at, rim) for chord in _list_chords(rim)),
     )
     return Wish(symbol, spots, demerits=demerits, names=at, amid=amid, closely=closely, walls=walls)
+
+
+def _list_grounds(at: Vector, drawing: Drawing) -> Iterator[Segment]:
+    """The lines of supports and guides on which a point does not lie itself, each with the far end
+    of its hatching.
+    """
+    for hatching, line in pairwise(drawing.ground):
+        if isinstance(hatching, Strokes) and isinstance(line, Strokes) and line.pen != THIN:
+            ((start, end),) = line.lines
+            if length(at - nearest_of(at, start, end)) > NEAR:
+                yield from ((start, end), (hatching.lines[0][1], hatching.lines[-1][1]))
 
 
 def _lies_within(at: Vector, rim: Rim) -> bool:
@@ -123,7 +134,7 @@ def keep_from_arrows(wish: Wish, marks: Sequence[Mark]) -> Wish:
         if length(place - at) > _AT_TAIL
     ]
     worse = _AT_ARROW * rate_nearness(wish.symbol, wish.spots, [at], stations)
-    return replace(wish, demerits=worse if wish.demerits is None else wish.demerits + worse)
+    return wish.worse_by(worse)
 
 
 def _look_closely(

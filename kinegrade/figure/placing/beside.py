@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import replace
 
 import numpy as np
 
@@ -40,4 +39,4 @@ def keep_from_labels(wish: Wish, labels: Iterable[Label]) -> Wish:
     places = [Label(wish.symbol, Vector(x, y), *size) for x, y in wish.spots.tolist()]
     beside = [adjoins(place, others) or makes_word(place, others) for place in places]
     worse = _ONE_WORD * np.array(beside)
-    return replace(wish, demerits=worse if wish.demerits is None else wish.demerits + worse)
+    return wish.worse_by(worse)

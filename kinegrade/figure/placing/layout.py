@@ -4,35 +4,37 @@ place.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
-from heapq import heappop, heappush
-from itertools import chain, repeat
-from math import inf
+
+import numpy as np
 
 from kinegrade.figure.placing.aligned import list_thin_lines, runs_on
+from kinegrade.figure.placing.alternatives import choose_least_covering
 from kinegrade.figure.placing.beside import adjoins, keep_from_labels, makes_word
-from kinegrade.figure.placing.letters import keep_off_lines, place_letter, trace_wished_leader
+from kinegrade.figure.placing.letters import (
+    is_astray,
+    keep_off_lines,
+    place_letter,
+    trace_wished_leader,
+)
 from kinegrade.figure.placing.mark import Mark
 from kinegrade.figure.placing.obstacles import COST_FIRM, COST_LABEL, Obstacles, Segment
 from kinegrade.figure.placing.place import (
     Placed,
     Wish,
     is_covered,
-    measure_crowding,
     place_label,
 )
 from kinegrade.figure.plane import length, unit
 from kinegrade.figure.scene import THIN, Label, Primitive, Strokes
 
-# Alternatives of a mark that are judged together: usually one of the first is accepted
-_BATCHES = (4, 12, 36)
-
 _CHEAP = 8.0  # cost of a mark up to which no further alternatives are made
 _LITTLE = 6.0  # cost by which a mark may be worse so that its label has a good place
 # Costs from which on a leader would cross too much to be of use: of a short one, and of one so many
-# millimetres long across two outlines at most, without which nobody would find its point
+# millimetres long across teeth and two outlines at most, without which nobody would find its point
 _HARD, _HARDER, _LONG = 20.0, 60.0, 3.0
+_MISLEADING = 20.0  # demerit of a letter behind a wall that no leader joins to its point
 
 
 def no_others(_: float) -> Iterable[Mark]:
@@ -45,7 +47,8 @@ class Layout:
     """Lines, labels, and both as obstacles; each step gives a new layout.
 
     `marks` are those chosen so far, with what each costs in `costs`; `crowded` are the symbols
-    that found no good place; `strain` is set by who places marks: what too dear ones cost.
+    that found no good place, `astray` those that stand off from their points behind a wall;
+    `strain` is set by who places marks: what too dear ones cost.
     """
 
     lines: tuple[Primitive, ...]
@@ -55,6 +58,7 @@ class Layout:
     marks: tuple[Mark, ...] = ()
     costs: tuple[float, ...] = ()
     strain: float = 0.0
+    astray: tuple[str, ...] = ()
 
     @staticmethod
     def of(primitives: Iterable[Primitive]) -> Layout:
@@ -81,12 +85,33 @@ class Layout:
             close = leader and adjoins(placed.label, layout.labels)
             if close or makes_word(placed.label, layout.labels):
                 placed = layout._keep_apart(wish, placed, layout.obstacles)
+            if layout._misleads(wish, placed.label):
+                placed = layout._lead_in(wish, placed)
             leader = trace_wished_leader(wish, placed.label)
             useful = leader is not None and layout._is_useful(leader, wish.amid)
             layout = layout._labelled(placed)
             if leader and useful:
                 layout = layout.drawn((Strokes((leader,), THIN),))
+            elif is_astray(placed.label, wish):
+                layout = replace(layout, astray=(*layout.astray, wish.symbol))
         return layout
+
+    def _misleads(self, wish: Wish, label: Label) -> bool:
+        """Whether a letter stands off from its point behind a wall, without a leader of use."""
+        if not is_astray(label, wish):
+            return False
+        leader = trace_wished_leader(wish, label)
+        return leader is None or not self._is_useful(leader, wish.amid)
+
+    def _lead_in(self, wish: Wish, placed: Placed) -> Placed:
+        """The letter where it was placed, or where it has a leader of use or no wall before it, if
+        there is such a place without a fault.
+        """
+        labels = [wish.label_at(spot) for spot in range(len(wish.spots))]
+        worse = _MISLEADING * np.array([self._misleads(wish, label) for label in labels])
+        joined = wish.worse_by(worse)
+        led = place_label(joined, self.obstacles)
+        return placed if led.faulty else self._keep_off_lines(joined, led)
 
     def _keep_off_lines(self, wish: Wish, placed: Placed) -> Placed:
         """The letter where it was placed, or where its leader does not seem to run on from a thin
@@ -120,7 +145,7 @@ class Layout:
         crossed = self.obstacles.along(before, shared=True)
         if crossed < _HARD or crossed >= _HARDER or size <= _LONG:
             return crossed < _HARD
-        return self.obstacles.firm().along(before, shared=True) <= 2 * COST_FIRM
+        return self.obstacles.outlines().along(before, shared=True) <= 2 * COST_FIRM
 
     def marked(
         self,
@@ -173,7 +198,7 @@ class Layout:
         still to be written.
         """
         crowded = self.obstacles.with_drawn(sparing) if sparing else self.obstacles
-        mark, wish, cost = _choose_least_covering(alternatives, crowded, own=beside_own_lines)
+        mark, wish, cost = choose_least_covering(alternatives, crowded, own=beside_own_lines)
         struck = cost >= COST_LABEL and self._strikes_label(mark)
         layout = replace(
             self.drawn(mark.primitives()),
@@ -202,43 +227,3 @@ class Layout:
 
     def _complaining(self, symbol: str) -> Layout:
         return replace(self, crowded=tuple(dict.fromkeys((*self.crowded, symbol))))
-
-
-def _batch(ranked: Sequence[Mark]) -> Iterator[Sequence[Mark]]:
-    """All of them in order, a few first and then more at a time."""
-    first = 0
-    for size in chain(_BATCHES, repeat(_BATCHES[-1])):
-        if first >= len(ranked):
-            return
-        yield ranked[first : first + size]
-        first += size
-
-
-def _choose_least_covering(
-    alternatives: Sequence[Mark], obstacles: Obstacles, *, own: bool
-) -> tuple[Mark, Wish, float]:
-    """The cheapest alternative, its wish and its cost: what its line covers, what its label
-    covers, its `own` line as well, and its demerit; among equals the preferred one.
-
-    Alternatives are judged in order of preference, several at once, and coverage is computed only
-    while it can still decide: first of the line, then of the label.
-    """
-    ranked = sorted(alternatives, key=lambda mark: round(mark.demerit, 6))
-    best, least = (ranked[0], ranked[0].wish()), inf
-    for marks in _batch(ranked):
-        if marks[0].demerit >= least:
-            break
-        waiting = [(round(mark.demerit, 6), number, False) for number, mark in enumerate(marks)]
-        while waiting and waiting[0][0] < least:
-            cost, number, crossed = heappop(waiting)
-            mark = marks[number]
-            if not crossed:
-                covered = obstacles.along(mark.path(), mark.shared, least - mark.demerit)
-                heappush(waiting, (round(covered + mark.demerit, 6), number, True))
-                continue
-            wish = mark.wish()
-            under = obstacles.with_drawn(mark.primitives()) if own else obstacles
-            total = round(cost + measure_crowding(wish, under), 6)
-            if total < least:
-                best, least = (mark, wish), total
-    return *best, least

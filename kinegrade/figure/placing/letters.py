@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 from math import hypot
 
 import numpy as np
@@ -45,11 +44,18 @@ def _lies_behind(label: Label, point: Vector, walls: Sequence[Segment]) -> bool:
     return bool(rate_cut_off(np.array([label.centre]), np.array([point]), walls).any())
 
 
+def is_astray(label: Label, wish: Wish) -> bool:
+    """Whether the letter of a point stands off from it, and a wall passes between them."""
+    if wish.names is None or _measure_off(label, wish.names) < _STANDS_OFF:
+        return False
+    return _lies_behind(label, wish.names, wish.walls)
+
+
 def _keep_before(walls: Sequence[Segment], close: Wish, point: Vector) -> Wish:
     """The wish for a letter close to a point, which has a fault behind a wall."""
     feet = np.tile(np.array(point), (len(close.spots), 1))
     behind = _BEHIND * rate_cut_off(close.spots, feet, walls)
-    return replace(close, demerits=behind if close.demerits is None else behind + close.demerits)
+    return close.worse_by(behind)
 
 
 def keep_off_lines(wish: Wish, lines: Sequence[Segment]) -> Wish:
@@ -59,7 +65,7 @@ def keep_off_lines(wish: Wish, lines: Sequence[Segment]) -> Wish:
     labels = [wish.label_at(spot) for spot in range(len(wish.spots))]
     leaders = [trace_wished_leader(wish, label) for label in labels]
     worse = _RUNS_ON * np.array([bool(leader and runs_on(leader, lines)) for leader in leaders])
-    return replace(wish, demerits=worse if wish.demerits is None else wish.demerits + worse)
+    return wish.worse_by(worse)
 
 
 def trace_wished_leader(wish: Wish, label: Label) -> Segment | None:

@@ -11,7 +11,7 @@ few in plain numbers takes less time than computing with arrays of all.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 from math import inf
 from typing import assert_never
@@ -90,6 +90,11 @@ class Obstacles:
         """Those of them that are more than thin lines, without letters."""
         lines = [each for each in self.lines if COST_THIN < each[4][-1] < COST_LABEL]
         return Obstacles(lines, self.rings)
+
+    def outlines(self) -> Obstacles:
+        """Those that are firm, but for teeth."""
+        firm = self.firm()
+        return replace(firm, lines=[each for each in firm.lines if each[4][-2] <= BOLD.width / 2])
 
     def under_box(
         self, x: float, y: float, width: float, height: float, enough: float = inf

@@ -62,6 +62,11 @@ class Wish:
         """The label at one of its spots."""
         return Label(self.symbol, Vector(*self.spots[spot].tolist()), *measure_symbol(self.symbol))
 
+    def worse_by(self, demerits: Floats) -> Wish:
+        """The wish with those demerits more."""
+        more = demerits if self.demerits is None else self.demerits + demerits
+        return replace(self, demerits=more)
+
 
 @dataclass(frozen=True)
 class Placed:
