@@ -9,7 +9,7 @@ from typing import TypeAlias
 
 from kinegrade.choosing.demands import APPROACHES, Demands, find_demands
 from kinegrade.errors import OptionError, Problem, suggest
-from kinegrade.language.message import Fault, Message, Part, Quoted, list_plainly
+from kinegrade.language.message import Fault, Message, Quoted, list_first
 from kinegrade.mechanics.joints import JOINTS
 from kinegrade.problem.quantities.motion_functions import MOTION_FUNCTIONS
 from kinegrade.problem.template.tags import KINDS, TAGS, list_tags
@@ -158,10 +158,7 @@ def count_tags(entries: Iterable[Entry]) -> dict[str, int]:
 
 
 def _explain_none(last: _Filter, left: Sequence[Entry]) -> Message:
-    first = [entry.template.name for entry in left[:_NAMED]]
-    names: Part = list_plainly(first)
-    if len(left) > _NAMED:
-        names = Message("grammar.names-and-more", names=names, count=len(left) - _NAMED)
+    names = list_first([entry.template.name for entry in left], _NAMED)
     return Message("choosing.none-left", option=last.stated, count=len(left), names=names)
 
 

@@ -6,7 +6,7 @@ places.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from decimal import Decimal
 from fractions import Fraction
@@ -102,6 +102,14 @@ def list_choices(items: Iterable[Part]) -> Listing:
 def list_plainly(items: Iterable[Part]) -> Listing:
     """Things one after another: "a, b, c"."""
     return Listing(tuple(items), "comma")
+
+
+def list_first(items: Sequence[Part], most: int) -> Part:
+    """The first of many things: "a, b, c and 12 more"."""
+    if len(items) <= most:
+        return list_plainly(items)
+    first = list_plainly(items[:most])
+    return Message("grammar.names-and-more", names=first, count=len(items) - most)
 
 
 def list_statements(items: Iterable[Part]) -> Listing:

@@ -14,12 +14,14 @@ from kinegrade.errors import Problem
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.grading.marks import ClassGrades
 from kinegrade.grading.policy.reading import read_policy, stated_policy
-from kinegrade.language.message import Message, list_plainly
+from kinegrade.language.message import Message, list_first, list_plainly
 from kinegrade.marks_folder.folder import MarksFolder
 from kinegrade.marks_folder.hand_marks import list_hand_marks
 from kinegrade.marks_folder.layout import KEPT, MANUAL, POLICY, SUBTRACTED
 from kinegrade.marks_folder.open_questions import describe_open
 from kinegrade.numbers.amounts import write_amount
+
+_MOST_NAMED = 5
 
 
 def describe_lapsed(folders: Iterable[Path]) -> Iterator[Message]:
@@ -31,6 +33,14 @@ def describe_lapsed(folders: Iterable[Path]) -> Iterator[Message]:
             continue  # no marks folder, or none that anybody could mark by
         if stated:
             yield Message("terminal.policy-lapsed", file=str(file), keys=list_plainly(stated))
+
+
+def describe_absent(grades: ClassGrades) -> Iterator[Message]:
+    """Who answered nothing at all, where anybody did: perhaps the wrong file was given."""
+    absent = [each.student for each in grades.grades if each.absent]
+    if absent:
+        names = list_first(absent, _MOST_NAMED)
+        yield Message("terminal.absent", count=len(absent), all=len(grades.grades), names=names)
 
 
 def describe_by_hand(grades: ClassGrades, marks: MarksFolder) -> Iterator[Problem]:

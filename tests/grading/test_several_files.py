@@ -78,9 +78,9 @@ def test_attempts_at_the_same_answers_in_two_files_are_left_to_the_policy(
     again = "student,q1.v_B\n007,1.99\n007,1.98\n"
     marks, complaints = graded(exam_folder, FIRST, again)
     assert totals(marks)["007"] == "0"
-    assert [row[:2] for row in complaints if "another row" in row[4]] == [
-        ["part1.csv", "2"],
-        ["part2.csv", "2"],
+    assert [row[:4] for row in complaints if "another row" in row[4]] == [
+        ["part1.csv", "2", "", '"1,73",0,'],
+        ["part2.csv", "2", "", "007,1.99"],
     ]
 
 
@@ -183,3 +183,18 @@ def test_every_row_is_in_what_goes_out(exam_folder: Path, order: tuple[int, int]
     parts = FIRST + "9999,1,2\n", SECOND + "8888,3\n"
     _, complaints = graded(exam_folder, *(parts[number] for number in order))
     assert sorted(row[3] for row in complaints) == ["8888,3", "9999,1,2"]
+
+
+def test_who_answered_nothing_is_named_where_marks_are_told(exam_folder: Path) -> None:
+    blank = exam_folder.parent / "blank.csv"
+    blank.write_text("student,q1.v_B\n007,\n0012,\nS9,\n12,\n", encoding="utf-8")
+    done = kinegrade("grade", exam_folder, blank, "-o", exam_folder.parent / "MARKS")
+    said = "without any answer, counted as absent: 4 of 4 (007, 0012, S9, 12)"
+    assert said in done.stderr.splitlines()
+
+
+def test_who_all_answered_leave_nobody_to_name(exam_folder: Path) -> None:
+    answers = exam_folder.parent / "all.csv"
+    answers.write_text("student,q1.v_B\n007,1\n0012,1\nS9,0\n12,1\n", encoding="utf-8")
+    done = kinegrade("grade", exam_folder, answers, "-o", exam_folder.parent / "MARKS")
+    assert "absent" not in done.stderr

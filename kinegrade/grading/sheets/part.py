@@ -14,10 +14,9 @@ from kinegrade.exam.roster.student_ids import StudentIds, describe_restoration
 from kinegrade.exam.roster.students import make_student_key
 from kinegrade.files.answer_file import AnswerFile
 from kinegrade.files.cell_text import shorten, trim
-from kinegrade.files.csv_writing import write_csv_text
 from kinegrade.files.tables import Complaint, Row, Table, drop_headers
 from kinegrade.grading.sheets.columns import Columns, find_columns
-from kinegrade.grading.sheets.sheet import Entry, Part
+from kinegrade.grading.sheets.sheet import Entry, Part, quote_cells
 from kinegrade.language.message import (
     Message,
     Quoted,
@@ -110,14 +109,10 @@ def _complain_of_unknown(table: Table, row: Row, columns: Columns, ids: StudentI
         table.file,
         row.line,
         table.header[columns.student],
-        _join_row(row),
+        quote_cells(row.cells),
         unknown if key else Message("marking.no-id"),
         correct if likely else Message("marking.not-graded"),
     )
-
-
-def _join_row(row: Row) -> str:
-    return write_csv_text([shorten(cell) for cell in row.cells], []).rstrip("\n")
 
 
 def _make_entries(
@@ -126,7 +121,7 @@ def _make_entries(
     """The entries of a student; where there are several, each keeps its row as it came."""
     if len(rows) == 1:
         return (make_entry(rows[0], ""),)
-    return tuple([make_entry(row, _join_row(row)) for row in rows])
+    return tuple([make_entry(row, quote_cells(row.cells)) for row in rows])
 
 
 def _find_extra_columns(table: Table, columns: Columns) -> Iterator[Complaint]:

@@ -12,7 +12,8 @@ from functools import cached_property
 from typing import NamedTuple
 
 from kinegrade.files.answer_file import Sources
-from kinegrade.files.cell_text import trim
+from kinegrade.files.cell_text import shorten, trim
+from kinegrade.files.csv_writing import write_csv_text
 from kinegrade.files.tables import Complaint
 from kinegrade.language.message import Message
 
@@ -28,10 +29,10 @@ class Entry(NamedTuple):
     """One row of a student: the responses in the order of the asks; `line` is None where the
     student has no row.
 
-    `whole` is the row as it came, where the student has several. `put` holds for each ask the
-    student whose line of the key it is marked by, "" for the student's own; it is empty where all
-    are the student's own. `submitted` is when it was handed in, as far as that is known. `places`
-    are those of the single responses, where they come from several files.
+    `whole` is the row as it came, where the student has several in its file. `put` holds for each
+    ask the student whose line of the key it is marked by, "" for the student's own; it is empty
+    where all are the student's own. `submitted` is when it was handed in, as far as that is known.
+    `places` are those of the single responses, where they come from several files.
     """
 
     line: int | None
@@ -78,6 +79,11 @@ class Part:
     complaints: tuple[Complaint, ...]
 
 
+def quote_cells(cells: Sequence[str]) -> str:
+    """Cells as a complaint quotes them, each shortened."""
+    return write_csv_text([shorten(cell) for cell in cells], []).rstrip("\n")
+
+
 def find_repeated(entries: Sequence[Entry], counted: Entry) -> Iterator[Complaint]:
     """A complaint for each entry of a student that does not count; it quotes the row."""
     answers = list(map(trim, counted.responses))
@@ -88,7 +94,12 @@ def find_repeated(entries: Sequence[Entry], counted: Entry) -> Iterator[Complain
         problem = Message("marking.another-row", row=where)
         same = list(map(trim, entry.responses)) == answers
         done = Message("marking.same-answers") if same else Message("marking.row-counts", row=where)
-        yield Complaint(entry.file, entry.line, "", entry.whole, problem, done)
+        yield Complaint(entry.file, entry.line, "", _quote(entry), problem, done)
+
+
+def _quote(entry: Entry) -> str:
+    """The row as it came; its responses where it is the student's only one in its file."""
+    return entry.whole or quote_cells(entry.responses)
 
 
 def _name_line(entry: Entry, counted: Entry) -> Message:

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
 
 from kinegrade.errors import TemplateError
 from kinegrade.files.fields.place import Place, key_path
 from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
-from kinegrade.language.message import Fault, Message, Part, Quoted, list_choices, list_plainly
+from kinegrade.language.message import Fault, Message, Quoted, list_choices, list_first
 from kinegrade.problem.template.template import Template
 from kinegrade.problem.template.translated import (
     Translated,
@@ -73,7 +73,7 @@ def note_other_scripts(template: Template, language: Language) -> Iterator[Messa
         if text.plain is not None and _is_in_another_script(text.plain, chinese)
     ]
     if found:
-        listed = _list_some(found)
+        listed = list_first(found, _NAMED)
         name = template.name
         yield Message("texts.in-another-script", template=name, language=language, names=listed)
 
@@ -112,17 +112,10 @@ def _explain_missing(template: Template, language: Language) -> Fault:
     missing = find_missing_texts(template, language)
     return Fault(
         template.name,
-        Message("texts.lacks", language=language, names=_list_some(missing)),
+        Message("texts.lacks", language=language, names=list_first(missing, _NAMED)),
         Message("texts.all-in", language=language),
         _advise(template, language),
     )
-
-
-def _list_some(names: Sequence[str]) -> Part:
-    listed = list_plainly(names[:_NAMED])
-    if len(names) <= _NAMED:
-        return listed
-    return Message("grammar.names-and-more", names=listed, count=len(names) - _NAMED)
 
 
 def _advise(template: Template, language: Language) -> Message:
