@@ -210,3 +210,40 @@ def test_closer_blocks_and_lines_take_less_room_but_a_line_is_as_high_as_before(
     assert saved[0] == pytest.approx(0.3 * 1.7)  # of the gap below, nothing of the line
     lines = round((usual.set_chain(often)[0].height - usual.set_chain(once)[0].height) / 1.27 / EM)
     assert saved[1] - saved[0] == pytest.approx(lines * 0.15 * 0.62 * EM)
+
+
+def test_a_table_stays_above_its_drawings() -> None:
+    """It stood at the foot of a page, and all that is done with it on the next."""
+    table, *others = course(long_equation(2), pictures(1), SAID)
+    assert isinstance(table, Setting)
+    assert table.stays
+    assert isinstance(others[0], DrawingRow)
+
+
+def test_the_givens_of_a_chapter_stay_with_its_first_step() -> None:
+    """The heading of the accelerations stood alone with them at the foot of a page."""
+    given = [Prose("Given:"), read_display([SHORT])]
+    opening, step = Heading("Accelerations", 1), [Heading("1. The rod", 2), SAID]
+    *stay, last = course(opening, *given, *given, *step)
+    assert all(isinstance(part, Setting) and part.stays for part in stay)
+    assert isinstance(last, Setting)
+    assert not last.stays
+
+
+def test_a_chapter_without_steps_or_with_much_before_them_may_be_parted() -> None:
+    given = [Prose("Given:"), read_display([SHORT])]
+    for blocks in (given, [*given * 4, Heading("1. The rod", 2), SAID]):
+        opening = course(Heading("Velocities", 1), *blocks)[0]
+        assert isinstance(opening, Setting)
+        assert not opening.stays
+
+
+def test_what_stays_together_begins_a_page_where_it_has_no_room() -> None:
+    """So that the drawings below know how full the page is."""
+    together = [LONG_SAID, read_display([LONG, LONG])]
+    question = WorkedQuestion(
+        1, "q1", "A crank", "It turns.", (read_display([SHORT]), *together), None
+    )
+    high = sum(part.height for part in course(*together))
+    courses = arrange_courses([question], TextArea(PAGE, high + 1))
+    assert courses.pages == pytest.approx(1 + high / (high + 1))

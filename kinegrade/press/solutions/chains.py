@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from itertools import zip_longest
+from itertools import takewhile, zip_longest
 from typing import assert_never
 
 from kinegrade.language.math.printed_size import FIRST_CHINESE
@@ -16,13 +16,14 @@ from kinegrade.worked.document import Block, Display, Heading, Pictures, Prose, 
 
 FORMULA_ALONE = r"\$[^$]+\$"
 UNKNOWN = "?"
+_GIVENS = 3  # equations before the first step of a chapter that stay with it
 
 
 def stays(block: Block, following: Block | None = None, third: Block | None = None) -> bool:
     """Whether a block stays on the page of the next one.
 
-    So do a heading with what it heads, a table of terms with its projection, a sentence with the
-    equation it announces.
+    So do a heading with what it heads, a table of terms with its drawings and its projection, a
+    sentence with the equation it announces.
 
     >>> stays(Prose("Projected on AB:"), Display(()))
     True
@@ -30,7 +31,7 @@ def stays(block: Block, following: Block | None = None, third: Block | None = No
     match block, following, third:
         case [Heading(), _, _] | [Prose(), Display() | TermTable(), _]:
             return True
-        case [TermTable(), Display(), _] | [TermTable(), Prose(), Display()]:
+        case [TermTable(), Display() | Pictures(), _] | [TermTable(), Prose(), Display()]:
             return True
         # Any other neighbours may be parted: what stays together is named, a new block stands alone
         case _:
@@ -97,11 +98,33 @@ def chain_blocks(blocks: Sequence[Block]) -> Iterator[Chain | Pictures]:
                 measured = measure_display(block)
             case _:
                 assert_never(block)
-        chain = (*chain, Placed(measured, stays(*blocks[place : place + 3])))
+        together = stays(*blocks[place : place + 3]) or _leads_to_step(blocks, place)
+        chain = (*chain, Placed(measured, together))
         if not chain[-1].stays:
             yield chain
             chain = ()
     yield from filter(None, [chain])
+
+
+def _leads_to_step(blocks: Sequence[Block], place: int) -> bool:
+    """Whether an equation is a given with which a chapter opens, before the first of its steps: the
+    heading of the chapter would else stand at the foot of a page with nothing but givens.
+    """
+    if not isinstance(blocks[place], Display):
+        return False
+    opening = list(takewhile(_is_told, reversed(blocks[:place])))
+    rest = list(takewhile(_is_told, blocks[place:]))
+    before, after = blocks[: place - len(opening)], blocks[place + len(rest) :]
+    given = sum(isinstance(one, Display) for one in (*opening, *rest))
+    return _ends_with_heading(before, 1) and _ends_with_heading(after[:1], 2) and given <= _GIVENS
+
+
+def _is_told(block: Block) -> bool:
+    return isinstance(block, Prose | Display)
+
+
+def _ends_with_heading(blocks: Sequence[Block], level: int) -> bool:
+    return any(isinstance(one, Heading) and one.level == level for one in blocks[-1:])
 
 
 def name_question(question: WorkedQuestion) -> Message:

@@ -13,7 +13,7 @@ from kinegrade.press.sheet import WorkedQuestion
 from kinegrade.press.solutions.chains import Chain, Placed, chain_blocks, join_sentences
 from kinegrade.press.solutions.drawing_rows import GAP, Drawing, DrawingRow
 from kinegrade.press.solutions.settings import Column, Setting, add_heights, fits
-from kinegrade.worked.document import Heading, Pictures, Prose
+from kinegrade.worked.document import Heading, Pictures, Prose, TermTable
 
 _MASTHEAD, _QUESTION_HEAD = 4.0, 8.0  # millimetres at the top of the first page, of a question
 _NARROWEST = 72.0  # millimetres that text beside drawings has at least
@@ -65,14 +65,23 @@ class _Filling:
         """The parts, each on a new page where it has no room on this one."""
         for part in parts:
             if not self.has_room(part.height):
-                self.used = 0.0
-                self.full += 1
+                self._turn_page()
             self.used += part.height
             yield part
 
-    def place_chain(self, chain: Chain) -> Iterator[Part]:
-        """Blocks that stay together over the whole width."""
-        return self.place(self.area.column.set_chain(chain))
+    def place_chain(self, chain: Chain, below: float = 0.0) -> Iterator[Part]:
+        """Blocks that stay together over the whole width, with so much of what is `below` them: on
+        a new page where not all have room.
+        """
+        settings = self.area.column.set_chain(chain)
+        height = add_heights(settings) + below
+        if not self.has_room(height) and height <= self.area.height:
+            self._turn_page()
+        return self.place(settings)
+
+    def _turn_page(self) -> None:
+        self.used = 0.0
+        self.full += 1
 
     def has_room(self, height: float) -> bool:
         """Whether what is that high has room on this page."""
@@ -80,7 +89,11 @@ class _Filling:
 
     def holds(self, chain: Chain) -> bool:
         """Whether a chain has room on this page."""
-        return self.has_room(add_heights(self.area.column.set_chain(chain)))
+        return self.has_room(self.measure(chain))
+
+    def measure(self, chain: Chain) -> float:
+        """How high a chain is over the whole width."""
+        return add_heights(self.area.column.set_chain(chain))
 
 
 def _arrange(question: WorkedQuestion, filling: _Filling) -> Iterator[Part]:
@@ -93,21 +106,24 @@ def _arrange(question: WorkedQuestion, filling: _Filling) -> Iterator[Part]:
         figure = Drawing(question.figure, None, question.title)
         row, place = _choose_row((figure,), chains, filling.area.column)
         yield from filling.place([replace(row, whole=True)])
-    heading: Chain = ()  # what stays with the drawings that follow
+    heading: Chain = ()  # what stays beside the drawings that follow
+    above: Chain = ()  # what stays above them
     while place < len(items):
         item = items[place]
         place += 1
         match item:
             case tuple():
-                heading = item if item[-1].stays else ()
-                yield from filling.place_chain(item if not heading else ())
+                stays = item[-1].stays
+                above = item if stays and isinstance(item[-1].block, TermTable) else ()
+                heading = item if stays and not above else ()
+                yield from filling.place_chain(item if not stays else ())
             case Pictures():
                 chains = list(_take_section(items[place:]))
                 if not chains:
                     yield from filling.place_chain(heading)
                 passage = _prepend(heading, chains)
-                place += yield from _set_passage(_list_drawings(item), passage, filling)
-                heading = ()
+                place += yield from _set_passage(_list_drawings(item), passage, filling, above)
+                heading = above = ()
             case _:
                 assert_never(item)
     yield from filling.place_chain(heading)
@@ -150,11 +166,15 @@ def _begins_chapter(chain: Chain) -> bool:
 
 
 def _set_passage(
-    drawings: tuple[Drawing, ...], chains: Sequence[Chain], filling: _Filling
+    drawings: tuple[Drawing, ...], chains: Sequence[Chain], filling: _Filling, above: Chain
 ) -> Generator[Part, None, int]:
     """Rows of drawings with text beside them, and how many of the chains are used up; where a row
-    has no room on the page, the text goes on above it, except for what ends it.
+    has no room on the page, the text goes on above it, except for what ends it. What stands above
+    the drawings is on the page on which they or the text begin.
     """
+    first, _ = _choose_row(drawings, chains, filling.area.column)
+    text = map(filling.measure, chains[:1] if len(chains) > 1 else ())
+    yield from filling.place_chain(above, min((first.height, *text)) if above else 0.0)
     taken = 0
     while drawings:
         row, beside = _choose_row(drawings, chains[taken:], filling.area.column)
