@@ -17,6 +17,7 @@ from tests.figures.angle_flaws import find_angle_flaws
 from tests.figures.flaws import find_flaws, find_part_flaws
 from tests.figures.lettered_points import find_letter_flaws
 from tests.figures.on_paper import find_points_on_paper
+from tests.figures.radius_flaws import find_radius_flaws
 from tests.figures.support_flaws import find_support_flaws
 from tests.figures.svg_shapes import Picture, read_picture
 
@@ -39,7 +40,7 @@ class Printed:
         lettered = find_letter_flaws(self.picture, self.points)
         angles = find_angle_flaws(self.picture, self.points, self.hints.angles)
         drawn = find_flaws(self.picture) + find_support_flaws(self.picture)
-        return [*drawn, *measured, *lettered, *angles]
+        return [*drawn, *find_radius_flaws(self.picture), *measured, *lettered, *angles]
 
 
 def read_printed(solution: Solution) -> Printed:

@@ -33,6 +33,9 @@ _WITHIN_ANGLE = 12.0  # cost of an arrow between the sides of an angle, as if it
 # Cost of an arrow that reads as the distance of two circles, and millimetres from its tail to the
 # outer one
 _SPANNING, _AT_OUTER = 60.0, 2.6
+_NARROW = HEAD_LENGTH + 1.0  # millimetres of a ring that a head across it would fill
+# Cost of an arrow with its tail at another wheel, and millimetres between the two
+_FOREIGN, _AT_ANOTHER = 15.0, 2.0
 _INWARD = 9.0  # cost of an arrow at a large circle from outside, less than one firm line
 _AT_POINT = 3.0  # cost of a tip that hides a point on the rim
 # Millimetres beyond a rim in which a bar leaves a narrow wedge, and the cost of a tip beside one
@@ -83,9 +86,10 @@ def _add_radius(
         toward, outside = _seat_in_tooth(rim, angle), _seat_in_gap(rim, angle)
         leaning = _LEANING * any(toward.dot(line) > _LEAST_ANGLE for line in lines)
         inward = partial(RadiusFromOutside, rim.at, rim.radius, outside, symbol)
+        foreign = _FOREIGN * _starts_at_another(rim, outside, found)
         if rim.radius < _SMALL_RADIUS:
             spanning = _SPANNING * _spans_ring(rim, found)
-            marks.append(inward(leaning + spanning, rim.kind == "gear"))
+            marks.append(inward(leaning + spanning + foreign, rim.kind == "gear"))
             if not spanning:
                 continue
         demerit = leaning + _WITHIN_ANGLE * any(_lies_within(angle, arc) for arc in sectors)
@@ -94,16 +98,25 @@ def _add_radius(
         marks.append(_draw_from_centre(rim, found, at.values(), symbol, (toward, demerit)))
         large = rim.radius >= _SMALL_RADIUS
         if large and not rim.ring and rim.kind != "cam" and rim.find_arc() is None:
-            marks.append(inward(leaning + _INWARD, rim.kind == "gear"))
+            marks.append(inward(leaning + _INWARD + foreign, rim.kind == "gear"))
     return layout.marked(marks)
 
 
 def _spans_ring(rim: Rim, found: Iterable[Rim]) -> bool:
     """Whether an arrow from outside would go from a larger circle about the same centre to this
-    one, as if their distance were meant.
+    one, as if their distance were meant, or its head would fill the ring between them.
     """
     outer = (other.radius for other in found if length(other.at - rim.at) < NEAR)
-    return any(abs(radius - rim.radius - FROM_OUTSIDE) < _AT_OUTER for radius in outer)
+    rings = [radius - rim.radius for radius in outer if radius > rim.radius + NEAR]
+    return any(abs(ring - FROM_OUTSIDE) < _AT_OUTER or ring < _NARROW for ring in rings)
+
+
+def _starts_at_another(rim: Rim, toward: Vector, found: Iterable[Rim]) -> bool:
+    """Whether an arrow from outside would have its tail at another wheel, as if it were its radius.
+    """
+    tail = rim.at + toward * (rim.radius + FROM_OUTSIDE)
+    others = (other for other in found if not other.ring and length(other.at - rim.at) > NEAR)
+    return any(length(tail - other.at) < other.radius + _AT_ANOTHER for other in others)
 
 
 def _list_angles(rim: Rim) -> list[float]:
