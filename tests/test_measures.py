@@ -54,7 +54,7 @@ def test_lines_of_code_are_lines_without_docstrings_comments_and_blanks(tmp_path
 # did when fairness came to be bounded (mistakes, follow-through, papers alike hard) and when
 # mechanisms came to move (cycles)
 FAR = {
-    "syntax nodes": 716_100,
+    "syntax nodes": 716_600,
     "lines of code": 74_600,
     "syntax nodes a line": 9.63,
     "modules of more than 250 lines": 23,

@@ -43,6 +43,7 @@ def arc(start: float, sweep: float, radius: float = 5.0) -> Bow:
         replace(ALONE, rims=(6.0,)),
         replace(ALONE, discs=(DISC,)),
         replace(ALONE, lines=(pi / 3,)),
+        replace(ALONE, bars=((Vector(0.0, 4.0), Vector(5.0, 0.5)),)),
     ],
     ids=[
         "after the arc of an angle",
@@ -52,11 +53,17 @@ def arc(start: float, sweep: float, radius: float = 5.0) -> Bow:
         "beside a rim",
         "in a disc",
         "on a line to come",
+        "beyond a bar",
     ],
 )
 def test_an_arrow_that_could_be_misread_is_worse(company: Company) -> None:
     assert company.rate(arc(0, 70)) > ALONE.rate(arc(0, 70)) == 0
     assert company.rate(arc(0, 70)) > company.rate(arc(230, 70, 12.0)) == 0
+
+
+def test_a_bar_beside_an_arrow_or_at_its_pivot_does_not_part_them() -> None:
+    beside, from_pivot = (Vector(0.0, 9.0), Vector(9.0, 0.0)), (ORIGIN, Vector(9.0, 6.0))
+    assert replace(ALONE, bars=(beside, from_pivot)).rate(arc(0, 70)) == 0
 
 
 def test_two_arrows_one_right_after_the_other_read_as_one() -> None:

@@ -112,8 +112,7 @@ def _spans_ring(rim: Rim, found: Iterable[Rim]) -> bool:
 
 
 def _starts_at_another(rim: Rim, toward: Vector, found: Iterable[Rim]) -> bool:
-    """Whether an arrow from outside would have its tail at another wheel, as if it were its radius.
-    """
+    """Whether an arrow from outside would start at another wheel, as if it were its radius."""
     tail = rim.at + toward * (rim.radius + FROM_OUTSIDE)
     others = (other for other in found if not other.ring and length(other.at - rim.at) > NEAR)
     return any(length(tail - other.at) < other.radius + _AT_ANOTHER for other in others)

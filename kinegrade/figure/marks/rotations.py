@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from math import pi
 
 from kinegrade.figure.joints.symbol import find_fixed_pin
@@ -13,6 +13,7 @@ from kinegrade.figure.marks.turning_radii import BEYOND, RADII, ROOMY, order_rad
 from kinegrade.figure.mechanism.layers import Drawing
 from kinegrade.figure.mechanism.straight_parts import Bar, Rod
 from kinegrade.figure.placing.layout import Layout
+from kinegrade.figure.placing.obstacles import Segment
 from kinegrade.figure.placing.place import Wish
 from kinegrade.figure.plane import NEAR, angle_of, length, mean, shorter_way
 from kinegrade.figure.scene import THIN, Bow, Disc, Primitive
@@ -98,7 +99,15 @@ def _find_company(
         tuple(rim.radius for rim in foreign if length(rim.at - centre) < NEAR),
         lines,
         tuple(rim for rim in foreign if not rim.ring and length(rim.at - centre) > rim.radius),
+        tuple(_list_bars(drawing, hint.body)),
     )
+
+
+def _list_bars(drawing: Drawing, body: str) -> Iterator[Segment]:
+    """The axes of bars of other bodies."""
+    for part in drawing.parts:
+        if isinstance(part, Bar | Rod) and part.body != body:
+            yield part.start, part.end
 
 
 def _list_absolute_arrows(

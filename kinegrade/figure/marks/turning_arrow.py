@@ -37,7 +37,8 @@ _FOREIGN = 4.5  # millimetres between an arrow and the rim of another body, 1 de
 # Millimetres between an arrow and the line that a dimension may draw from its pivot, and the
 # demerit of less
 _BESIDE_LINE, _ON_LINE = 1.5, 5.0
-_ASTRAY = 6.0  # demerit of an arrow in the disc of another body
+# Demerits of an arrow in the disc of another body, and of one with another body's bar before it
+_ASTRAY, _BEYOND_BAR = 6.0, 12.0
 # Demerits of a symbol about as near to another arrow, or on the other side of a circle
 # or a bar
 _MISTAKEN, _CUT_OFF = 6.0, 9.0
@@ -48,7 +49,8 @@ _STATIONS = 0.25  # radians between the points of an arrow to which its symbol s
 class Company:
     """What else there is about the pivot of an arrow: the arcs of angles, other arrows, the radii
     of other bodies' rims (millimetres), the directions (radians) in which dimension lines may
-    need a line from the pivot, and the other bodies' discs that do not lie over the pivot.
+    need a line from the pivot, the other bodies' discs that do not lie over the pivot, and bars
+    that do not lead to it.
     """
 
     arcs: tuple[Bow, ...]
@@ -56,6 +58,7 @@ class Company:
     rims: tuple[float, ...]
     lines: tuple[float, ...]
     discs: tuple[Rim, ...] = ()
+    bars: tuple[Segment, ...] = ()
 
     def rate(self, bow: Bow) -> float:
         """The demerit of an arrow in this company."""
@@ -65,6 +68,7 @@ class Company:
             + sum(max(0.0, _FOREIGN - abs(bow.radius - radius)) for radius in self.rims)
             + sum(_ON_LINE for angle in self.lines if _measure_gap(bow, angle) < _BESIDE_LINE)
             + sum(_ASTRAY for disc in self.discs if _stands_in(bow, disc))
+            + sum(_BEYOND_BAR for bar in self.bars if _stands_beyond(bow, bar))
         )
 
 
@@ -129,6 +133,15 @@ def _rate_arc(bow: Bow, arc: Bow) -> float:
     nested = between < 0 and 0 < room < _ROOM
     alike = abs(room) < _APART and between < _ALONG
     return _STACKED * nested + _MERGED * alike
+
+
+def _stands_beyond(bow: Bow, bar: Segment) -> bool:
+    """Whether a bar passes between an arrow and its pivot, as if that turned."""
+    middle = bow.centre + polar(bow.start + bow.sweep / 2, bow.radius)
+    start, end = bar
+    way, along = middle - bow.centre, end - start
+    apart = way.cross(start - bow.centre) * way.cross(end - bow.centre) < 0
+    return bool(apart and along.cross(bow.centre - start) * along.cross(middle - start) < 0)
 
 
 def _stands_in(bow: Bow, disc: Rim) -> bool:
