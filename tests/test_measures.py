@@ -56,7 +56,7 @@ def test_lines_of_code_are_lines_without_docstrings_comments_and_blanks(tmp_path
 FAR = {
     "syntax nodes": 716_600,
     "lines of code": 74_600,
-    "syntax nodes a line": 9.63,
+    "syntax nodes a line": 9.64,
     "modules of more than 250 lines": 23,
 }
 COPIED = """
