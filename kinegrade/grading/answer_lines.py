@@ -40,6 +40,7 @@ def write_marks(folder: MarksWriter, blocks: Iterable[MarkedBlock]) -> Iterator[
                 if paper.put:
                     put += list_put_rows(block.asks, paper)
             yield block
+            del block, paper  # so that the next takes its place
     folder.put(put)
 
 

@@ -38,7 +38,8 @@ from kinegrade.language.message import Text
 from kinegrade.marks_folder.rows import Grade, Submission
 from kinegrade.numbers.amounts import add_amounts
 
-_BLOCK = 1000  # papers marked together
+_BLOCK, _LARGE_BLOCK = 500, 1000  # papers marked together: more take less time, and more memory
+_LARGE = 10_000  # papers; such a class takes that memory anyway
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,14 +77,14 @@ def mark_blocks(exam: Sitting, sheet: Sheet, terms: MarkingTerms) -> Iterator[Ma
     """
     last = (entries[-1].responses for entries in sheet.entries.values())
     styles, policy = find_file_style(last, terms.decimal), terms.policy
-    papers = PapersAnswered(exam)
-    judge = BlockJudge(papers, policy, terms.alternatives, styles, terms.follows)
+    judge = BlockJudge(PapersAnswered(exam), policy, terms.alternatives, styles, terms.follows)
     asks = tuple(policy.ruling(ask.column).ask(ask) for ask in exam.asks)
     submissions = Submissions(policy.penalties)
     marker = _Marker(sheet, judge, asks, add_counted(asks), terms.pool, submissions, terms.by_hand)
-    each = exam.papers()
-    while block := list(islice(each, _BLOCK)):
+    each, size = exam.papers(), _BLOCK if len(exam.students) < _LARGE else _LARGE_BLOCK
+    while block := list(islice(each, size)):
         yield marker.block(block)
+        del block  # so that the next takes its place
 
 
 @dataclass(frozen=True, slots=True)

@@ -97,6 +97,7 @@ def collect_grades(exam: Sitting, sheet: Sheet, blocks: Iterable[MarkedBlock]) -
         complaints += block.complaints
         for reason, alike in block.general.items():
             general[reason] += alike
+        del block  # so that the next takes its place
     complaints += map(_merge_complaints, general.values())
     complaints.sort(key=_find_place)
     return ClassGrades(list_questions(exam.asks), tuple(grades), tuple(complaints))

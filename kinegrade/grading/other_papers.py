@@ -60,6 +60,7 @@ class OtherPapers:
             self.rows.append(judged.cells.values.reshape(-1, width))
             self.right.append(right.reshape(-1, width))
             yield block
+            del block, judged, is_number, right  # so that the next takes its place
 
     def refuse(self, exam: ExamFolder, file: str) -> None:
         """Raises ExamError where most answers fit papers other than those by which they are

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import gc
 import json
 from collections.abc import Iterable
 from dataclasses import replace
@@ -22,6 +23,8 @@ from kinegrade.exam.folder.contents import KEY, KEY_COLUMNS
 from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.files.tables import parse_table
 from kinegrade.grading import marking
+from kinegrade.grading.fast.block_judge import BlockJudge
+from kinegrade.grading.fast.judged_block import JudgedBlock
 from kinegrade.grading.grade import MarkingWishes, grade
 from kinegrade.grading.judging.follow import Follows
 from kinegrade.grading.judging.trivial_answers import Own
@@ -209,6 +212,21 @@ def test_the_size_of_blocks_changes_nothing(
         )
         texts.append({file.name: file.read_bytes() for file in folder.iterdir()})
     assert texts[0] == texts[1] == texts[2]
+
+
+def test_a_block_is_let_go_before_the_next(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    write_class(tmp_path, Random(5), 8)
+    held: list[int] = []
+    judged = BlockJudge.judged
+
+    def count_held(*given: Any) -> JudgedBlock:
+        held.append(sum(type(each) is JudgedBlock for each in gc.get_objects()))
+        return judged(*given)
+
+    monkeypatch.setattr(marking, "_BLOCK", 2)
+    monkeypatch.setattr(BlockJudge, "judged", count_held)
+    grade(open_exam(tmp_path), tmp_path / "answers.csv", tmp_path / "MARKS")
+    assert held == [0, 0, 0, 0]
 
 
 def test_follow_through_is_asked_about_only_after_two_errors(tmp_path: Path) -> None:

@@ -47,6 +47,7 @@ class HandMarking:
                 if marks := self.by_hand.get(paper.student):
                     self._note(block, row, marks)
             yield block
+            del block  # so that the next takes its place
 
     def _note(self, block: MarkedBlock, row: int, marks: Mapping[str, HandMark]) -> None:
         """Notes what the machine gave to the asks that a person marked in a row."""

@@ -25,7 +25,7 @@ from kinegrade.marks_folder.rows import QuestionSums, StudentSums
 _Places = NDArray[np.intp]
 _Letters = NDArray[np.uint8]
 
-_BLOCK = 2**19  # bytes
+_BLOCK = 2**18  # bytes
 _ALL = slice(None)
 _LONGEST = 64  # bytes of a cell that is compared: a longer one would make all as long
 _BEHIND = b"\0" * _LONGEST

@@ -63,6 +63,7 @@ class KeyColumns:
                 for row in range(len(part.terms)):
                     owner = next(candidates)
                     yield Paper(owner.student, owner.name, PartKeys(part, row))
+                del part  # so that the next takes its place
 
 
 def find_columns(path: Path, key: Path, head: ExamHead) -> KeyColumns | None:
