@@ -70,12 +70,11 @@ class Findings:
     `aligned` pairs of lines that have been said to be parallel or normal at this instant; `sized`
     the symbols of vectors known by components whose magnitude has been given as well; `directed`
     the Coriolis accelerations whose direction has been said; `arms` the distances of two points
-    that have been worked out; `turned` the printed symbols of answers that count in the question's
-    sense, opposite to that of their step; `places_alone` whether all answers are places of poles
-    that normals lead to, so that speeds are left out; `seen` the directions that triangles have
-    given, each from one point to another; `poles_sought` the bodies about whose poles answers are;
-    `distances` the printed symbols of the distances of poles that have been worked out; `corners`
-    the letters of polygons that have been explained; `told` the formulas within sentences.
+    that have been worked out; `places_alone` whether all answers are places of poles that normals
+    lead to, so that speeds are left out; `seen` the directions that triangles have given, each from
+    one point to another; `poles_sought` the bodies about whose poles answers are; `distances` the
+    printed symbols of the distances of poles that have been worked out; `corners` the letters of
+    polygons that have been explained; `told` the formulas within sentences.
     """
 
     facts: dict[Key, Fact] = field(default_factory=dict)
@@ -89,7 +88,6 @@ class Findings:
     directed: set[VectorSymbol] = field(default_factory=set)
     aligned: set[frozenset[frozenset[str]]] = field(default_factory=set)
     arms: dict[frozenset[str], Symbol] = field(default_factory=dict)
-    turned: set[Row] = field(default_factory=set)
     seen: dict[tuple[Expression, Expression], Seen] = field(default_factory=dict)
     coriolis: Literal["C", "Cor"] = "C"
     places_alone: bool = False

@@ -38,3 +38,11 @@ def test_it_is_said_in_the_language_of_the_page(language: Language, start: str) 
     blocks = told(solve_template(load_template("geneva-drive"), {}), language=language)
     (found,) = (text for text in proses(blocks) if r"\varphi + \psi_{CP} =" in text)
     assert found.startswith(start)
+
+
+def test_a_sum_is_worked_out_once_though_its_doubles_differ() -> None:
+    """Two projections found the same angle, apart in the last place of a double."""
+    given = {"l_OA": "10", "l_OB": "45", "l_BD": "30", "phi": "30", "omega_0": "5"}
+    name = "crank-bar-through-sleeve-with-arm"
+    said = proses(told(solve_template(load_template(name), given)))
+    assert sum(r"\varphi + \psi_{BA} =" in text for text in said) == 1

@@ -45,11 +45,11 @@ def test_a_value_against_its_positive_sense_says_which_way_the_vector_points() -
 def test_an_answer_in_the_opposite_sense_names_the_convention_of_the_question(
     language: Language, convention: str
 ) -> None:
-    """One symbol is not set equal to its own size: v_r = -|v_r|."""
+    """One symbol has one value: v_r was -0.45 m/s by the step, then 0.45 m/s."""
     blocks = kept("eccentric-cam-offset-follower", language=language)
     place = next(number for number, block in enumerate(blocks) if convention in proses([block]))
     value = displayed([blocks[place + 1]])[0].replace("{,}", ".")
-    assert value.startswith(r"v_{\mathrm{r}} &= 0.45\,\unit{m/s}")
+    assert value.startswith(r"-v_{\mathrm{r}} &= 0.45\,\unit{m/s}")
 
 
 @pytest.mark.parametrize(

@@ -87,13 +87,13 @@ def _note_size(ask: Ask, case: Case) -> None:
 
 def _count_as_asked(ask: Ask, case: Case) -> Iterator[Block]:
     """An answer that a step has given under the same symbol with the opposite positive sense: the
-    question's, and the value in it, as decimals where it has been rounded.
+    question's, and the value in it, as decimals where it has been rounded; the symbol keeps its
+    own sense, so that it has one value.
     """
     symbol, value = read_symbol(ask.symbol), state_value(ask, case)
     rounded = tuple(link for link in value if link.relation == r"\approx")
-    case.findings.turned.add(symbol.print())
     yield case.say(_name_convention(ask, case))
-    yield case.show(Equation(symbol, rounded or value))
+    yield case.show(Equation(-symbol, rounded or value))
 
 
 def _name_convention(ask: Ask, case: Case) -> Message:

@@ -79,7 +79,8 @@ class AnswerBoxes:
 
 def _make_sought(ask: Ask, case: Case) -> _Sought:
     symbol, answer = read_symbol(ask.symbol), case.solution.answers[ask.name]
-    letters = frozenset((symbol.print(case.notation), abs(symbol).print(case.notation)))
+    written = (symbol, -symbol, abs(symbol))
+    letters = frozenset(one.print(case.notation) for one in written)
     if answer.at_infinity:
         return _Sought(letters, {INFINITY.print(): (Accent("boxed", INFINITY.print()),)})
     value, in_metres = state_quantity(answer), state_value(ask, case)

@@ -28,7 +28,6 @@ from kinegrade.worked.rates.speeds import (
 )
 from kinegrade.worked.senses import describe_direction
 from kinegrade.worked.vectors.known_vectors import find_positive_sense, find_stated_sense
-from kinegrade.worked.vectors.magnitudes import is_turned
 from kinegrade.worked.vectors.stage import measure_along_direction
 from kinegrade.worked.vectors.vectors import UNITS
 
@@ -142,8 +141,6 @@ def _state_rotation(
     other = find_rotation_value(roll.of, case, level)
     symbol: Formula = name_speed(term, case, level)
     value = measure_along_direction(term, case, level) * find_stated_sense(term, case, level)
-    if is_turned(symbol, case):
-        symbol = abs(symbol).signed(1 if double(value) > 0 else -1)
     turned = (symbol.size / _state_radius(roll, case)).signed(sign * symbol.sign)
     carried = name_rotation(roll.of, case, level)
     symbols = add_terms((carried, turned) if carried != ZERO else (turned,))

@@ -12,6 +12,8 @@ from kinegrade.worked.formulas.equation import Equation, approximate, equate
 from kinegrade.worked.formulas.numbers import state_angle
 from kinegrade.worked.vectors.inclinations import Cosine
 
+_PLACES = 6  # decimals of a degree by which angles are told apart
+
 
 def explain_sums(cosines: Iterable[Cosine | None], case: Case) -> Iterator[Block]:
     """What the angles in some cosines come to where they are sums that are not read at a glance:
@@ -28,8 +30,9 @@ def _select_new(cosines: Iterable[Cosine | None], said: set[frozenset[float]]) -
     for one in cosines:
         if one is None or not any(map(_is_rounded, one.summands)):
             continue
-        if frozenset(one.summands) not in said:
-            said.add(frozenset(one.summands))
+        angles = frozenset(round(angle, _PLACES) for angle in one.summands)
+        if angles not in said:
+            said.add(angles)
             yield one
 
 

@@ -18,7 +18,6 @@ from kinegrade.worked.formulas.numbers import measure, state_number
 from kinegrade.worked.vectors.components import find_heading
 from kinegrade.worked.vectors.facts import make_key
 from kinegrade.worked.vectors.inclinations import Inclination, find_cosine
-from kinegrade.worked.vectors.magnitudes import is_turned
 from kinegrade.worked.vectors.summands import name_component
 
 
@@ -80,11 +79,8 @@ def project_components(
 
 
 def _state_piece(piece: Piece, case: Case, *, in_numbers: bool) -> Formula:
-    """A piece along its positive sense: its symbol, between bars with a sign where that has
-    another sense, or its number.
-    """
+    """A piece along its positive sense: its symbol, or its number."""
+    if not in_numbers:
+        return piece.symbol
     sign = -1 if double(piece.value.dot(piece.positive)) < 0 else 1
-    if in_numbers:
-        return measure(length(piece.value, case.arithmetic) * sign, piece.symbol.unit)
-    symbol: Formula = piece.symbol
-    return abs(symbol).signed(sign) if is_turned(symbol, case) else symbol
+    return measure(length(piece.value, case.arithmetic) * sign, piece.symbol.unit)

@@ -31,7 +31,6 @@ from kinegrade.worked.vectors.inclinations import (
     name_axis,
 )
 from kinegrade.worked.vectors.known_vectors import list_ways
-from kinegrade.worked.vectors.magnitudes import is_turned
 from kinegrade.worked.vectors.summands import PLACES, Summand, add_summands, name_component
 from kinegrade.worked.vectors.vectors import UNITS
 
@@ -85,9 +84,6 @@ def _project(piece: Piece, axis: AxisName, case: Case) -> tuple[Summand, ...] | 
         return ()
     sign = 1 - quarters if cosine is None else cosine.sign
     formula: Formula = piece.symbol
-    if is_turned(piece.symbol, case):
-        sign = -sign if double(piece.value.dot(piece.positive)) < 0 else sign
-        formula = abs(formula)
     if cosine is not None:
         formula = formula * cosine.state(False)
     number = measure(piece.value[PLACES[axis]] * sign, piece.symbol.unit)

@@ -51,8 +51,7 @@ def state_magnitude(equation: VectorEquation, part: Part, case: Case) -> Formula
             omega = _find_omega(case, term.frame)
             speed = case.motion.rates[term.rate]
             turned = _take_size(case.naming.omega(term.frame), omega)
-            size = _take_size(relative, speed)
-            return TWO * turned * (abs(relative) if is_turned(relative, case) else size)
+            return TWO * turned * _take_size(relative, speed)
         case "absolute" | "transport" | "relative" | "rotation":
             return _state_term_magnitude(equation, part, term, case)
         case _:
@@ -110,11 +109,6 @@ def _name_speed(equation: VectorEquation, part: Part, case: Case) -> Formula:
 def _take_size(symbol: Formula, value: Any) -> Formula:
     """A symbol, between bars where its value is negative."""
     return symbol if float(value) >= 0 else abs(symbol)
-
-
-def is_turned(symbol: Formula, case: Case) -> bool:
-    """Whether a symbol has been given a second sense, that of the question."""
-    return symbol.print() in case.findings.turned
 
 
 def _find_omega(case: Case, body: str) -> Any:
