@@ -54,8 +54,8 @@ def test_lines_of_code_are_lines_without_docstrings_comments_and_blanks(tmp_path
 # did when fairness came to be bounded (mistakes, follow-through, papers alike hard) and when
 # mechanisms came to move (cycles)
 FAR = {
-    "syntax nodes": 716_600,
-    "lines of code": 74_600,
+    "syntax nodes": 722_000,
+    "lines of code": 75_200,
     "syntax nodes a line": 9.64,
     "modules of more than 250 lines": 23,
 }

@@ -27,7 +27,6 @@ from kinegrade.marks_folder.folder import MarksFolder
 from kinegrade.marks_folder.layout import CHANGES
 from kinegrade.public.folders import expect_own_place
 from kinegrade.public.marking_notes import (
-    describe_absent,
     describe_by_hand,
     describe_grades,
     describe_lapsed,
@@ -163,7 +162,6 @@ def grade(
     marks = MarksFolder(place)  # was checked before it was put there
     written = [
         *list_written(grades, place, kept=options.never_lower is not None),
-        *describe_absent(grades),
         *lapsed,
         *describe_by_hand(grades, marks),
         *describe_subtracted(marks),

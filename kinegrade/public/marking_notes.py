@@ -35,14 +35,6 @@ def describe_lapsed(folders: Iterable[Path]) -> Iterator[Message]:
             yield Message("terminal.policy-lapsed", file=str(file), keys=list_plainly(stated))
 
 
-def describe_absent(grades: ClassGrades) -> Iterator[Message]:
-    """Who answered nothing at all, where anybody did: perhaps the wrong file was given."""
-    absent = [each.student for each in grades.grades if each.absent]
-    if absent:
-        names = list_first(absent, _MOST_NAMED)
-        yield Message("terminal.absent", count=len(absent), all=len(grades.grades), names=names)
-
-
 def describe_by_hand(grades: ClassGrades, marks: MarksFolder) -> Iterator[Problem]:
     """What hands marked, and what they still have to mark."""
     yield from grades.notes
@@ -91,7 +83,7 @@ def describe_grades(
 
 
 def list_written(marks: ClassGrades, output: Path, *, kept: bool) -> Iterator[Message]:
-    """What was written, one line each."""
+    """What was written, one line each; and who has no answer in it."""
     complaints = Message("terminal.complaints", count=len(marks.complaints))
     yield Message(
         "terminal.marked", folder=str(output), count=len(marks.grades), complaints=complaints
@@ -99,3 +91,12 @@ def list_written(marks: ClassGrades, output: Path, *, kept: bool) -> Iterator[Me
     if kept:
         who = sum(each.kept is not None for each in marks.grades)
         yield Message("terminal.kept-totals", file=str(output / KEPT.name), count=who)
+    yield from _describe_absent(marks)
+
+
+def _describe_absent(grades: ClassGrades) -> Iterator[Message]:
+    """Who answered nothing at all, where anybody did: perhaps the wrong file was given."""
+    absent = [each.student for each in grades.grades if each.absent]
+    if absent:
+        names = list_first(absent, _MOST_NAMED)
+        yield Message("terminal.absent", count=len(absent), all=len(grades.grades), names=names)

@@ -23,20 +23,28 @@ from kinegrade.language.terminal_lines import align
 
 _WHOLE = "*"  # in place of an ask: the student has no row
 _NO_ROW = "–"
+_BESIDE = " | "  # between the cells of a student's several rows
+
+
+@dataclass(frozen=True, slots=True)
+class TypedCell:
+    """What was typed, and the line on which it stands, None where none is known."""
+
+    text: str
+    line: int | None
 
 
 @dataclass(frozen=True, slots=True)
 class EntryDifference:
-    """A cell that differs: `first` and `second` are what was typed, and the lines on which it
-    stands; None where the student has no row. `ask` is its column, "" for a whole row.
+    """An answer that differs: `first` and `second` are the cells of each file, one for each of the
+    student's rows there; none where the student has no row. `ask` is its column, "" for a whole
+    row.
     """
 
     student: str
     ask: str
-    first: str
-    second: str
-    first_line: int | None
-    second_line: int | None
+    first: tuple[TypedCell, ...]
+    second: tuple[TypedCell, ...]
 
 
 @dataclass(frozen=True)
@@ -58,7 +66,7 @@ def compare_parts(
 ) -> DoubleEntry:
     """Two files of the same exam, as far as its students have a row in either."""
     styles = _find_style(first), _find_style(second)
-    comparer = _Comparer(first, second, asks, styles)
+    comparer = _Comparer(asks, styles)
     differences: list[EntryDifference] = []
     answers: dict[str, tuple[str, ...]] = {}
     agreed = 0
@@ -66,13 +74,15 @@ def compare_parts(
         one, other = first.entries.get(student, ()), second.entries.get(student, ())
         if not one and not other:
             continue
-        differences += comparer.find(student, one, other)
+        found = list(comparer.find(student, one, other))
+        differences += found
         if one and other:
-            cells = one[-1].responses
-            answers[student] = cells
-            agreed += sum(map(is_answered, cells))
-    differing = {(each.student, each.ask) for each in differences if each.ask}
-    agreed -= sum(is_answered(answers[who][comparer.place(ask)]) for who, ask in differing)
+            cells = answers[student] = one[-1].responses
+            differing = {each.ask for each in found}
+            agreed += sum(
+                is_answered(cell) and ask.column not in differing
+                for cell, ask in zip(cells, asks, strict=True)
+            )
     return DoubleEntry(
         (first.file, second.file),
         tuple(ask.column for ask in asks),
@@ -85,38 +95,35 @@ def compare_parts(
 
 @dataclass(frozen=True, slots=True)
 class _Comparer:
-    first: Part
-    second: Part
     asks: Sequence[Ask]
     styles: tuple[FileStyle, FileStyle]
-
-    def place(self, column: str) -> int:
-        """The place of an ask among all."""
-        return [ask.column for ask in self.asks].index(column)
 
     def find(
         self, student: str, one: Sequence[Entry], other: Sequence[Entry]
     ) -> Iterator[EntryDifference]:
-        """What differs for a student; rows that stand twice are compared among themselves, too."""
+        """What differs for a student: between the files, or between several rows in one."""
         if not one or not other:
-            lines = [entries[-1].line if entries else None for entries in (one, other)]
-            yield EntryDifference(student, "", "", "", *lines)
+            cells = (tuple(TypedCell("", each.line) for each in rows) for rows in (one, other))
+            yield EntryDifference(student, "", *cells)
             return
-        last, (left, right) = (one[-1], other[-1]), self.styles
-        pairs = [(entry, last[0], left, left) for entry in one[:-1]]
-        pairs += [(entry, last[1], right, right) for entry in other[:-1]]
-        for pair in [*pairs, (*last, left, right)]:
-            yield from self._compare(student, *pair)
-
-    def _compare(
-        self, student: str, one: Entry, other: Entry, left: FileStyle, right: FileStyle
-    ) -> Iterator[EntryDifference]:
-        styles = left.of_row(one.responses), right.of_row(other.responses)
+        (left, right), last = self.styles, one[-1]
+        rows = [*((each, left) for each in one), *((each, right) for each in other)]
         for number, ask in enumerate(self.asks):
-            cells = one.responses[number], other.responses[number]
-            if not are_same(*cells, ask.unit, styles):
-                lines = one.place(number).line, other.place(number).line
-                yield EntryDifference(student, ask.column, *cells, *lines)
+            if not all(self._agree(number, (last, left), row) for row in rows):
+                typed = (tuple(_find_cell(each, number) for each in rows) for rows in (one, other))
+                yield EntryDifference(student, ask.column, *typed)
+
+    def _agree(
+        self, number: int, one: tuple[Entry, FileStyle], other: tuple[Entry, FileStyle]
+    ) -> bool:
+        """Whether an answer is the same in two rows, each read as its file writes numbers."""
+        cells = [row.responses[number] for row, _ in (one, other)]
+        styles = [style.of_row(row.responses) for row, style in (one, other)]
+        return are_same(cells[0], cells[1], self.asks[number].unit, (styles[0], styles[1]))
+
+
+def _find_cell(entry: Entry, number: int) -> TypedCell:
+    return TypedCell(entry.responses[number], entry.place(number).line)
 
 
 def _find_style(part: Part) -> FileStyle:
@@ -131,8 +138,8 @@ def write_double_entry_text(compared: DoubleEntry, words: Catalogue) -> str:
         (
             show_in_one_line(each.student),
             each.ask or _WHOLE,
-            *_show(each.first, each.first_line),
-            *_show(each.second, each.second_line),
+            *_show(each.first),
+            *_show(each.second),
         )
         for each in compared.differences
     ]
@@ -146,11 +153,12 @@ def encode_agreed(compared: DoubleEntry) -> bytes:
     return encode_for_people(write_csv_text(("student", *compared.columns), rows))
 
 
-def _show(cell: str, line: int | None) -> tuple[str, str]:
-    """A cell and its line, as they are shown."""
-    if line is None:
+def _show(cells: Sequence[TypedCell]) -> tuple[str, str]:
+    """The cells of a file and their lines, as they are shown."""
+    if not cells:
         return _NO_ROW, ""
-    return show_in_one_line(shorten(trim(cell))), str(line)
+    texts = _BESIDE.join(show_in_one_line(shorten(trim(each.text))) for each in cells)
+    return texts, _BESIDE.join(str(each.line) for each in cells)
 
 
 def _summarise(compared: DoubleEntry) -> Listing:

@@ -70,7 +70,15 @@ def test_without_the_exam_sheets_are_compared_by_their_headers(tmp_path: Path) -
 
 def test_a_student_who_stands_twice_in_a_file_is_compared_with_himself(tmp_path: Path) -> None:
     _, rows, _ = compare(tmp_path, f"{HEAD}007,4,5,6\n007,4,9,6\n", f"{HEAD}007,4,9,6\n")
-    assert rows == [["007", "q1.omega_AB", "5", "2", "9", "3"]]
+    assert rows == [["007", "q1.omega_AB", "5", "|", "9", "2", "|", "3", "9", "2"]]
+
+
+def test_a_row_that_stands_twice_in_the_second_file_is_told_as_that_file_s_and_counted_once(
+    tmp_path: Path,
+) -> None:
+    _, rows, summary = compare(tmp_path, f"{HEAD}007,1,2,\n", f"{HEAD}007,1,2,\n007,3,2,\n")
+    assert rows == [["007", "q1.v_B", "1", "2", "1", "|", "3", "2", "|", "3"]]
+    assert summary == "1 cell differs; 1 filled cell agrees"
 
 
 def test_a_workbook_and_a_long_table_are_compared_by_the_exam(

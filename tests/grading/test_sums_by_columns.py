@@ -101,6 +101,14 @@ def test_changed_bytes_are_found_as_in_records(
     assert by_columns == by_records
 
 
+@settings(deadline=None)
+@given(LINES, st.sampled_from((1, 40, 10**6)))
+@example([("007", "q1", "1", "3", "3")], 10**6)
+def test_a_last_line_without_its_end_counts(lines: list[Line], block: int) -> None:
+    by_columns, by_records = both_ways(write_lines(lines).removesuffix(b"\n"), block)
+    assert by_columns == by_records
+
+
 def test_files_of_this_version_are_summed_by_columns() -> None:
     lines = [("007", "q1", typed, "3", "3") for typed in TYPED if "\r" not in typed]
     with TemporaryDirectory() as name:

@@ -67,9 +67,9 @@ def read_students(path: Path, add_up: AddUp) -> Iterator[StudentSums]:
             else:
                 left = block.text
     block = _Block.of(left)
-    yield from block.list_students(np.append(block.find_students(), len(block.ends)), line, adding)
-    if len(block.text) > block.find_begin(len(block.ends)):
+    if len(block.text) > block.find_begin(len(block.ends)):  # a last line without its end
         raise OddTextError
+    yield from block.list_students(np.append(block.find_students(), len(block.ends)), line, adding)
 
 
 @dataclass(frozen=True, slots=True)
