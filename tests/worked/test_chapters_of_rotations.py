@@ -71,11 +71,11 @@ def test_meshing_seen_from_the_carrier() -> None:
         Given: the angular velocity of the arm $OA$.
         \omega_{OA} &= 2\,\unit{rad/s}\quad\text{(counter-clockwise)}
         Given: the angular velocity of the sun gear.
-        \omega_{\text{sun gear}} &= -3\,\unit{rad/s}\quad\text{(clockwise)}
+        \omega_{\text{sun}} &= -3\,\unit{rad/s}\quad\text{(clockwise)}
         ## The planet gear meshes with the sun gear
         Relative to the arm $OA$ the pitch circles have equal speeds at the contact:
-        1\,\unit{m} \cdot (\omega - \omega_{OA}) &= -2\,\unit{m} \cdot (\omega_{\text{sun gear}} - \omega_{OA})
-        \omega &= \omega_{OA} - \frac{2\,\unit{m}}{1\,\unit{m}} \cdot (\omega_{\text{sun gear}} - \omega_{OA}) =
+        1\,\unit{m} \cdot (\omega - \omega_{OA}) &= -2\,\unit{m} \cdot (\omega_{\text{sun}} - \omega_{OA})
+        \omega &= \omega_{OA} - \frac{2\,\unit{m}}{1\,\unit{m}} \cdot (\omega_{\text{sun}} - \omega_{OA}) =
             2\,\unit{rad/s} - \frac{2\,\unit{m}}{1\,\unit{m}} \cdot (-3\,\unit{rad/s} -
             2\,\unit{rad/s}) = 12\,\unit{rad/s}\quad\text{(counter-clockwise)}
         """
@@ -89,12 +89,12 @@ def test_meshing_of_angular_accelerations() -> None:
         Given: the angular acceleration of the arm $OA$.
         \alpha_{OA} &= 0
         Given: the angular acceleration of the sun gear.
-        \alpha_{\text{sun gear}} &= 4\,\unit{rad/s^2}\quad\text{(counter-clockwise)}
+        \alpha_{\text{sun}} &= 4\,\unit{rad/s^2}\quad\text{(counter-clockwise)}
         ## The planet gear meshes with the sun gear
         Relative to the arm $OA$ the pitch circles always have equal speeds at the contact;
             differentiated with respect to time:
-        1\,\unit{m} \cdot (\alpha - \alpha_{OA}) &= -2\,\unit{m} \cdot (\alpha_{\text{sun gear}} - \alpha_{OA})
-        \alpha &= \alpha_{OA} - \frac{2\,\unit{m}}{1\,\unit{m}} \cdot (\alpha_{\text{sun gear}} - \alpha_{OA}) =
+        1\,\unit{m} \cdot (\alpha - \alpha_{OA}) &= -2\,\unit{m} \cdot (\alpha_{\text{sun}} - \alpha_{OA})
+        \alpha &= \alpha_{OA} - \frac{2\,\unit{m}}{1\,\unit{m}} \cdot (\alpha_{\text{sun}} - \alpha_{OA}) =
             -\frac{2\,\unit{m}}{1\,\unit{m}} \cdot 4\,\unit{rad/s^2} = -8\,\unit{rad/s^2}\quad\text{(clockwise)}
         """
     )
@@ -104,7 +104,7 @@ def test_a_ratio_of_rates() -> None:
     solution = solve_small(PLANETS, i="omega(planet)/omega(arm) in 1")
     assert not find_untold(
         r"""
-        i &= \frac{\omega_{\text{planet gear}}}{\omega_{OA}} = \frac{12\,\unit{rad/s}}{2\,\unit{rad/s}} = 6
+        i &= \frac{\omega_{\text{planet}}}{\omega_{OA}} = \frac{12\,\unit{rad/s}}{2\,\unit{rad/s}} = 6
         """,
         solution,
     )

@@ -46,6 +46,30 @@ def test_a_body_is_called_by_its_letters_or_by_its_kind(
 
 
 @pytest.mark.parametrize(
+    ("template", "body", "letters"),
+    [
+        # their n_P and n_C are asked
+        ("differential-epicyclic-train", "planet", r"\omega_{P}"),
+        ("two-stage-belt-drive", "dynamo", r"\omega_{C}"),
+    ],
+)
+def test_an_angular_velocity_has_the_index_of_the_rotational_speed(
+    template: str, body: str, letters: str
+) -> None:
+    naming = Naming(load_template(template), Language("en"))
+    assert write_row(naming.omega(body).print()) == letters
+
+
+@pytest.mark.parametrize(
+    ("language", "body", "letters"),
+    [("en", "planet", "planet"), ("de", "cam", "Kurve"), ("de", "pulley", "Scheibe")],
+)
+def test_a_word_in_a_subscript_is_short(language: Language, body: str, letters: str) -> None:
+    naming = Naming(load_template("slider-crank"), language)
+    assert write_row(naming.letters(body)) == rf"\text{{{letters}}}"
+
+
+@pytest.mark.parametrize(
     ("template", "ask", "poles"),
     [
         ("stone-crusher", "EC1", {"C_{1}"}),

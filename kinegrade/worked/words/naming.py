@@ -21,6 +21,7 @@ from kinegrade.mechanics.vector_equation import Level
 from kinegrade.problem.template.notation import write_point_symbol
 from kinegrade.problem.template.template import Template
 from kinegrade.worked.formulas.atoms import Symbol
+from kinegrade.worked.formulas.rotational_speeds import is_rotational_speed
 from kinegrade.worked.formulas.symbols import (
     begins_with_letter,
     index_letter,
@@ -201,9 +202,13 @@ class Naming:
         return Symbol((Lettering("mathrm", letters.row),)) if set(name) <= set("IV") else letters
 
     def _list_asked_rotations(self) -> Iterator[tuple[str, str, Symbol]]:
-        """What asks call the rotations of bodies: omega or alpha, the body, the symbol."""
+        """What asks call the rotations of bodies: omega or alpha, the body, the symbol; of a
+        rotational speed n_P the angular velocity omega_P.
+        """
         for ask in self.template.asks.values():
             symbol, tree = read_symbol(ask.symbol), ask.quantity
+            if is_rotational_speed(symbol, ask.unit) and symbol != read_symbol("n"):
+                symbol = replace_letter(symbol, "omega")
             if not isinstance(tree, Call) or len(tree.arguments) != 1:
                 continue
             (body,) = tree.arguments
