@@ -15,6 +15,7 @@ from kinegrade.problem.solution import Solution
 from kinegrade.problem.template.hints import FigureHints
 from tests.figures.angle_flaws import find_angle_flaws
 from tests.figures.flaws import find_flaws, find_part_flaws
+from tests.figures.frame_flaws import find_frame_flaws
 from tests.figures.lettered_points import find_letter_flaws
 from tests.figures.on_paper import find_points_on_paper
 from tests.figures.radius_flaws import find_radius_flaws
@@ -40,7 +41,9 @@ class Printed:
         lettered = find_letter_flaws(self.picture, self.points)
         angles = find_angle_flaws(self.picture, self.points, self.hints.angles)
         drawn = find_flaws(self.picture) + find_support_flaws(self.picture)
-        return [*drawn, *find_radius_flaws(self.picture), *measured, *lettered, *angles]
+        drawn += find_radius_flaws(self.picture)
+        frames = find_frame_flaws(self.picture, self.points, self.hints.frames)
+        return [*drawn, *measured, *lettered, *angles, *frames]
 
 
 def read_printed(solution: Solution) -> Printed:

@@ -39,7 +39,8 @@ _LEG_LENGTHS = (22.0, 25.0, 19.0)  # millimetres of an axis that is the leg of a
 _BEYOND_LEG = 4.0  # millimetres of an axis beyond the point that gives the side of an angle
 _BEYOND_BAR = (6.0, 7.5, 9.0)  # millimetres of an axis beyond the bar or the ground that it is on
 _ON_EDGE = 5.0  # millimetres of an edge or a bar beyond the longest axis along it
-_BESIDE = 1.6  # millimetres between an edge or a bar and the axis that is drawn beside it
+_BESIDE = 1.6  # millimetres between a bar and the axis that is drawn beside it
+_OUTWARD = 3.0  # share of the way out of a plate, of the way from the tip on its edge to the letter
 _OTHER_SIDE = 0.25  # demerit of the side of a bar on which the frame's other axis is not
 _BEFORE_BLOCK = 18.0  # millimetres before a block that have no room for an axis and its letter
 _AT_ORIGIN = 3.0  # millimetres of an axis at its origin, where a pin and other axes are
@@ -61,8 +62,8 @@ def add_frames(
 ) -> Layout:
     """The layout with the axes that stand at points: those of bodies, then x and y at the
     origin; their letters keep clear of lines that are still to come. An axis along a bar or the
-    ground runs on beyond it, as does one to a block; along a long bar or the edge of a plate it
-    stands close beside it; one that is the leg of an angle reaches beyond its arc.
+    ground runs on beyond it, as does one to a block; along the long edge of a plate it lies on
+    that, along a long bar close beside it; one that is the leg of an angle reaches beyond its arc.
     """
     axes = [
         axis for frame in hints.frames for axis in _name_axes(*find_frame_place(at, frame), frame)
@@ -77,14 +78,16 @@ def add_frames(
 def _list_ways(
     at: Mapping[str, Vector], hints: FigureHints, drawing: Drawing, axis: _NamedAxis
 ) -> list[Mark]:
-    """An axis in the lengths that it may have; on a long edge or bar, so that it is seen to begin
-    at its own origin.
+    """An axis in the lengths that it may have; on a long edge, or beside a long bar, so that it is
+    seen to begin at its own origin.
     """
     symbol, origin, toward, usual = axis
     (edge, outward), bar = find_edge(origin, toward, drawing), measure_bar(origin, toward, drawing)
-    if max(edge, bar) > max(usual) + _ON_EDGE:
-        sides = (outward,) if edge else (toward.turned(), -toward.turned())
-        return _list_axes_beside(axis, sides)
+    if edge > max(usual) + _ON_EDGE:
+        ways = _list_axes(origin + toward * PIN, toward, symbol, usual)
+        return [replace(way, away=toward + outward * _OUTWARD, bare=True) for way in ways]
+    if bar > max(usual) + _ON_EDGE:
+        return _list_axes_beside(axis)
     begins, ends = find_block(origin, toward, drawing)
     if begins and (begins < _BEFORE_BLOCK or _has_line(at, hints, origin, origin + toward * ends)):
         line = (origin + toward * PIN, origin + toward * begins)
@@ -102,13 +105,11 @@ def _list_ways(
     return [replace(way, free=free) for way in ways]
 
 
-def _list_axes_beside(axis: _NamedAxis, sides: Sequence[Vector]) -> list[Mark]:
-    """An axis beside the edge or the bar that it runs along, on each of the sides (unit vectors)
-    in the lengths that it may have.
-    """
+def _list_axes_beside(axis: _NamedAxis) -> list[Mark]:
+    """An axis beside the bar that it runs along, on either side in the lengths that it may have."""
     symbol, origin, toward, usual = axis
     found: list[Mark] = []
-    for rank, outward in enumerate(sides):
+    for rank, outward in enumerate((toward.turned(), -toward.turned())):
         for way in _list_axes(origin + outward * _BESIDE, toward, symbol, usual):
             worse = way.demerit + _OTHER_SIDE * rank
             found.append(replace(way, demerit=worse, free=True, away=toward + outward))
@@ -205,7 +206,7 @@ def _list_axes(
 @dataclass(frozen=True)
 class _Axis:
     """A thin arrow with its letter at the tip, rather in the direction `away`, where that is not
-    its own; `before` is the part short of a block on it.
+    its own; `before` is the part short of a block on it; it is `bare` where it may lie on anything.
     """
 
     start: Vector
@@ -215,6 +216,7 @@ class _Axis:
     demerit: float
     before: tuple[Segment, ...] = ()
     free: bool = False
+    bare: bool = False
     away: Vector | None = None
     shared: bool = True
 
@@ -222,6 +224,8 @@ class _Axis:
         """The part before the tip, as the rest may run along a bar or over one; all that is clear
         of its origin where it has to be `free`.
         """
+        if self.bare:
+            return ()
         size = max(_TIP, self.size - _AT_ORIGIN) if self.free else _TIP
         return ((self._tip() - self.toward * size, self._tip()),)
 

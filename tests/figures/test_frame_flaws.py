@@ -1,0 +1,36 @@
+"""An axis that is shifted off its origin is found, and none where both start there."""
+
+from __future__ import annotations
+
+import pytest
+from shapely import Point
+
+from kinegrade.problem.template.hints import BodyFrame
+from tests.figures.frame_flaws import find_frame_flaws
+from tests.figures.printed import read_printed
+from tests.figures.sheet import deal
+from tests.figures.test_flaws import draw, write
+
+FRAME = BodyFrame("x_{1}", "y_{1}", "A", "A", "B")
+RIGHT = '<path d="M22 15L20 14.45L20 15.55Z" fill="#000" stroke="none"/>'
+UP = '<path d="M10 3L9.45 5L10.55 5Z" fill="#000" stroke="none"/>'
+LETTERS = (write("x1", 25, 16), write("y1", 12, 4))
+
+
+def find(*elements: str) -> list[str]:
+    return find_frame_flaws(draw(*elements, *LETTERS), {"A": Point(10.0, 15.0)}, (FRAME,))
+
+
+def test_axes_from_one_origin_have_no_flaw() -> None:
+    assert find(RIGHT, UP) == []
+
+
+def test_an_axis_beside_its_origin_is_found() -> None:
+    beside = RIGHT.replace("15L", "16.6L").replace("14.45", "16.05").replace("15.55", "17.15")
+    assert find(beside, UP) == ["x1 does not start at its origin"]
+
+
+@pytest.mark.parametrize("seed", ["n1", "s2"])
+def test_the_axes_of_a_plate_start_at_its_corners(seed: str) -> None:
+    printed = read_printed(deal("triangle-pose-three-frames", seed))
+    assert find_frame_flaws(printed.picture, printed.points, printed.hints.frames) == []
