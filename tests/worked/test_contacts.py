@@ -31,3 +31,19 @@ def test_a_pin_is_a_point_of_both_bodies() -> None:
     assert "$A$ is a point of $OA$, which turns about $O$:" in proses(
         kept("planetary-gear-external-rim-velocities")
     )
+
+
+@pytest.mark.parametrize(
+    ("language", "rack"),
+    [
+        ("en", "at the contact with the rack $B$ at any time; differentiated"),
+        ("zh", "与齿条 $B$ 的接触点在任意时刻无滑动，对时间求导，相对于齿条 $B$，"),
+        ("de", "am Berührpunkt mit der Zahnstange $B$ nichts gleitet, gilt jederzeit;"),
+    ],
+)
+def test_no_slip_between_moving_bodies_says_which_at_accelerations_too(
+    language: Language, rack: str
+) -> None:
+    """Of a pinion between two racks the same sentence led to two different equations."""
+    said = proses(kept("pinion-between-two-racks", 0, None, language))
+    assert sum(rack in text for text in said) == 1

@@ -48,16 +48,17 @@ def state_rolling(roll: NoSlip, relation: Relation, case: Case, level: Level) ->
 def _explain_rolling(roll: NoSlip, term: Term, case: Case, level: Level) -> Message:
     """Why the rotation of a rolling body and the motion of its centre are linked."""
     body, motion = case.naming.body(roll.body), _name_motion_along_path(roll, term, case, level)
-    rotation = Message("solution.rotation-of", body=body)
+    rotation, other = Message("solution.rotation-of", body=body), describe_track(roll, case)
     linked: dict[str, Text] = {"motion": motion, "rotation": rotation}
     match level:
         case "velocity" if roll.of == GROUND:
             return Message("solution.no-slip-on-ground", body=body, **linked)
         case "velocity":
-            other = describe_track(roll, case)
             return Message("solution.no-slip-seen-from", other=other, **linked)
-        case "acceleration":
+        case "acceleration" if roll.of == GROUND:
             return Message("solution.no-slip-differentiated", **linked)
+        case "acceleration":
+            return Message("solution.no-slip-differentiated-seen-from", other=other, **linked)
         case _:
             assert_never(level)
 
