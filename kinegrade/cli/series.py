@@ -98,7 +98,7 @@ def series(
     """Set several sheets of homework of one BANK, each an exam folder below DIR, without repeats:
     nobody gets numbers that anybody had on another sheet.
     """
-    from kinegrade.exam.generating.series import SeriesPlan, plan_sheets
+    from kinegrade.exam.generating.series import SeriesPlan, describe_kept, plan_sheets
 
     students = kinegrade.Roster.read(roster, odd_ids=allow_odd_ids, columns=columns)
     wishes = kinegrade.GenerateOptions(progress=show_progress, **options)
@@ -106,7 +106,7 @@ def series(
     output.mkdir(parents=True, exist_ok=True)
     for sheet in plan_sheets(bank, output, SeriesPlan(sheets, due, timedelta(days=every))):
         if sheet.exists:
-            say(Message("terminal.sheet-kept", folder=str(sheet.folder)))
+            say(describe_kept(sheet))
             continue
         written = kinegrade.generate(
             kinegrade.Bank(sheet.blueprint),

@@ -103,6 +103,19 @@ def test_a_series_is_continued_and_sheets_that_exist_stay(tmp_path: Path) -> Non
     assert not dealt(tmp_path / "HW" / "homework-1") & dealt(tmp_path / "HW" / "homework-2")
 
 
+def test_a_series_continued_by_other_dates_says_which_stay(tmp_path: Path) -> None:
+    dates = "2099-12-01 18:00", "2099-12-08 18:00"
+    assert series(write(tmp_path), 1, "--due", dates[0]).exit_code == 0
+    kept = f"{tmp_path / 'HW' / 'homework-1'}: exists and stays as it is"
+    said = [
+        series(tmp_path, 1, *options).stderr
+        for options in ((), ("--due", dates[1]), ("--due", dates[0]))
+    ]
+    assert f"{kept} (due {dates[0]}, by this command without a date)" in said[0].splitlines()
+    assert f"{kept} (due {dates[0]}, by this command due {dates[1]})" in said[1].splitlines()
+    assert kept in said[2].splitlines()
+
+
 def test_too_few_numbers_for_all_sheets_are_refused_and_the_others_are_there(
     tmp_path: Path,
 ) -> None:

@@ -16,6 +16,7 @@ from kinegrade.errors import BankError
 from kinegrade.exam.bank.bank import find_bank, read_blueprint
 from kinegrade.exam.bank.blueprint import Blueprint
 from kinegrade.exam.folder.contents import HEAD
+from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.exam.generating.options import GenerateOptions
 from kinegrade.exam.homework import Homework, Kind
 from kinegrade.language.message import Fault, Message
@@ -49,6 +50,25 @@ class SeriesSheet:
         words = options.reproducible
         own = None if words is None else f"{words} {self.number}"
         return replace(options, reproducible=own, avoid=(*options.avoid, *self.avoid))
+
+
+def describe_kept(sheet: SeriesSheet) -> Message:
+    """That a sheet exists and stays as it is; with its date, where it is not that of the series."""
+    homework = sheet.blueprint.frame.homework
+    here = "" if homework.due is None else write_moment(homework.due)
+    there = open_exam(sheet.folder).head.due
+    if here == there:
+        return Message("terminal.sheet-kept", folder=str(sheet.folder))
+    return Message(
+        "terminal.sheet-kept-otherwise",
+        folder=str(sheet.folder),
+        there=_name_date(there),
+        here=_name_date(here),
+    )
+
+
+def _name_date(date: str) -> Message:
+    return Message("terminal.sheet-due", date=date) if date else Message("terminal.sheet-undated")
 
 
 def plan_sheets(bank: Path, output: Path, plan: SeriesPlan) -> Iterator[SeriesSheet]:
