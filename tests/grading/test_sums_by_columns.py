@@ -6,6 +6,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from pathlib import Path
+from random import Random
 from tempfile import TemporaryDirectory
 from unittest.mock import patch
 
@@ -13,12 +14,19 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from kinegrade.errors import TableError
+from kinegrade.exam.folder.columns.writing import write_columns
+from kinegrade.exam.folder.contents import KEY, KEY_COLUMNS
+from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.files.csv_writing import write_csv_text
+from kinegrade.grading.grade import MarkingWishes, grade
+from kinegrade.lms.grades.moodle import export
 from kinegrade.marks_folder.layout import ANSWERS
 from kinegrade.marks_folder.rows import StudentSums
 from kinegrade.marks_folder.sums import columns, reading
 from kinegrade.marks_folder.sums.columns import OddTextError
 from kinegrade.marks_folder.sums.reading import read_sums
+from tests.grading.test_block_judge import write_class
+from tests.grading.test_written_marks import HOSTILE, type_hostile
 
 TYPED = (
     "", "-", " \u2013 ", "'-", "\u3000", "0", "-1.5", "--", "=1", "'=1", "1,5", 'a "b", c', "1\n2", "-\n", "1\r2", "\u6574",
@@ -107,6 +115,33 @@ def test_changed_bytes_are_found_as_in_records(
 def test_a_last_line_without_its_end_counts(lines: list[Line], block: int) -> None:
     by_columns, by_records = both_ways(write_lines(lines).removesuffix(b"\n"), block)
     assert by_columns == by_records
+
+
+@settings(max_examples=25, deadline=None)
+@given(
+    st.integers(0, 10**9),
+    st.lists(
+        st.tuples(st.integers(0, 11), st.integers(0, 3), st.sampled_from(HOSTILE)), max_size=9
+    ),
+)
+def test_the_whole_folder_is_the_same_by_columns_and_by_rows(
+    seed: int, hostile: list[tuple[int, int, str]]
+) -> None:
+    with TemporaryDirectory() as name:
+        folder = Path(name)
+        write_class(folder, Random(seed), 12)
+        type_hostile(folder, hostile)
+        with patch.object(reading, "read_students", refuse):
+            by_rows = mark_folder(folder, folder / "ROWS")
+        write_columns(folder / KEY_COLUMNS, folder / KEY, open_exam(folder).head)
+        assert mark_folder(folder, folder / "COLUMNS") == by_rows
+
+
+def mark_folder(folder: Path, output: Path) -> dict[str, bytes]:
+    """All files of the marks of a class, with the grades for Moodle."""
+    wishes = MarkingWishes(exports={"moodle.csv": export}, own_papers=True)
+    grade(open_exam(folder), folder / "answers.csv", output, wishes)
+    return {file.name: file.read_bytes() for file in output.iterdir()}
 
 
 def test_files_of_this_version_are_summed_by_columns() -> None:
