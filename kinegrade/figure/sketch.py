@@ -12,6 +12,7 @@ from operator import attrgetter
 from typing import Literal, assert_never
 
 from kinegrade.figure.marks.angles import (
+    choose_bow,
     draw_least_legs,
     find_neighbours,
     list_led_arcs,
@@ -192,6 +193,7 @@ def _place_frames_and_angles(
     likely = list_likely_motions(paper, moving)
     sides = [find_sides(at, angle, drawing) for angle in hints.angles]
     legs = [draw_least_legs(at, *each) for each in zip(hints.angles, sides, strict=True)]
+    usual = [choose_bow(at, *each) for each in zip(hints.angles, sides, strict=True)]
     sparing = [line for lines in legs for line in lines]
     layout = add_frames(layout, at, hints, drawing, sparing)
     around = find_neighbours(drawing)
@@ -199,7 +201,7 @@ def _place_frames_and_angles(
     for number, angle in enumerate(hints.angles, start=1):
         to_come = [*arrows, *(line for lines in legs[number:] for line in lines)]
         drawn = tuple(part for part in layout.lines if isinstance(part, Bow) and part.pen == THIN)
-        near = replace(around, arcs=drawn, lines=list_thin_lines(layout.lines))
+        near = replace(around, arcs=(*drawn, *usual[number:]), lines=list_thin_lines(layout.lines))
         shown = hide_sides(sides[number - 1], at[angle.at], likely, layout.lines)
         for arcs in mark_angles(at, angle, shown, near):
             layout = layout.marked(arcs, to_come, partial(list_led_arcs, arcs, layout.obstacles))

@@ -1,5 +1,6 @@
 """What is wrong with the angles of a printed picture: an arc without its letter, a letter outside
-its angle or beside the arc of another one, a leader that no reader tells from other lines.
+its angle or beside the arc of another one, a leader that no reader tells from other lines, an arc
+that reads as a line of a wheel.
 """
 
 from __future__ import annotations
@@ -9,7 +10,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from math import hypot
 
-from shapely import LineString, Point
+from shapely import LineString, Point, Polygon
 
 from kinegrade.problem.template.hints import Angle
 from tests.figures.svg_shapes import Letters, Picture
@@ -18,6 +19,8 @@ AT_ARC = 4.5  # millimetres from a letter to its arc at most
 ON_ARC = 0.15  # millimetres between the end of a leader and its arc
 AT_END = 1.6  # millimetres between a letter and the end of its leader
 OWN = 0.2  # millimetres by which a letter is nearer to its own arc than to that of another angle
+IN_WHEEL = 0.4  # share of an arc in a wheel beside its angle from which on it reads as of that
+ON_SIDE = 1.0  # millimetres between the centre of a wheel and a side of an angle that leads to it
 CENTRED = 0.3  # millimetres between a vertex and the centre of its arc
 GREEK = dict(
     zip(
@@ -48,7 +51,8 @@ def find_angle_flaws(
     flaws: list[str] = []
     for each in printed:
         others = [other.arc for other in printed if other is not each]
-        flaws += [f"{each.letter.text} {flaw}" for flaw in _find_flaws_of(each, others)]
+        found = [*_find_flaws_of(each, others), *_find_wheels_across(each, picture)]
+        flaws += [f"{each.letter.text} {flaw}" for flaw in found]
     return flaws
 
 
@@ -112,6 +116,25 @@ def _find_flaws_of(angle: PrintedAngle, others: list[LineString]) -> Iterator[st
         yield "stands outside its angle"
 
 
+def _find_wheels_across(angle: PrintedAngle, picture: Picture) -> Iterator[str]:
+    """The flaw of an arc through a wheel to whose centre no side of the angle leads."""
+    ends = [Point(angle.arc.coords[place]) for place in (0, -1)]
+    for wheel in map(Polygon, picture.rims):
+        if wheel.distance(angle.vertex) > CENTRED:
+            far = 1 + wheel.centroid.distance(angle.vertex)
+            rays = [_trace_ray(angle.vertex, end, far) for end in ends]
+            leads = any(ray.distance(wheel.centroid) < ON_SIDE for ray in rays)
+            if not leads and wheel.intersection(angle.arc).length > IN_WHEEL * angle.arc.length:
+                yield "has an arc through a wheel beside its angle"
+
+
+def _trace_ray(vertex: Point, through: Point, size: float) -> LineString:
+    """The line of some length from a vertex through another point."""
+    x, y = through.x - vertex.x, through.y - vertex.y
+    far = size / max(hypot(x, y), 0.1)
+    return LineString([vertex, (vertex.x + far * x, vertex.y + far * y)])
+
+
 def _leaves_along(leader: LineString, arc: LineString, vertex: Point) -> bool:
     """Whether a leader begins within 35 degrees of the direction of its arc."""
     start, end = sorted(leader.coords, key=lambda place: arc.distance(Point(place)))
@@ -123,7 +146,6 @@ def _leaves_along(leader: LineString, arc: LineString, vertex: Point) -> bool:
 
 def _lies_within(place: Point, angle: PrintedAngle) -> bool:
     """Whether the ray from the vertex through a place meets the arc."""
-    x, y = place.x - angle.vertex.x, place.y - angle.vertex.y
-    far = 2 * max(map(angle.vertex.distance, map(Point, angle.arc.coords))) / max(hypot(x, y), 0.1)
-    ray = LineString([angle.vertex, (angle.vertex.x + far * x, angle.vertex.y + far * y)])
+    far = 2 * max(map(angle.vertex.distance, map(Point, angle.arc.coords)))
+    ray = _trace_ray(angle.vertex, place, far)
     return bool(ray.distance(angle.arc) < ON_ARC)

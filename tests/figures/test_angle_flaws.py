@@ -6,8 +6,11 @@ import pytest
 from shapely import Point
 
 from kinegrade.problem.template.hints import Angle
+from kinegrade.problem.template.library.library import load_template
 from tests.figures.angle_flaws import find_angle_flaws, write_as_printed
+from tests.figures.printed import read_printed
 from tests.figures.test_flaws import draw, write
+from tests.problem.draws import draw_filter, drawn
 
 POINTS = {"O": Point(10.0, 15.0), "A": Point(24.0, 15.0)}
 # Quarters of circles of 5 mm about O and A, between right and up
@@ -15,6 +18,7 @@ ARC = '<path d="M15 15A5 5 0 0 0 10 10" stroke-width="0.18"/>'
 OTHER = '<path d="M29 15A5 5 0 0 0 24 10" stroke-width="0.18"/>'
 ANGLES = (Angle(r"\varphi", "O", "right", "up"), Angle(r"\psi", "A", "right", "up"))
 OUTWARD = '<path d="M13.54 11.46L16.3 8.7" stroke-width="0.18"/>'
+WHEEL = '<circle cx="{}" cy="{}" r="4" fill="#ddd" stroke-width="0.4"/>'
 ALONG = '<path d="M13.54 11.46L17 14.9" stroke-width="0.18"/>'
 
 
@@ -49,6 +53,30 @@ def test_a_letter_at_its_own_arc_has_no_flaw(elements: tuple[str, ...]) -> None:
 )
 def test_a_flaw_of_an_angle_is_found(elements: tuple[str, ...], flaw: str) -> None:
     assert flaw in find(*elements)
+
+
+def test_an_arc_through_a_wheel_is_a_flaw_unless_a_side_leads_to_its_centre() -> None:
+    letter = write("φ", 15.0, 9.0)
+    beside, ahead = WHEEL.format(15.0, 9.5), WHEEL.format(14.5, 15.0)
+    assert find_angle_flaws(draw(beside, ARC, letter), POINTS, ANGLES) == [
+        "φ has an arc through a wheel beside its angle"
+    ]
+    assert find_angle_flaws(draw(ahead, ARC, letter), POINTS, ANGLES) == []
+
+
+@pytest.mark.parametrize(
+    ("template", "seed"),
+    [
+        ("bar-pushing-rolling-disc", "q2"),
+        ("bar-pushing-rolling-disc", "s1"),
+        ("oscillating-flat-faced-follower", "t1"),
+        ("stone-crusher", "a3"),
+    ],
+)
+def test_arcs_keep_out_of_wheels_and_letters_from_arcs_to_come(template: str, seed: str) -> None:
+    [instance] = drawn(draw_filter(load_template(template), seed), 1)
+    printed = read_printed(instance.solution)
+    assert find_angle_flaws(printed.picture, printed.points, printed.hints.angles) == []
 
 
 def test_symbols_are_written_as_they_are_printed() -> None:

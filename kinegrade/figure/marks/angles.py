@@ -38,6 +38,7 @@ _PIN_ROOM, _BLOCK_ROOM = 1.6, 3.2
 # Millimetres between an arc and a circle at two of the places along the arc by which they merge,
 # the demerit of that, and the least radius of such a circle
 _MERGES, _PROBES, _MERGED, _LEAST_CIRCLE = 1.0, (0.1, 0.3, 0.5, 0.7, 0.9), 16.0, 3.2
+_WITHIN_DISC = 26.0  # demerit of an arc through a disc that its vertex is not in
 _LANE = 0.4  # millimetres on either side of a line to come that are kept clear of letters
 _LED = 3  # arcs that may have a leader, those first that cover least
 
@@ -52,7 +53,7 @@ def mark_angles(
     too small to be visible.
     """
     reaches = _measure_reaches(at[hint.at], legs, at.values())
-    nicest = _choose_bow(at, hint, legs)
+    nicest = choose_bow(at, hint, legs)
     if abs(nicest.sweep) > _SMALLEST_ANGLE:
         bows = [_reach_ground(nicest, radius, legs) for radius in (nicest.radius, *_RADII)]
         yield [
@@ -62,7 +63,8 @@ def mark_angles(
                 hint,
                 _rate_demerit(bow.radius, nicest.radius, legs)
                 + _rate_ends(bow.radius, reaches)
-                + _rate_merging(bow, neighbours.circles),
+                + _rate_merging(bow, neighbours.circles)
+                + _rate_within(bow, neighbours.circles),
                 neighbours,
             )
             for bow in bows
@@ -92,7 +94,7 @@ def _reach_ground(bow: Bow, radius: float, legs: Sequence[Side]) -> Bow:
     return Bow(bow.centre, radius, bow.start - first, bow.sweep + first + last, bow.pen)
 
 
-def _choose_bow(at: Mapping[str, Vector], hint: Angle, legs: tuple[Side, ...]) -> Bow:
+def choose_bow(at: Mapping[str, Vector], hint: Angle, legs: tuple[Side, ...]) -> Bow:
     """The arc of the preferred radius: far enough out that its letter fits between the sides."""
     start, end = (leg.angle for leg in legs)
     sweep = shorter_way(end - start)
@@ -112,7 +114,7 @@ def draw_least_legs(
     """Lines on either side of those that the sides of an angle need in any case; labels written
     before the angle keep clear of them.
     """
-    narrow = _choose_bow(at, hint, legs).radius > _RADII[0]
+    narrow = choose_bow(at, hint, legs).radius > _RADII[0]
     radius = _WIDEST if narrow else _RADII[3]
     lines = [line for leg in legs if (line := leg.line(at[hint.at], radius))]
     aside = [unit(end - start).turned() * _LANE for start, end in lines]
@@ -147,6 +149,20 @@ def _rate_merging(bow: Bow, circles: Iterable[Disc | Bow]) -> float:
         on_it = (abs(length(at - circle.centre) - circle.radius) < _MERGES for at in places)
         if sum(on_it) > 1:
             return _MERGED
+    return 0.0
+
+
+def _rate_within(bow: Bow, circles: Iterable[Disc | Bow]) -> float:
+    """The demerit of an arc through a disc on none of its sides, as if it were a line of that."""
+    ways = [polar(bow.start), polar(bow.start + bow.sweep)]
+    places = [bow.centre + polar(bow.start + bow.sweep * share, bow.radius) for share in _PROBES]
+    for disc in circles:
+        step = disc.centre - bow.centre
+        aside = all(abs(step.cross(way)) > NEAR or step.dot(way) < 0 for way in ways)
+        if isinstance(disc, Disc) and aside and length(step) > disc.radius:
+            within = (length(at - disc.centre) < disc.radius for at in places)
+            if sum(within) > 1:
+                return _WITHIN_DISC
     return 0.0
 
 

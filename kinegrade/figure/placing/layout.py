@@ -173,7 +173,8 @@ class Layout:
         find_cheaper: Callable[[float], Iterable[Mark]],
     ) -> Layout:
         """The layout with the alternative that covers least, and its label: only where that is
-        crowded, the labels are judged by the lines of their own marks as well.
+        crowded, the labels are judged by the lines of their own marks as well, and further ones
+        are taken that cross little.
         """
         layout, wish = self.chosen(alternatives, sparing)
         cost = layout.costs[-1]
@@ -183,7 +184,12 @@ class Layout:
         usual = layout.captioned(wish, sparing)
         if usual.crowded == self.crowded:
             return usual
-        layout, wish = self.chosen([*alternatives, *further], sparing, beside_own_lines=True)
+        ways = [*alternatives, *further]
+        layout, wish = self.chosen(ways, sparing, beside_own_lines=True)
+        if not further and layout.costs[-1] > _CHEAP:
+            ways = [layout.marks[-1], *find_cheaper(layout.costs[-1])]
+            led, symbol = self.chosen(ways, sparing, beside_own_lines=True)
+            layout, wish = (led, symbol) if led.costs[-1] < _HARD else (layout, wish)
         other = layout.captioned(wish, sparing)
         return other if other.crowded == self.crowded else usual
 
