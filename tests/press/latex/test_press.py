@@ -28,8 +28,15 @@ from kinegrade.press.latex.xetex import make_pdf, run
 from kinegrade.press.protocol import Press
 from kinegrade.press.sheet import Paper
 from kinegrade.problem.template.library.library import find_template_names, load_template
+from kinegrade.worked.document import Heading, Picture, Pictures, Prose
 from tests.press.papers import CHINESE, CHINESE_QUESTION, ENGLISH, ENGLISH_QUESTION, key_book
-from tests.press.solutions import CHINESE_SOLUTION, ENGLISH_SOLUTION, long_equation
+from tests.press.solutions import (
+    CHINESE_SOLUTION,
+    ENGLISH_SOLUTION,
+    long_equation,
+    polygon_scene,
+)
+from tests.worked.telling import read_display
 
 pytestmark = [pytest.mark.needs_tex, pytest.mark.xdist_group("latex")]
 
@@ -253,6 +260,27 @@ def test_worked_solutions() -> None:
         word for word in ("题解", "大小", "方向", "向右", "第1页") if word not in pages["zh"]
     ] == []
     assert pages["long"].count("magnitude") == 2
+
+
+def test_what_stays_together_is_on_one_page_wherever_that_ends() -> None:
+    """The glue below a table and below an equation was a place for the page to end."""
+    given = (Prose("Given:"), read_display([r"x &= 1", r"y &= 2"]))
+    table = (long_equation(2), Pictures((Picture(polygon_scene(), "velocity polygon"),)))
+    chapter = (Heading("Accelerations", 1), *given, Heading("The rod", 2), Prose("Thus."), *table)
+    question = replace(ENGLISH_SOLUTION.questions[0], figure=None, statement="It turns.")
+    sheets = {
+        f"{count}": replace(
+            ENGLISH_SOLUTION,
+            questions=(replace(question, blocks=(*[read_display([r"z &= 0"])] * count, *chapter)),),
+        )
+        for count in range(12, 40)
+    }
+    printouts = LatexPress().solutions(sheets)
+    for count in sheets:
+        pages = pages_of(printouts[count].pdf)
+        (whole,) = (page for page in pages if "magnitude" in page)
+        words = ("Accelerations", "Therod", "velocitypolygon")
+        assert [word for word in words if word not in whole] == [], count
 
 
 def test_the_key_gives_exact_and_decimal_and_warns_on_each_page() -> None:
