@@ -13,6 +13,7 @@ from hypothesis import HealthCheck, settings
 
 from kinegrade.exam.bank.bank import Bank, read_bank
 from kinegrade.exam.printing import class_printing
+from tests.files_in_memory import leave_files_in_memory
 from tests.golden_files import BANK, GOLDEN, Hold
 from tests.kept_results import keep_results
 from tests.problem.crank import crank_text
@@ -41,6 +42,7 @@ def pytest_configure(config: pytest.Config) -> None:
     if not _proves(config):
         repeat_secrets(config)
         keep_results()
+        leave_files_in_memory()
 
 
 @pytest.hookimpl(tryfirst=True)
