@@ -18,15 +18,11 @@ class KnownFlaw:
 
 
 KNOWN: Mapping[str, KnownFlaw] = {
-    "crank-rocker-towed-wheel": KnownFlaw("E far from its point", "the wheel has no room inside"),
-    "differential-epicyclic-train": KnownFlaw("P far from its point", "the planet has no room"),
     "pose-cam-tappet": KnownFlaw("ψ stands off from its arc", "the cross and e are at its angle"),
     "pose-four-bar-coupler": KnownFlaw(
         "x2 does not start at its origin", "a bold bar would hide its head"
     ),
     "ring-gear-planet-relative-spin": KnownFlaw("O2 far from its point", "the planet is small"),
-    "rod-sliding-on-driven-wheel": KnownFlaw("O1 far from its point", "two arrows are at its pin"),
-    "slotted-bar-between-two-rods": KnownFlaw("B far from its point", "arrows are on both sides"),
 }
 
 

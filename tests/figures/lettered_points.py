@@ -14,12 +14,14 @@ FAR, LED = 6.5, 8.0  # millimetres from a letter to its point at most, and with 
 AT_LETTER, AT_POINT = 1.6, 2.0  # millimetres of paper at the two ends of a leader
 WITHIN = 3.0  # millimetres inside a rim from which on a point is away from it
 CLOSED = 0.65  # millimetres about the strokes of hatching, which close the gaps between them
-ON_GROUND = 1.75  # millimetres from hatching to a point on the ground itself, or on its teeth
+ON_GROUND = 1.95  # millimetres from hatching to a point on the ground itself, or on its teeth
 
 
 def find_letter_flaws(picture: Picture, points: Mapping[str, Point]) -> list[str]:
     """What is wrong with the letters of marked points, in words."""
-    return [*_find_far(picture, points), *_find_parted(picture, points)]
+    far, parted = list(_find_far(picture, points)), _find_parted(picture, points)
+    lost = {flaw.split()[0] for flaw in far}
+    return [*far, *(flaw for flaw in parted if flaw.split()[0] not in lost)]
 
 
 def _find_far(picture: Picture, points: Mapping[str, Point]) -> Iterator[str]:
