@@ -6,13 +6,15 @@ or `help.option.<option>` where it means the same everywhere.
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Iterator
 from copy import copy
 from typing import Any
 
 import click
 
-from kinegrade.cli.terminal import terminal_words
+from kinegrade.cli.terminal import refuse_usage, terminal_words
+from kinegrade.language.message import Message
 
 _VERBATIM = "    "  # begins the lines of a paragraph whose lines stay as they are
 _UNWRAPPED = "\b\n"  # click's mark of such a paragraph
@@ -20,6 +22,17 @@ _UNWRAPPED = "\b\n"  # click's mark of such a paragraph
 
 class Command(click.Command):
     """A command that has its words in the catalogues."""
+
+    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
+        """Read the command line. Raises UsageError where an option is given twice that has one
+        value: the first would be lost.
+        """
+        given = self.make_parser(ctx).parse_args(list(args))[2]
+        for option, count in Counter(given).items():
+            if count > 1 and isinstance(option, click.Option) and _has_one_value(option):
+                what = Message("terminal.option-twice", option=option.opts[-1])
+                raise refuse_usage(what)
+        return super().parse_args(ctx, args)
 
     def format_help_text(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         """Write what the command does."""
@@ -38,6 +51,10 @@ class Command(click.Command):
         described = copy(self)
         described.help = read_help(str(self.name))
         return super(Command, described).get_short_help_str(limit)
+
+
+def _has_one_value(option: click.Option) -> bool:
+    return not (option.multiple or option.is_flag or option.count)
 
 
 def command(name: str | None = None) -> Callable[[Callable[..., Any]], Command]:

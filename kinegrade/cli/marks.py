@@ -137,12 +137,15 @@ def diff(
     before: Path, after: Path, output: Path | None, language: Language, *, force: bool
 ) -> None:
     """Show how the marks in MARKS2 differ from those in MARKS1."""
+    from kinegrade.grading.same_key import require_one_exam
     from kinegrade.public.folders import expect_folders
     from kinegrade.reports.comparison import compare
     from kinegrade.reports.comparison_writing import write_comparison_csv, write_comparison_text
 
     expect_folders((before, "MARKS"), (after, "MARKS"))
-    comparison = compare(kinegrade.open_marks(before), kinegrade.open_marks(after))
+    first, second = kinegrade.open_marks(before), kinegrade.open_marks(after)
+    require_one_exam(first, second)
+    comparison = compare(first, second)
     if output is not None:
         from kinegrade.files.output import write_file
 

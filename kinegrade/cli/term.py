@@ -12,7 +12,7 @@ from kinegrade.cli.help import command
 from kinegrade.cli.options import FILE, FORCE, LANGUAGE, OUTPUT, finish_with_complaints, refusing
 from kinegrade.cli.terminal import refuse_usage, say
 from kinegrade.language.catalogue import open_catalogue
-from kinegrade.language.message import Fault, Message
+from kinegrade.language.message import Message
 
 if TYPE_CHECKING:
     from kinegrade.files.tables import Table
@@ -53,15 +53,16 @@ def term(
 ) -> None:
     """Put several MARKS together, by weights and the best of some, in one table with grades."""
     from kinegrade.grade_scale.kinds import make_scale
-    from kinegrade.marks_folder.open_questions import describe_open
+    from kinegrade.marks_folder.open_questions import describe_unmarked
     from kinegrade.reports.term.excuses import require_excusable
-    from kinegrade.reports.term.naming import name_folders
+    from kinegrade.reports.term.naming import name_folders, require_different_exams
     from kinegrade.reports.term.results import work_out_results
     from kinegrade.reports.term.table import describe_results, make_term_table
 
     names = name_folders(marks)
     chosen = _choose_plan(plan, weights, names)
     folders = {name: kinegrade.open_marks(path) for name, path in zip(names, marks, strict=True)}
+    require_different_exams(folders.values())
     exams = {name: folder.totals for name, folder in folders.items()}
     if plan is not None:
         require_excusable(plan, chosen.excused, exams)
@@ -72,11 +73,11 @@ def term(
     _write(table, output, force=force)
     for note in describe_results(results, exams, scale):
         say(note)
-    still_open = {name: folder.open for name, folder in folders.items() if folder.open}
     finish_with_complaints(
         [
-            Fault(name, describe_open(each), do=Message("marks.add-by-hand"))
-            for name, each in still_open.items()
+            missing
+            for name, folder in folders.items()
+            for missing in describe_unmarked(name, folder.open, folder.lacking)
         ]
     )
 

@@ -17,14 +17,15 @@ from kinegrade.errors import ExportError
 from kinegrade.files.output import output_file
 from kinegrade.language.message import Message, Quoted
 
+ORDINARY = 0o644  # of what is taken out: others may read it
 _FIRST_DATE = (1980, 1, 1, 0, 0, 0)  # the earliest that a zip can have
 
 
 class Package:
     """A zip that is being written; the same entries give the same bytes on every machine."""
 
-    def __init__(self, archive: zipfile.ZipFile) -> None:
-        self._archive = archive
+    def __init__(self, archive: zipfile.ZipFile, mode: int = ORDINARY) -> None:
+        self._archive, self._mode = archive, mode
         self._names: set[str] = set()
 
     def add(self, name: str, content: bytes) -> None:
@@ -46,15 +47,16 @@ class Package:
         self._names.add(name)
         entry = zipfile.ZipInfo(name, _FIRST_DATE)
         entry.compress_type = zipfile.ZIP_DEFLATED
-        entry.create_system, entry.external_attr = 3, 0o644 << 16
+        entry.create_system, entry.external_attr = 3, self._mode << 16
         return self._archive.open(entry, "w")
 
 
 @contextmanager
-def open_package(target: Path, *, force: bool) -> Iterator[Package]:
-    """A package that becomes `target` when the block ends without an error.
+def open_package(target: Path, *, force: bool, mode: int = ORDINARY) -> Iterator[Package]:
+    """A package that becomes `target` when the block ends without an error; who takes it apart
+    gets files of that `mode`.
 
     With `force` an existing plain file is replaced. Raises OutputError.
     """
     with output_file(target, force=force) as partial, zipfile.ZipFile(partial, "x") as archive:
-        yield Package(archive)
+        yield Package(archive, mode)

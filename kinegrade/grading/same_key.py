@@ -30,6 +30,13 @@ def require_same_exam(exam: ExamFolder, marks: MarksFolder) -> None:
         raise TableError(Fault(str(marks.path), what, do=Message("exam.name-exam-of-marks")))
 
 
+def require_one_exam(first: MarksFolder, second: MarksFolder) -> None:
+    """Raises TableError for markings of two exams, as far as both say of which one they are."""
+    if first.exam and second.exam and first.exam != second.exam:
+        what, do = Message("marks.of-two-exams", other=str(first.path)), Message("marks.name-both")
+        raise TableError(Fault(str(second.path), what, do=do))
+
+
 def identify_exam(head: ExamHead) -> str:
     """By what marks know an exam, whoever is added to it and however often its key is corrected;
     empty where its secret was taken out of the folder.

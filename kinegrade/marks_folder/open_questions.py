@@ -4,13 +4,13 @@ total or percentage counts them, or for some students, who have no points for th
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from fractions import Fraction
 from pathlib import Path
 from typing import NamedTuple
 
 from kinegrade.errors import TableError
-from kinegrade.language.message import Message, Quoted, list_all
+from kinegrade.language.message import Fault, Message, Quoted, list_all
 from kinegrade.marks_folder.cells import explain_amount, find_amount, read_records_if_any
 from kinegrade.marks_folder.layout import OPEN
 from kinegrade.question_numbers import find_bank_number
@@ -48,6 +48,17 @@ def describe_lacking(question: OpenQuestion) -> Message:
         question=find_bank_number(question.question),
         students=list_all(named),
     )
+
+
+def describe_unmarked(
+    where: str, unmarked: Sequence[OpenQuestion], lacking: Iterable[OpenQuestion]
+) -> Iterator[Fault]:
+    """What is still to be marked by hand: that nobody has a mark for, and that some lack."""
+    do = Message("marks.add-by-hand")
+    if unmarked:
+        yield Fault(where, describe_open(unmarked), do=do)
+    for question in lacking:
+        yield Fault(where, describe_lacking(question), do=do)
 
 
 def add_open_points(questions: Iterable[OpenQuestion]) -> Fraction:

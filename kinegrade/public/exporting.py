@@ -21,7 +21,7 @@ from kinegrade.lms.grades.from_scratch import new_file
 from kinegrade.lms.grades.grades import TOTAL, ClassGrades, read_grades
 from kinegrade.lms.grades.systems import GRADE_FILES, SYSTEMS, WORKBOOK
 from kinegrade.marks_folder.folder import MarksFolder
-from kinegrade.marks_folder.open_questions import describe_lacking, describe_open
+from kinegrade.marks_folder.open_questions import describe_unmarked
 from kinegrade.public.folders import expect_own_place
 from kinegrade.public.opened import expect_opened
 from kinegrade.public.options import require_known, require_word
@@ -66,7 +66,8 @@ def export(
     remarks = *_list_above(grades, options), *_mention_scale(to, grades, options)
     notes = *made.notes, _tell(made, place, grades, options), *remarks
     untold = _list_untold(grades, place) if options.per_question else ()
-    return Outcome(place, notes, (*made.complaints, *untold, *_list_open(marks, place)))
+    unmarked = describe_unmarked(str(place), marks.open, marks.lacking)
+    return Outcome(place, notes, (*made.complaints, *untold, *unmarked))
 
 
 def _require_possible(to: str, options: ExportOptions) -> None:
@@ -87,15 +88,7 @@ def _export_workbook(marks: MarksFolder, place: Path, *, force: bool) -> Outcome
     from kinegrade.lms.workbook import workbook
 
     write_file(place, workbook(marks), "xlsx", force=force)
-    return Outcome(place, (), tuple(_list_open(marks, place)))
-
-
-def _list_open(marks: MarksFolder, place: Path) -> Iterator[Fault]:
-    """That the grades lack what is still to be marked by hand."""
-    if marks.open:
-        yield Fault(str(place), describe_open(marks.open), do=Message("marks.add-by-hand"))
-    for question in marks.lacking:
-        yield Fault(str(place), describe_lacking(question), do=Message("marks.add-by-hand"))
+    return Outcome(place, (), tuple(describe_unmarked(str(place), marks.open, marks.lacking)))
 
 
 def _list_untold(grades: ClassGrades, place: Path) -> Iterator[Fault]:

@@ -61,6 +61,18 @@ def test_an_archive_restores_the_exam_byte_for_byte(exam: Path, archive: Path) -
     assert subprocess.run(compared, cwd=exam.parent / "restored", check=False).returncode == 0
 
 
+def test_what_is_taken_out_of_it_is_its_owners_alone(archive: Path) -> None:
+    with zipfile.ZipFile(archive) as held:
+        assert {each.external_attr >> 16 & 0o777 for each in held.infolist()} == {0o600}
+
+
+def test_two_folders_of_marks_are_refused_so_that_none_is_left_out(exam: Path) -> None:
+    marks = "--marks", exam.parent / "M1", "--marks", exam.parent / "M2"
+    done = kinegrade("archive", exam, *marks, "-o", exam.parent / "two.zip")
+    assert done.exit_code == 2
+    assert "--marks is given twice - expected once - leave one of the two out" in done.stderr
+
+
 def test_the_bytes_depend_on_the_exam_alone(exam: Path, archive: Path) -> None:
     again = exam.parent / "again.zip"
     assert kinegrade("archive", exam, "-o", again).exit_code == 0

@@ -119,3 +119,18 @@ def test_files_of_ones_own_in_the_folder_are_not_lost(forgotten: Path, tmp_path:
     assert done.exit_code == 2
     assert "notes.txt" in done.stderr
     assert contents(tmp_path) == before
+
+
+def test_templates_that_share_a_mechanism_stay_with_it(tmp_path: Path) -> None:
+    bank = '[[questions]]\ntemplate = "pose-four-bar-coupler"\n'
+    (tmp_path / "bank.toml").write_text(f'title = "Poses"\ncourse = "M"\n{bank}', encoding="utf-8")
+    (tmp_path / "roster.csv").write_text(ROSTER, encoding="utf-8")
+    exam = tmp_path / "EXAM"
+    files = tmp_path / "bank.toml", tmp_path / "roster.csv", "-o", exam
+    assert kinegrade("generate", *files, "--no-papers").exit_code == 0
+    before = {each for each in contents(exam) if "templates/" in each}
+    done = kinegrade("forget", exam, "--yes")
+    assert done.exit_code == 0, done.stderr
+    assert {each for each in contents(exam) if "templates/" in each} == before
+    assert any("mechanisms/" in each for each in before)
+    assert kinegrade("verify", exam, "--all").exit_code == 0

@@ -65,6 +65,30 @@ def test_marks_of_another_exam_are_refused(
     assert not (tmp_path / "out").exists()
 
 
+def test_markings_of_two_exams_are_not_compared(
+    term: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(term)
+    done = kinegrade("diff", "EXAM-MARKS", "LATER-MARKS")
+    said = "LATER-MARKS: has marks of another exam than EXAM-MARKS - name two markings of one exam"
+    assert (done.exit_code, done.stderr) == (2, f"error: {said}\n")
+
+
+def test_two_markings_of_one_exam_are_not_two_parts_of_a_term(
+    term: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(term)
+    files = "EXAM", "answers.csv", "-o", tmp_path / "AGAIN"
+    assert kinegrade("grade", *files).exit_code in (0, 1)
+    done = kinegrade("term", "EXAM-MARKS", tmp_path / "AGAIN", "-o", tmp_path / "term.csv")
+    assert done.exit_code == 2
+    said = (
+        f"{tmp_path / 'AGAIN'}: has marks of the same exam as EXAM-MARKS - leave one of the two out"
+    )
+    assert said in done.stderr
+    assert not (tmp_path / "term.csv").exists()
+
+
 @pytest.mark.parametrize("command", COMMANDS[:-1], ids=" ".join)
 def test_those_of_the_exam_are_taken_by_every_command(
     term: Path, tmp_path: Path, command: tuple[str, ...]

@@ -113,6 +113,14 @@ def test_who_has_no_mark_yet_is_named_and_counts_as_nothing_meanwhile(folder: Pa
     assert said in moodle.stderr
 
 
+def test_a_term_names_who_has_no_mark_yet(folder: Path) -> None:
+    give(folder, f"{ADA},q2,2,\n")
+    done = kinegrade("term", folder / "MARKS", "-o", folder / "term.csv")
+    said = f'MARKS: student "{SOFYA}" has no points by hand for question 2, which count as 0 until'
+    assert done.exit_code == 1
+    assert said in done.stderr
+
+
 def test_marks_by_hand_are_carried_over_replaced_and_taken_back(folder: Path) -> None:
     give(folder, f"{ADA},q2,2,\n{SOFYA},q2,1,\n")
     again = grade(folder)

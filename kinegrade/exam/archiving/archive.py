@@ -40,7 +40,7 @@ def write_archive(
     if marks is not None:
         files |= _list_files(marks, MARKS)
     sums: dict[str, str] = {}
-    with open_package(target, force=force) as package:
+    with open_package(target, force=force, mode=PRIVATE) as package:
         for name, file in sorted(files.items()):
             content = file.read_bytes()
             sums[name] = sha256(content).hexdigest()

@@ -12,6 +12,7 @@ from contextlib import ExitStack
 from dataclasses import dataclass
 from pathlib import Path
 from secrets import SystemRandom, token_hex
+from shutil import copytree
 
 from msgspec import structs
 
@@ -89,9 +90,7 @@ class Forgetting:
         for file in self.exam.path.iterdir():
             if file.name in _STAY or _is_bank(file.name):
                 (folder / file.name).write_bytes(file.read_bytes())
-        (folder / TEMPLATES).mkdir()
-        for file in (self.exam.path / TEMPLATES).iterdir():
-            (folder / TEMPLATES / file.name).write_bytes(file.read_bytes())
+        copytree(self.exam.path / TEMPLATES, folder / TEMPLATES)  # with its shared mechanisms
         (folder / KEY).write_bytes(_encode(self.exam.lines(), names))
         if self.exam.has_pool:
             (folder / POOL).write_bytes(_encode(self.exam.pool_lines(), names))

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 
 from kinegrade.errors import TableError
 from kinegrade.language.message import Fault, Message
+from kinegrade.marks_folder.folder import MarksFolder
 
 
 def name_folders(folders: Sequence[Path]) -> tuple[str, ...]:
@@ -30,3 +31,13 @@ def name_folders(folders: Sequence[Path]) -> tuple[str, ...]:
         if len(set(names)) == len(names) and (len(names) > 1 or names is own):
             return names
     return tuple(map(str, folders))
+
+
+def require_different_exams(folders: Iterable[MarksFolder]) -> None:
+    """Raises TableError where two folders have marks of one exam, as far as they say of which."""
+    known: dict[str, MarksFolder] = {}
+    for folder in folders:
+        first = known.setdefault(folder.exam, folder) if folder.exam else folder
+        if first is not folder:
+            what = Message("term.exam-twice", first=str(first.path))
+            raise TableError(Fault(str(folder.path), what, do=Message("term.leave-one-out")))
