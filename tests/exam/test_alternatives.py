@@ -12,8 +12,8 @@ from pathlib import Path
 import openpyxl
 import pytest
 from click.testing import Result
-from pypdf import PdfReader
 
+from tests.printed_text import read_text
 from tests.small_class import contents, key_lines, kinegrade, table
 
 HEAD = """title = { en = "Midterm", zh = "期中测验" }
@@ -86,7 +86,7 @@ def mark(folder: Path, *options: str | Path, other: str = "", code: int = 0) -> 
 
 def read_pdf(path: Path) -> str:
     """The text of all pages, its words one blank apart."""
-    return " ".join(" ".join(page.extract_text() for page in PdfReader(path).pages).split())
+    return read_text(path)
 
 
 @pytest.fixture(scope="module")

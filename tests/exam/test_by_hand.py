@@ -12,6 +12,7 @@ import pytest
 from click.testing import Result
 from pypdf import PdfReader
 
+from tests.printed_text import read_text
 from tests.small_class import kinegrade
 
 HEAD = """title = { en = "Midterm", zh = "期中测验" }
@@ -54,7 +55,7 @@ def set_exam(folder: Path, bank: str, *options: str) -> Result:
 
 def read_pdf(path: Path) -> str:
     """The text of all pages, its words one blank apart."""
-    return " ".join(" ".join(page.extract_text() for page in PdfReader(path).pages).split())
+    return read_text(path)
 
 
 def mark_right(folder: Path) -> Path:

@@ -9,8 +9,8 @@ from pathlib import Path
 
 import pytest
 from click.testing import Result
-from pypdf import PdfReader
 
+from tests.printed_text import read_text
 from tests.problem.crank import crank_text
 from tests.small_class import VANISHING, contents, generate, key_lines, kinegrade, write_class
 
@@ -32,7 +32,7 @@ def correct(exam: Path, *changes: tuple[str, str], options: tuple[str, ...] = ()
 
 
 def read(paper: Path) -> str:
-    return " ".join(" ".join(page.extract_text().split()) for page in PdfReader(paper).pages)
+    return read_text(paper)
 
 
 def test_the_text_is_new_and_all_numbers_stay(exam: Path) -> None:

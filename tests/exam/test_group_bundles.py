@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from io import BytesIO
 from pathlib import Path
 from zipfile import ZipFile
 
 import pytest
-from pypdf import PdfReader
 
+from tests.printed_text import read_pages
 from tests.small_class import contents, generate, kinegrade, write_class
 
 ROSTER = """student,name,group
@@ -36,7 +35,7 @@ def refusal(*arguments: str | Path) -> str:
 
 
 def pages(pdf: bytes) -> list[str]:
-    return [page.extract_text() for page in PdfReader(BytesIO(pdf)).pages]
+    return read_pages(pdf)
 
 
 def test_a_pdf_holds_the_papers_of_a_group_each_on_a_new_sheet(exam: Path, tmp_path: Path) -> None:

@@ -10,12 +10,10 @@ import shutil
 from collections.abc import Callable
 from dataclasses import replace
 from fractions import Fraction
-from io import BytesIO
 from pathlib import Path
 from typing import Any
 
 import pytest
-from pypdf import PdfReader
 
 from kinegrade.exam.bank.bank import read_bank
 from kinegrade.exam.folder.exam_folder import open_exam
@@ -31,6 +29,7 @@ from kinegrade.press.latex.paper import write_paper_body
 from kinegrade.press.sheet import Paper
 from kinegrade.press.typst.paper import write_paper_source
 from kinegrade.press.word.paper import write_paper_tree
+from tests.printed_text import read_pages
 from tests.problem.crank import crank_text
 from tests.small_class import VANISHING, asks_of, contents, key_lines, kinegrade, table
 
@@ -107,7 +106,7 @@ def widen_ask(ask: SetAsk) -> SetAsk:
 
 
 def words(pdf: bytes) -> str:
-    text = " ".join(page.extract_text() for page in PdfReader(BytesIO(pdf)).pages)
+    text = " ".join(read_pages(pdf))
     return re.sub(r"\s+", " ", text)
 
 

@@ -9,10 +9,10 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from pypdf import PdfReader
 
 from kinegrade.language import Language
 from kinegrade.question_numbers import find_bank_number, find_other_number
+from tests.printed_text import read_pages
 from tests.small_class import asks_of, generate, key_lines, kinegrade, table, write_class
 
 INTERNAL = re.compile(r"(?<![A-Za-z0-9])q[0-9]")
@@ -22,7 +22,7 @@ ELSEWHERE = {"en": "(no.{}intheanswersheet)", "zh": "登分表第{}题"}
 def words(file: Path) -> str:
     """The text of a page or a PDF without blanks."""
     if file.suffix == ".pdf":
-        text = "".join(page.extract_text() for page in PdfReader(file).pages)
+        text = "".join(read_pages(file))
     else:
         text = re.sub(
             r"<style.*?</style>|<[^>]*>", "", file.read_text(encoding="utf-8"), flags=re.S

@@ -5,13 +5,12 @@ from __future__ import annotations
 import json
 import re
 import shutil
-from io import BytesIO
 from pathlib import Path
 
 import pytest
 from click.testing import Result
-from pypdf import PdfReader
 
+from tests.printed_text import read_pages
 from tests.small_class import contents, kinegrade, write_class
 
 ROOT = Path(__file__).parents[1]
@@ -76,7 +75,7 @@ def require_same(exam: Path, students: list[str] | None = None) -> None:
 
 
 def words(pdf: bytes) -> str:
-    return " ".join(page.extract_text() for page in PdfReader(BytesIO(pdf)).pages)
+    return " ".join(read_pages(pdf))
 
 
 def refusal(*arguments: str | Path) -> str:

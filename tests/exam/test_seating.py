@@ -12,6 +12,7 @@ from pypdf import PdfReader
 
 from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.exam.roster.roster import parse_roster
+from tests.printed_text import read_pages
 from tests.small_class import BANK, contents, generate, kinegrade, write_class
 
 ROSTER = """student,name,group,room,seat,language,extra-time
@@ -32,7 +33,7 @@ def write_seated_class(folder: Path, roster: str = ROSTER) -> Path:
 
 def list_owners(file: Path) -> list[str]:
     """Whose papers a booklet holds, by the id at the foot of each page."""
-    texts = [page.extract_text() for page in PdfReader(file).pages]
+    texts = read_pages(file)
     known = ("007", "0012", "0013", "0014", "0015")
     found = [next((each for each in known if f"\n{each}\n" in text), "") for text in texts]
     return list(dict.fromkeys(filter(None, found)))

@@ -13,11 +13,12 @@ from pypdf import PdfReader
 from kinegrade.problem.solution import Solution
 from kinegrade.worked.document import WorkedSolution
 from kinegrade.worked.solution import write_worked_solution
+from tests.printed_text import read_text
 from tests.small_class import STUDENTS, contents, generate, kinegrade, write_class
 
 
 def text_of(pdf: Path) -> str:
-    return "".join("".join(page.extract_text().split()) for page in PdfReader(pdf).pages)
+    return "".join(read_text(pdf).split())
 
 
 @pytest.fixture(scope="module")

@@ -11,11 +11,11 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from pypdf import PdfReader
 
 from kinegrade.exam.bank.versions import choose_version, list_version_letters
 from kinegrade.language import ENGLISH, Language
 from kinegrade.problem.template.library.library import list_names, load_template
+from tests.printed_text import read_text
 from tests.small_class import contents, generate, key_lines, kinegrade, table
 
 BANK = """title = { en = "Midterm", zh = "期中测验" }
@@ -53,7 +53,7 @@ def record(exam: Path) -> dict[str, Any]:
 
 
 def text_of(file: Path) -> str:
-    return "".join("".join(page.extract_text() for page in PdfReader(file).pages).split())
+    return "".join(read_text(file).split())
 
 
 def headings(line: dict[str, Any], known: str, language: Language) -> list[str]:

@@ -9,8 +9,8 @@ from fractions import Fraction
 from pathlib import Path
 
 import pytest
-from pypdf import PdfReader
 
+from tests.printed_text import read_text
 from tests.small_class import key_lines, kinegrade
 from tests.term.banks import QUESTION, write_bank
 from tests.term.people import (
@@ -32,7 +32,7 @@ def sample(folder: Path, bank: str, *options: str) -> str:
     proof = folder / "proof.pdf"
     result = kinegrade("sample", write_bank(folder, bank), "-o", proof, "--force", *options)
     assert result.exit_code == 0, result.stderr
-    return " ".join(" ".join(page.extract_text().split()) for page in PdfReader(proof).pages)
+    return read_text(proof)
 
 
 def generate(folder: Path, bank: str) -> tuple[Path, str]:

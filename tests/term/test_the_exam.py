@@ -18,6 +18,7 @@ from openpyxl import load_workbook
 from pypdf import PdfReader
 
 from kinegrade.exam.folder.exam_folder import open_exam
+from tests.printed_text import read_text
 from tests.problem.crank import crank_text
 from tests.small_class import asks_of, contents, kinegrade, table
 from tests.term.banks import MIDTERM, write_bank
@@ -72,11 +73,6 @@ def small(seminar: Midterm, tmp_path: Path) -> Midterm:
     return Midterm(tmp_path, seminar.seconds, seminar.said)
 
 
-def read(pdf: Path) -> str:
-    """All text of a PDF, in one line."""
-    return " ".join(" ".join(page.extract_text().split()) for page in PdfReader(pdf).pages)
-
-
 def right(exam: Path) -> Mapping[str, list[str]]:
     """Everybody's right answers, in the order of the columns."""
     key, head = asks_of(exam), open_exam(exam).head
@@ -111,10 +107,10 @@ def totals(midterm: Midterm) -> dict[str, tuple[str, str]]:
 def test_row_8_what_the_roster_says_of_a_student_is_on_the_paper(midterm: Midterm) -> None:
     everybody = people()
     extra = next(each for each in everybody if each.extra_time)
-    text = read(midterm.exam / "papers" / f"{extra.student}.pdf")
+    text = read_text(midterm.exam / "papers" / f"{extra.student}.pdf")
     for stated in (extra.room, extra.name, "25 %", "Mechanics"):
         assert stated in text
-    chinese = read(midterm.exam / "papers" / f"{everybody[0].student}.pdf")
+    chinese = read_text(midterm.exam / "papers" / f"{everybody[0].student}.pdf")
     assert "期中考试" in chinese
     assert "Midterm" not in chinese
     assert "group from" in midterm.said
@@ -141,7 +137,7 @@ def test_row_8_feedback_is_in_the_language_of_the_paper(small: Midterm) -> None:
 
 def test_row_9_each_room_has_a_booklet_and_papers_have_equal_pages(midterm: Midterm) -> None:
     books = {
-        name: read(midterm.exam / "rooms" / f"{name.replace(' ', '-')}.pdf")
+        name: read_text(midterm.exam / "rooms" / f"{name.replace(' ', '-')}.pdf")
         for name, _ in in_rooms(people())
     }
     for room, seated in in_rooms(people()):
@@ -162,7 +158,7 @@ def test_row_9_a_spare_paper_is_claimed(small: Midterm) -> None:
     code = open_exam(small.exam).head.spares[0].paper
     done = kinegrade("assign", small.exam, code, "0098", "--name", "Dora Noble")
     assert done.exit_code == 0, done.stderr
-    assert "Dora Noble" in read(small.exam / "spare-key.pdf")
+    assert "Dora Noble" in read_text(small.exam / "spare-key.pdf")
     answers = right(small.exam)["0098"]
     path = write_answers(small, [["", *answers]])
     coded = path.read_text(encoding="utf-8").replace("student", "student,paper")
@@ -180,7 +176,7 @@ def test_row_9_a_typo_is_corrected_and_numbers_stay(small: Midterm) -> None:
     done = kinegrade(*again)
     assert done.exit_code == 0, done.stderr
     english = next(each for each in people(6) if not each.language)
-    assert "The crank" in read(small.exam / "papers" / f"{english.student}.pdf")
+    assert "The crank" in read_text(small.exam / "papers" / f"{english.student}.pdf")
     assert (small.exam / "key.jsonl").read_bytes() == key
     template.write_text(crank_text(('"y(velocity(A))"', '"2*y(velocity(A))"')), encoding="utf-8")
     assert kinegrade(*again).exit_code == 2
