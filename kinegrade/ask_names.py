@@ -14,7 +14,7 @@ from typing import NamedTuple
 from unicodedata import normalize
 
 from kinegrade.files.cell_text import make_header_key, trim
-from kinegrade.question_numbers import find_bank_number
+from kinegrade.question_numbers import find_bank_number, find_printed_number
 
 
 class Named(NamedTuple):
@@ -40,6 +40,11 @@ class AskNames:
     >>> [named.column for name in ("1b", "q1.v_B", "1", "Q2") if (named := crank.find(name))]
     ['q1.v_b', 'q1.v_B', 'q1', 'q2']
     >>> crank.find("V_B") is None
+    True
+
+    A paper prints 2 for the alternatives q2a and q2b, and an ask of it may be meant by 2a.
+
+    >>> AskNames(["q2a.v_B", "q2b.v_D"]).find("2a") is None
     True
     """
 
@@ -81,6 +86,9 @@ class AskNames:
             for letter, ask in zip(ascii_lowercase, asks, strict=False):
                 for written in (f"{name}.{ask}", f"{name}{letter}", f"{name}({letter})"):
                     yield written, Named(question, ask)
+        for letter, ask in zip(ascii_lowercase, asks, strict=False):
+            if (printed := find_printed_number(question)) is not None:
+                yield f"{printed}{letter}", Named(question, ask)
         for ask in asks:
             yield f"{question}.{ask}", Named(question, ask)
             yield ask, Named(question, ask)

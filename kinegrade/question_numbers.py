@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Sequence
 
-_NUMBERED = re.compile("q(?P<number>[0-9]+)[a-z]?")
+_NUMBERED = re.compile("q(?P<number>[0-9]+)(?P<alternative>[a-z]?)")
 
 
 def find_bank_number(identifier: str) -> str:
@@ -16,6 +16,16 @@ def find_bank_number(identifier: str) -> str:
     ('3', '2b', 'bonus')
     """
     return identifier.removeprefix("q") if _NUMBERED.fullmatch(identifier) else identifier
+
+
+def find_printed_number(identifier: str) -> str | None:
+    """What papers print for an alternative, None for other questions.
+
+    >>> find_printed_number("q2b"), find_printed_number("q2")
+    ('2', None)
+    """
+    found = _NUMBERED.fullmatch(identifier)
+    return found["number"] if found and found["alternative"] else None
 
 
 def sort_as_in_bank(identifiers: Iterable[str]) -> tuple[str, ...]:
