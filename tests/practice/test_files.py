@@ -19,13 +19,13 @@ from kinegrade.practice.patterns import pool_texts
 from tests.small_class import kinegrade
 
 FOUR_OF_TWENTY, FURTHER = 300_000, 2_500
-MADE = 3  # of twenty draws; `make prove` makes all ("practice sheet size")
+MADE = 5  # of twenty draws; `make prove` makes all ("practice sheet size")
 BANK = 'title = "T"\ncourse = "C"\n\n[[questions]]\ntemplate = "bar-through-swivelling-sleeve"\n'
 
 
 @pytest.fixture(scope="module")
 def sheet() -> PracticeSheet:
-    """The demonstration's sheet, with the first few of its draws."""
+    """The demonstration's sheet, with a quarter of its draws."""
     return make_practice_sheet(api.Bank.read("demo").blueprint, MADE, "practice", ENGLISH).sheet
 
 
