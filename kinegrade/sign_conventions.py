@@ -8,5 +8,6 @@ from typing import Literal, get_args
 
 Convention = Literal["magnitude", "ccw", "cw", "+x", "-x", "+y", "-y", "unsigned", "signed"]
 CONVENTIONS: tuple[Convention, ...] = get_args(Convention)
+SENSES: tuple[Convention, ...] = ("ccw", "cw")  # of rotation
 ALONG_AXES: tuple[Convention, ...] = ("+x", "-x", "+y", "-y")
 UNSIGNED: frozenset[Convention] = frozenset({"magnitude", "unsigned"})  # never negative

@@ -103,18 +103,8 @@ def solve_sensible(
     for name, answer in solution.answers.items():
         if refusal := find_unfit(template.asks[name], answer):
             raise refusal
-        if not template.scheme.has_mechanism:
-            _require_sign(template.asks[name], answer)
     require_doubles(solution)
     return solution
-
-
-def _require_sign(ask: Ask, answer: Quantity) -> None:
-    """Raises Refused for a negative answer that a paper gives no sign to: of a mechanism `check`
-    proves that there is none.
-    """
-    if ask.sign in UNSIGNED and answer.is_negative:
-        raise Refused("degenerate", Message("template.is-negative", ask=ask.name), ask.name)
 
 
 def require_doubles(solution: Solution) -> None:
@@ -172,7 +162,7 @@ def find_too_fine(examined: Examined) -> str:
 
 def find_unfit(ask: Ask, answer: Quantity) -> Refused | None:
     """Why an answer cannot be asked for: it is at infinity, zero although the ask does not allow
-    it, or of an absurd size; None if it can.
+    it, of an absurd size, or negative where the paper gives it no sign; None if it can.
     """
     if answer.at_infinity:
         return Refused("degenerate", Message("template.at-infinity", ask=ask.name))
@@ -185,4 +175,11 @@ def find_unfit(ask: Ask, answer: Quantity) -> Refused | None:
     if not SMALLEST <= abs(answer.value) <= LARGEST:
         size = f"{answer.decimal(3)} {answer.unit}"
         return Refused("absurd", Message("template.is-of-size", ask=ask.name, size=size))
+    if lacks_sign(ask, answer):
+        return Refused("degenerate", Message("template.is-negative", ask=ask.name), ask.name)
     return None
+
+
+def lacks_sign(ask: Ask, answer: Quantity) -> bool:
+    """Whether an answer is negative although papers say that it is not."""
+    return ask.sign in UNSIGNED and answer.is_negative

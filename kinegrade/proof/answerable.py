@@ -10,7 +10,7 @@ from collections import Counter
 from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass, field
 
-from kinegrade.draws.examining import find_unfit
+from kinegrade.draws.examining import find_unfit, lacks_sign
 from kinegrade.errors import KinegradeError, Problem
 from kinegrade.language.message import Fault, Message, Part
 from kinegrade.mechanics.plan import Plan
@@ -26,9 +26,10 @@ _DIGITS = 30  # of a given that no small field holds
 class Answerable:
     """What was found about a template's asks.
 
-    `failed` has those that cannot be worked out at some drawn values, with these values and the
-    reason; `fit` counts the instances in which an ask has a proper answer, `unfit` says why it had
-    none. `solved` counts the instances that meet the conditions and move, `stuck` is why none did.
+    `failed` has those that cannot be worked out at some drawn values, or are negative there though
+    papers say that they are not, with these values and the reason; `fit` counts the instances in
+    which an ask has a proper answer, `unfit` says why it had none. `solved` counts the instances
+    that meet the conditions and move, `stuck` is why none did.
     """
 
     template: Template
@@ -58,7 +59,7 @@ class Answerable:
             return
         self.solved += 1
         for name in together.answers:
-            self.note(name, together)
+            self.note(name, together, values)
 
     def _look_at_each(self, values: Mapping[str, str]) -> None:
         """Work out the asks one by one, where they cannot be worked out together."""
@@ -70,7 +71,7 @@ class Answerable:
         self.solved += 1
         for name in self.sound:
             try:
-                self.note(name, self.solution(values, (name,)))
+                self.note(name, self.solution(values, (name,)), values)
             except KinegradeError as error:
                 problem = _find_reason(error.faults[0], (self.template.name, name))
                 self.failed[name] = _describe_failure(values, problem)
@@ -81,8 +82,13 @@ class Answerable:
         self.plan = self.plan or found.motion.plan
         return found
 
-    def note(self, name: str, solution: Solution) -> None:
+    def note(self, name: str, solution: Solution, values: Mapping[str, str]) -> None:
         """Count an answer, or keep the reason why it is not a proper one."""
+        if lacks_sign(self.template.asks[name], solution[name]):
+            negative = Message("template.is-negative", ask=name)
+            advised = Fault("", negative, do=Message("template.state-sign"))
+            self.failed[name] = _describe_failure(values, advised)
+            return
         refusal = find_unfit(self.template.asks[name], solution[name])
         if refusal is None:
             self.fit[name] += 1

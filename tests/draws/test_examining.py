@@ -114,3 +114,8 @@ def test_conditions_may_name_points_and_fail_where_these_cannot_be_constructed(
     template = crank(("omega < 10000000", condition), kept=True)
     (stated,) = template.scheme.conditions
     assert condition_holds(template, stated, {"r": "2", "h": "1/2", "omega": "1"}) is held
+
+
+def test_a_magnitude_that_is_negative_is_never_dealt() -> None:
+    negative = crank(('sign = "+x", points', 'sign = "magnitude", points'))
+    assert str(refusal(negative)) == "v_x is negative, though papers would say that it is not"

@@ -64,6 +64,18 @@ def test_a_wrong_published_result_is_found(ask: str, right: str, wrong: str) -> 
     assert report.proved == 15  # of 20, at five instances each
 
 
+def test_a_magnitude_that_is_negative_is_a_fault_with_its_values() -> None:
+    negative = crank_text(('sign = "+x", points', 'sign = "magnitude", points'))
+    [fault] = [
+        each for each in all_said(check(read_template("crank", negative)).faults) if "v_x:" in each
+    ]
+    assert fault.startswith("asks.v_x: at r = ")
+    assert fault.endswith(
+        "v_x is negative, though papers would say that it is not - say in sign what a positive answer "
+        'means ("ccw", "+x", "signed" ...), or ask for a size, abs(...)'
+    )
+
+
 def test_a_figure_that_marks_what_is_not_there_is_a_fault() -> None:
     radius = '[figure]\nradii = [{ symbol = "R", centre = "O" }]'
     [fault] = all_said(checked("[figure]", radius).faults)
@@ -326,7 +338,10 @@ def test_an_answer_that_copies_a_given_is_a_fault() -> None:
         ("draw = [1, 2]", "draw = [1]"),
         ('[0, "1/2", 3]', "[0]"),
         ("[2, 1000000, 20000000]", '"1 .. 600 step 1"'),
-        ('"x(velocity(A))"', '"y(velocity(A))"'),
+        (
+            '"x(velocity(A))", unit = "m/s", sign = "+x"',
+            '"y(velocity(A))", unit = "m/s", sign = "+y"',
+        ),
         ('gives = { v_x = "-omega*h" }', 'gives = { v_x = "omega*r" }'),
     )
     report = check(copying, sample=40)

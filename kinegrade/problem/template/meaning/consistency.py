@@ -46,6 +46,7 @@ from kinegrade.problem.quantities.functions import QUANTITIES
 from kinegrade.problem.template.draft import Draft
 from kinegrade.problem.template.meaning.meaning import Scope
 from kinegrade.problem.template.meaning.radians import require_no_radians
+from kinegrade.problem.template.meaning.senses import require_fitting_sign
 from kinegrade.problem.template.sentences import DriverSentence, JointSentence
 from kinegrade.problem.template.template import Ask, Condition, Published, Wording
 
@@ -122,6 +123,7 @@ class _Consistency:
         stated = "unit" if self.draft.steps else "quantity"
         for name, ask in self.draft.asks.items():
             yield from _try_kinds(("asks", name, stated), self.ask, scope, ask)
+            yield from _try_kinds(("asks", name, "sign"), require_fitting_sign, ask)
         for number, result in self.draft.published.items():
             yield from self.published(number, result)
 
