@@ -42,6 +42,14 @@ _BODY = 0.25
 _ANSWER = 0.25
 _SENSE = 0.25  # an answer of which a sense or a quadrant is right
 
+# The kinds of joints that say what a problem is about
+_OF_JOINTS: Mapping[str, Tag] = {
+    "belt": "belt",
+    "contact": "slipping-contact",
+    "mesh": "gears",
+    "roll": "rolling",
+    "sleeve": "sleeve",
+}
 _BOUNDS = (4.0, 5.5, 7.0, 9.0)  # of the effort, between one level of difficulty and the next
 _READING = 3.0  # minutes
 _STEP = 2.5  # minutes
@@ -96,12 +104,13 @@ def find_demands(template: Template) -> Demands:
 
 
 def suggest_tags(template: Template, demands: Demands) -> tuple[str, ...]:
-    """The tags that a template should have by what solving it takes, and lacks: its methods, a
-    Coriolis acceleration, several independent motions.
+    """The tags that a template should have by what solving it takes, and lacks: its methods, its
+    joints, a Coriolis acceleration, several independent motions.
     """
     due: set[Tag] = {
         method for method in ("base-point", "relative-motion") if method in demands.methods
     }
+    due |= {tag for joint, tag in _OF_JOINTS.items() if joint in demands.joints}
     if demands.coriolis:
         due.add("coriolis")
     if len(template.scheme.drivers) > 1:

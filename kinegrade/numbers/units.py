@@ -58,6 +58,27 @@ TYPED: dict[str, tuple[Scale, str]] = {
 }  # with those that are read behind answers alone
 SHORT = {"rpm": "r/min"}  # units with a name of their own
 _TURNING = ("deg", "r")  # angles that stand for themselves or in rates
+# As people write some, who are told how they are written here
+_WRITTEN_OTHERWISE = {
+    "°": "deg",
+    "degree": "deg",
+    "degrees": "deg",
+    "feet": "ft",
+    "foot": "ft",
+    "hour": "h",
+    "inch": "in",
+    "inches": "in",
+    "kmh": "km/h",
+    "kph": "km/h",
+    "meter": "m",
+    "metre": "m",
+    "radian": "rad",
+    "radians": "rad",
+    "rev": "r",
+    "rps": "r/s",
+    "sec": "s",
+    "turn": "r",
+}
 _PART = re.compile(r"(?P<mark>[*/]?)(?P<name>[a-z]+|1)(?:\^(?P<power>-?[1-4]))?", re.ASCII)
 
 
@@ -132,7 +153,8 @@ def _explain_unknown(text: str, name: str) -> ExpressionError:
     """The error for a unit that has a part that is none."""
     what = Message("expression.unit", unit=Quoted(text))
     expected = Message("expression.unit-like", units=list_plainly(sorted((*SCALES, *SHORT))))
-    near = find_nearest(name, (*SCALES, *SHORT))
+    otherwise = _WRITTEN_OTHERWISE.get(name)
+    near = [otherwise] if otherwise else find_nearest(name, (*SCALES, *SHORT))
     names = list_choices(map(Quoted, near))
     do = Message("grammar.did-you-mean", names=names) if near else ""
     return ExpressionError(Fault("", what, expected, do))

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from kinegrade.choosing.demands import LEVELS, find_demands, suggest_tags
 from kinegrade.errors import MechanismError
-from kinegrade.language.message import Message, list_plainly
+from kinegrade.language.message import Message, Quoted, list_plainly
+from kinegrade.problem.template.tags import Tag, find_misspelt_tags
 from kinegrade.proof.report import Report
 
 
@@ -22,6 +23,12 @@ def describe_demands(report: Report) -> None:
     report.demands = Message(
         "choosing.shown-difficulty", difficulty=difficulty, most=LEVELS, count=minutes
     )
+    report.remarks += map(_describe_misspelt, find_misspelt_tags(report.template))
     tags = suggest_tags(report.template, demands)
     if tags:
         report.remarks.append(Message("template.tags-lacking", tags=list_plainly(tags)))
+
+
+def _describe_misspelt(tags: tuple[str, Tag]) -> Message:
+    own, known = map(Quoted, tags)
+    return Message("template.tag-misspelt", own=own, known=known)

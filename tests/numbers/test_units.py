@@ -83,6 +83,15 @@ def test_a_misspelt_unit_is_told_with_the_nearest() -> None:
 
 
 @pytest.mark.parametrize(
+    ("text", "meant"),
+    [("kph", "km/h"), ("rev/min", "r"), ("m/sec", "s"), ("degrees", "deg"), ("°", "deg")],
+)
+def test_a_unit_as_people_write_it_is_told_with_what_is_meant(text: str, meant: str) -> None:
+    with pytest.raises(ExpressionError, match=f'did you mean "{meant}"'):
+        read_unit(text)
+
+
+@pytest.mark.parametrize(
     ("text", "metres"), [("in", "127/5000"), ("ft", "381/1250"), ("ft/s^2", "381/1250")]
 )
 def test_inches_and_feet_are_exact(text: str, metres: str) -> None:

@@ -54,6 +54,16 @@ def test_what_solving_takes_and_the_tags_that_it_lacks_are_said() -> None:
     assert "tags that would let banks find it: coriolis" in all_said(report.remarks)
 
 
+def test_tags_that_follow_from_joints_and_misspelt_ones_are_said() -> None:
+    text = load_template("epicyclic-train-by-tooth-counts").file.text
+    own = text.replace('tags = ["gears", "rolling"]', 'tags = ["gear", "rolling", "exam-2026"]')
+    remarks = all_said(check(read_template("train", own), sample=5).remarks)
+    listed = "kinegrade words tags does not list it"
+    assert f'tag "gear": {listed} - did you mean "gears"?' in remarks
+    assert "tags that would let banks find it: gears" in remarks
+    assert not [each for each in remarks if "exam-2026" in each]
+
+
 def test_values_that_do_not_go_together_by_default_are_remarked() -> None:
     report = check(
         crank(

@@ -4,8 +4,10 @@ asks.
 
 from __future__ import annotations
 
-from typing import Literal, TypeAlias, get_args
+from collections.abc import Iterator
+from typing import Literal, TypeAlias, cast, get_args
 
+from kinegrade.errors import find_nearest
 from kinegrade.problem.template.template import Ask, Template
 
 KINDS = ("position", "velocity", "acceleration")
@@ -58,3 +60,10 @@ def list_tags(template: Template) -> frozenset[str]:
     kinds = {find_kind(template.asks[name]) for name in template.asked()}
     highest = next((name for name in reversed(KINDS) if name in kinds), "position")
     return frozenset({highest, *template.about.tags})
+
+
+def find_misspelt_tags(template: Template) -> Iterator[tuple[str, Tag]]:
+    """The tags of an author's own that are almost a known one, each with that."""
+    for own in template.about.tags:
+        if own not in TAGS and (near := find_nearest(own, TAGS)):
+            yield own, cast(Tag, near[0])
