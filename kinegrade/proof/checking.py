@@ -168,7 +168,8 @@ def _weigh_number(report: Report) -> None:
         return
     if report.possible >= _FEWEST:
         numbers = {"accepted": report.instances, "examined": report.examined, "least": _FEWEST}
-        report.remarks.append(Message("template.sample-too-small", **numbers))
+        needed = report.count_needed(_FEWEST)
+        report.remarks.append(Message("template.sample-too-small", needed=needed, **numbers))
     elif report.instances:
         report.faults.append(
             Message("template.too-few-instances", number=report.distinct, least=_FEWEST)

@@ -70,6 +70,18 @@ class Report:
             return self.instances
         return combinations * (self.instances + _HIDDEN) // max(self.examined, 1)
 
+    def count_needed(self, least: int) -> int:
+        """How many draws would tell whether there are `least` distinct instances, where there seem
+        to be fewer: chance may then hide no more than are lacking.
+        """
+        combinations = self.template.combinations
+        return min(_HIDDEN * combinations // (least - self.distinct) + 1, combinations)
+
+    @property
+    def is_sound(self) -> bool:
+        """Whether draws were looked at that are fit for students, and nothing is wrong."""
+        return bool(self.instances) and not self.faults
+
     @property
     def examined(self) -> int:
         """How many draws were looked at, with those that were refused."""

@@ -13,9 +13,13 @@ from kinegrade.students.near_mistakes import Shares
 
 
 def write_verdict(report: Report) -> Message:
-    """Whether the template is sound, and proved by a published result."""
+    """Whether the template is sound, and proved by a published result; undecided where no draw was
+    accepted.
+    """
     if report.faults:
         return Message("template.report-faulty", name=report.template.name)
+    if not report.is_sound:
+        return Message("template.report-undecided", name=report.template.name)
     if not report.template.published:
         return Message("template.report-unproved", name=report.template.name)
     return Message("template.report-sound", name=report.template.name)

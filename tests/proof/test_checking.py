@@ -284,12 +284,14 @@ def test_no_acceptable_instance_is_a_fault() -> None:
     assert "no acceptable instance was found: widen the domains or relax the conditions" in faults
 
 
-def test_a_sample_too_small_to_tell_is_no_fault() -> None:
+def test_a_sample_without_an_accepted_draw_is_no_fault_and_never_sound() -> None:
     report = check(load_template("slider-crank"), sample=1, secret="c")  # its draw is refused
     assert (report.instances, report.faults) == (0, [])
+    assert not report.is_sound
+    assert said(write_verdict(report)) == "slider-crank: undecided, no draw was accepted"
     assert all_said(report.remarks) == [
         "accepted 0 of 1: too few draws to tell whether there are 500 distinct instances: "
-        "examine more with --sample"
+        "examine 99 with --sample"
     ]
 
 

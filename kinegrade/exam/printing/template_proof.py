@@ -42,7 +42,7 @@ def prove_template(template: Template, sample: int) -> TemplateProof:
     report = check(template, sample)
     report.faults += find_printing_faults(report.template)
     findings = tuple(write_findings(report))
-    return TemplateProof(write_verdict(report), findings, not report.faults)
+    return TemplateProof(write_verdict(report), findings, report.is_sound)
 
 
 def _read(name: str) -> Template | TemplateError:
