@@ -24,6 +24,7 @@ from kinegrade.problem.quantities.functions import QUANTITIES
 from kinegrade.problem.quantities.measures import MEASURES
 from kinegrade.problem.template.hints import SHAPES
 from kinegrade.problem.template.sections import keys
+from kinegrade.problem.template.sections.key_examples import KEY_EXAMPLES
 from kinegrade.problem.template.signs import describe_convention
 from kinegrade.problem.template.tags import TAGS
 from kinegrade.sign_conventions import CONVENTIONS
@@ -114,7 +115,10 @@ def write_meaning(meaning: Message, language: Language) -> str:
 
 def _keys(title: str, table: str, names: Iterable[str]) -> Section:
     """The keys of a table, each with its entry of the catalogues."""
-    words = tuple(Word(name, Message(f"words.{table}-{name}")) for name in names)
+    examples = {name: (each,) for name, each in KEY_EXAMPLES.get(table, {}).items()}
+    words = tuple(
+        Word(name, Message(f"words.{table}-{name}"), examples.get(name, ())) for name in names
+    )
     return Section(Message(f"words.title-{title}"), words)
 
 

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import itertools
 import re
+import tomllib
 from typing import Any
 
 import pytest
@@ -17,10 +18,11 @@ from kinegrade.language.known import known_languages
 from kinegrade.mechanics.branches import BRANCHES
 from kinegrade.mechanics.drivers import DRIVERS
 from kinegrade.mechanics.joints import JOINTS
-from kinegrade.numbers.units import SCALES, SHORT
+from kinegrade.numbers.units import SCALES, SHORT, read_unit
 from kinegrade.problem.quantities.functions import QUANTITIES
 from kinegrade.problem.template.hints import SHAPES
 from kinegrade.problem.template.sections import keys
+from kinegrade.problem.template.sections.key_examples import KEY_EXAMPLES
 from kinegrade.problem.template.sentences import read_driver, read_joint
 from kinegrade.problem.template.tags import TAGS
 from kinegrade.problem.vocabulary import (
@@ -93,6 +95,43 @@ def test_the_example_of_a_function_calls_it_with_what_it_takes(name: str) -> Non
     tree = read_expression(signature.example)
     (call,) = (part for part in walk(tree) if isinstance(part, Call) and part.function == name)
     assert signature.needed <= len(call.arguments) <= len(signature.slots)
+
+
+TABLES = {
+    "parameter": keys.PARAMETER,
+    "input": keys.INPUT,
+    "ask": keys.ASK,
+    "published": keys.PUBLISHED,
+}
+
+
+def test_every_key_and_every_side_has_an_example() -> None:
+    assert {table: tuple(each) for table, each in KEY_EXAMPLES.items()} == {
+        **TABLES,
+        "branch": BRANCHES,
+    }
+
+
+@pytest.mark.parametrize("table", TABLES)
+def test_the_example_of_a_key_is_an_entry_in_which_it_stands(table: str) -> None:
+    for key, example in KEY_EXAMPLES[table].items():
+        entry = tomllib.loads(example)
+        [written] = entry.values()
+        assert key in (written if table in ("parameter", "ask") else entry)
+        if table in ("parameter", "ask"):
+            assert set(written) <= set(TABLES[table])
+            read_unit(written["unit"])
+        if table == "ask":
+            read_expression(written["quantity"])
+            assert written.get("sign", "ccw") in CONVENTIONS
+
+
+@pytest.mark.parametrize("side", BRANCHES)
+def test_the_example_of_a_side_is_a_point_on_it(side: str) -> None:
+    tree = read_expression(KEY_EXAMPLES["branch"][side])
+    assert isinstance(tree, Call)
+    assert tree.function == "meet"
+    assert side in str(tree.arguments[-1])
 
 
 def list_words() -> set[str]:
