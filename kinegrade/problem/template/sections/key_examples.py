@@ -9,7 +9,7 @@ KEY_EXAMPLES: Mapping[str, Mapping[str, str]] = {
         "unit": 'r = { unit = "mm", draw = [80, 100, 120] }',
         "draw": 'phi = { unit = "deg", draw = "15 .. 75 step 15" }',
         "published": 'r = { unit = "cm", draw = "8 .. 20 step 2", published = "12" }',
-        "means": 'r = { unit = "m", draw = [1, 2], means = "length of the crank" }',
+        "means": 'r = { unit = "m", draw = [1, 2], means = "..." }',
         "symbol": r"f = { unit = 'deg', draw = [30, 60], symbol = '\varphi' }",
     },
     "input": {
@@ -20,7 +20,7 @@ KEY_EXAMPLES: Mapping[str, Mapping[str, str]] = {
     "ask": {
         "quantity": 'omega_AB = { quantity = "omega(AB)", unit = "rad/s", sign = "ccw" }',
         "unit": 'n_AB = { quantity = "omega(AB)", unit = "r/min", sign = "ccw" }',
-        "means": 'v_D = { quantity = "x(velocity(D))", unit = "m/s", means = "velocity of D" }',
+        "means": 'v_D = { quantity = "x(velocity(D))", unit = "m/s", means = "..." }',
         "sign": 'v_B = { quantity = "magnitude(velocity(B))", unit = "m/s", sign = "magnitude" }',
         "points": 'v_B = { quantity = "x(velocity(B))", unit = "m/s", sign = "+x", points = 2 }',
         "vanishes": 'a_B = { quantity = "x(acceleration(B))", unit = "m/s^2", vanishes = true }',
@@ -28,7 +28,7 @@ KEY_EXAMPLES: Mapping[str, Mapping[str, str]] = {
         "symbol": r"u = { quantity = 'x(velocity(B))', unit = 'm/s', symbol = 'v_B^x' }",
     },
     "published": {
-        "source": 'source = "Problem 5.12"',
+        "source": 'source = "5.12"',
         "given": 'given = { r = "12", phi = "50" }',
         "gives": 'gives = { omega_AB = "4.08" }',
     },
