@@ -301,6 +301,9 @@ ALLOWED: Mapping[str, Mapping[str, Sequence[str]]] = {
             "turns with",
             "relative to",
         ],
+        "problem/template/sections/key_examples.py": [
+            'motion = "OA turns"',
+        ],
     },
     "a command as it is typed": {
         "errors.py": [
