@@ -14,9 +14,10 @@ import numpy as np
 from kinegrade.exam.folder.keys import Ask
 from kinegrade.files.cell_text import shorten
 from kinegrade.files.tables import Complaint
+from kinegrade.grading.fast.another_paper import PapersAnswered
 from kinegrade.grading.fast.judged_block import JudgedBlock
 from kinegrade.grading.verdict_names import name_verdict
-from kinegrade.language.message import Message, Text, list_all
+from kinegrade.language.message import Message, Quoted, Text, list_all
 
 
 class Doubt(NamedTuple):
@@ -46,6 +47,28 @@ def find_doubts(
         if reading.remark:
             done = Message("marking.judged", verdict=verdict)
             yield Doubt(complain(reading.remark, done), _find_reason(reading.remark))
+
+
+def find_rows_of_others(
+    judged: JudgedBlock, papers: PapersAnswered, columns: Sequence[str]
+) -> Iterator[Complaint]:
+    """A complaint for each row whose numbers are all right on the paper of one other student, as
+    where a typist slipped by a line; no credit hides it, and it changes none.
+    """
+    shape = len(judged.rows), len(columns)
+    numbers = np.where(judged.are("void"), np.nan, judged.cells.values).reshape(shape)
+    wrong = ~judged.are("right").reshape(shape) & ~np.isnan(numbers)
+    for row in np.flatnonzero(wrong.sum(axis=1) > 1).tolist():
+        paper, entry = judged.rows[row]
+        owner = papers.find_owner(paper, numbers[row], wrong[row])
+        if owner:
+            first = int(np.flatnonzero(wrong[row])[0])
+            file, line = entry.place(first)
+            typed = judged.cells.typed[row * len(columns) + first]
+            student = Quoted(paper.student)
+            problem = Message("marking.row-of-another", student=student, other=Quoted(owner))
+            done = Message("marking.check-whose", student=student)
+            yield Complaint(file, line, columns[first], shorten(typed), problem, done)
 
 
 def _find_shared(

@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 from kinegrade.exam.folder.keys import Ask, Paper, Sitting, add_counted
 from kinegrade.files.cell_text import is_answered
 from kinegrade.files.tables import Complaint
-from kinegrade.grading.doubts import find_doubts
+from kinegrade.grading.doubts import find_doubts, find_rows_of_others
 from kinegrade.grading.fast.another_paper import PapersAnswered
 from kinegrade.grading.fast.block_judge import BlockJudge
 from kinegrade.grading.fast.judged_block import USUAL_CREDITS, JudgedBlock, Row
@@ -109,7 +109,7 @@ class _Marker:
         rows = self._counted(papers)
         judged = self._judged(rows)
         grades = self._make_grades(rows, judged)
-        complaints: list[Complaint] = []
+        complaints = [*find_rows_of_others(judged, self.judge.papers, self.sheet.columns)]
         for paper, entry in rows:
             if paper.lacks:
                 complaints += find_strange(paper, entry, self.asks, self.sheet.columns)

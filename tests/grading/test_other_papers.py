@@ -53,3 +53,25 @@ def test_a_hard_exam_is_marked(
     exam = small_class / "EXAM"
     answers = sheet(exam, tmp_path, whose, spoiled, "77.7")
     assert kinegrade("grade", exam, answers, "-o", tmp_path / "MARKS").exit_code == 0
+
+
+def test_a_row_that_slipped_by_a_line_names_whose_answers_it_holds(
+    small_class: Path, tmp_path: Path
+) -> None:
+    exam, slipped = small_class / "EXAM", {STUDENTS[2]: STUDENTS[1]}
+    answers = sheet(exam, tmp_path, OWN | slipped, "", "")
+    marked = kinegrade("grade", exam, answers, "-o", tmp_path / "MARKS")
+    assert marked.exit_code == 1
+    complaints = (tmp_path / "MARKS/complaints.csv").read_text(encoding="utf-8")
+    assert complaints.count("perhaps the rows slipped") == 1
+    assert (
+        f"all numbers of student {quoted(STUDENTS[2])} are right on the paper of student"
+        f" {quoted(STUDENTS[1])}, and not on the own one - perhaps the rows slipped"
+    ) in complaints.replace('""', '"')
+    spoiled = sheet(exam, tmp_path, OWN | slipped, "q1.v_B", "77.7")
+    marked = kinegrade("grade", exam, spoiled, "-o", tmp_path / "MARKS", "--force")
+    assert "perhaps the rows slipped" not in marked.output
+
+
+def quoted(student: str) -> str:
+    return f'"{student}"'

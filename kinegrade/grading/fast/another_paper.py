@@ -9,6 +9,9 @@ and in a large class a wrong number is right on some paper by chance. So at leas
 to fit the same paper, each with all its numeric answers, and the Poisson distribution has to make
 that rarer than the level for this student. How often a question fits by chance is the least of how
 often each of its wrong answers does, and all of them together, on the papers of the exam.
+
+A row that was typed one line too low is another student's as a whole: all its numbers are right on
+that paper. `find_owner` finds whose it is, whatever questions it has; that changes no mark.
 """
 
 from __future__ import annotations
@@ -17,6 +20,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import chain
+from math import prod
 
 import numpy as np
 
@@ -27,6 +31,7 @@ from kinegrade.grading.fast.intervals import Intervals, list_intervals
 from kinegrade.grading.poisson import QUESTIONS_THAT_TELL, find_tail
 
 _LEVEL = 0.02
+_NUMBERS_THAT_TELL = 2  # at least, of a row that is held to be another student's
 _WIDENED = 20  # times a tolerance: how densely right answers lie in a small class
 
 
@@ -72,6 +77,34 @@ class PapersAnswered:
         if count < QUESTIONS_THAT_TELL or len(counts) * find_tail(count, mean) > _LEVEL:
             return ()
         return [each.question for each in found if each.papers[other]]
+
+    def find_owner(self, paper: Paper, numbers: Numbers, wrong: Flags) -> str:
+        """The student on whose paper all numbers of a row are right, at least two of which are
+        wrong on its own `paper`; "" where there is none, or where chance explains it.
+
+        Raises ExamError where the papers cannot be read.
+        """
+        amiss = np.flatnonzero(wrong & ~np.isnan(numbers)).tolist()
+        if len(amiss) < _NUMBERS_THAT_TELL:
+            return ""
+        others = np.arange(len(self.sitting.students))
+        for ask in [*amiss, *np.flatnonzero(~wrong & ~np.isnan(numbers)).tolist()]:
+            others = others[self._intervals[ask].at(others).fit(numbers[[ask]])[0]]
+            if not len(others):
+                return ""
+        by_chance = len(self.sitting.students) * prod(self._nearby(numbers, amiss))
+        owner = self.sitting.students[others[0]]
+        return owner if owner != paper.student and by_chance <= _LEVEL else ""
+
+    def _nearby(self, numbers: Numbers, amiss: Sequence[int]) -> Iterator[float]:
+        """For each of these numbers the share of papers on which it would be right by chance; the
+        paper that is found does not count.
+        """
+        for ask in amiss:
+            intervals, answer = self._intervals[ask], numbers[[ask]]
+            found = intervals.fit(answer).sum() - 1
+            around = intervals.widened(_WIDENED).fit(answer).sum() / _WIDENED
+            yield float(max(found, around)) / len(intervals.value)
 
     def _fitting(self, question: range, own: Numbers, numbers: Numbers, wrong: Flags) -> _Fitting:
         differ = [self._intervals[ask].differ(own[[ask]])[0] for ask in question]

@@ -13,7 +13,7 @@ import numpy as np
 
 from kinegrade.exam.folder.columns.gathering import read_periods, read_rules, read_values
 from kinegrade.exam.folder.keys import Paper
-from kinegrade.grading.fast.bounds import Flags, Numbers, tabulate_rules
+from kinegrade.grading.fast.bounds import Flags, Numbers, Places, tabulate_rules
 
 _SAME = 1e-9  # relative: values further apart than this are different
 _SLACK = 1e-12  # of the right answer: what rounding in doubles may do to a bound
@@ -38,6 +38,10 @@ class Intervals:
         """Intervals so many times as wide, around the same values."""
         low, high = (self.value + factor * (end - self.value) for end in (self.low, self.high))
         return Intervals(self.value, low, high, self.period)
+
+    def at(self, papers: Places) -> Intervals:
+        """Those of these papers."""
+        return Intervals(self.value[papers], self.low[papers], self.high[papers], self.period)
 
     def fit(self, answers: Numbers) -> Flags:
         """Which answers are right on which papers: a row for each answer."""
