@@ -36,6 +36,20 @@ def find_needs(template: Template, asks: Iterable[str]) -> Needs:
     return Needs(frozenset(template.parameters) & _trace_back(names, made), changes)
 
 
+def find_idle_givens(template: Template) -> tuple[str, ...]:
+    """The givens on which nothing depends that is asked, moves, is drawn or is taken for something
+    else.
+    """
+    scheme = template.scheme
+    names = {*find_needs(template, template.asks).givens, *scheme.points}
+    for mistake in scheme.mistakes:
+        names.update(_find_all_names(*mistake.steps.values()))
+    for driver in scheme.drivers:
+        names |= set(_list_driver_names(driver, changes=True))
+    used = _trace_back(names, {**scheme.points, **scheme.lengths, **scheme.steps})
+    return tuple(name for name in template.parameters if name not in used)
+
+
 def find_needed_steps(template: Template, asks: Iterable[str]) -> tuple[str, ...]:
     """The steps on which these asks depend, themselves among them, in order."""
     needed = _trace_back(asks, dict(template.scheme.steps))

@@ -15,6 +15,7 @@ from kinegrade.errors import TemplateError
 from kinegrade.language.message import Fault, Message
 from kinegrade.numbers.tolerance import ONE_PER_CENT, USUAL_CARRY
 from kinegrade.problem.holding import choose_wording, condition_holds
+from kinegrade.problem.needs import find_idle_givens
 from kinegrade.problem.quantity import Quantity
 from kinegrade.problem.solution import Solution
 from kinegrade.problem.statement_faults import find_statement_faults
@@ -25,7 +26,7 @@ from kinegrade.proof.assemblies import note_assemblies
 from kinegrade.proof.causes import find_causes, write_causes
 from kinegrade.proof.demanding import describe_demands
 from kinegrade.proof.ends import note_points_beyond_ends
-from kinegrade.proof.letters import note_points_without_letter
+from kinegrade.proof.letters import note_points_without_letter, note_unknown_points
 from kinegrade.proof.published import prove_published
 from kinegrade.proof.report import SECRET, Report
 from kinegrade.proof.searching import find_breaking_values
@@ -55,6 +56,10 @@ def check(template: Template, sample: int = 200, secret: str = SECRET) -> Report
     report = Report(template, secret, asks.sound)
     report.faults += find_statement_faults(template)
     report.faults += find_unfinished_translations(template)
+    report.remarks += note_unknown_points(template)
+    report.remarks += (
+        Message("template.idle-given", given=name) for name in find_idle_givens(template)
+    )
     _weigh_texts(report, sample)
     if not template.published:
         report.remarks.append(Message("template.no-published"))

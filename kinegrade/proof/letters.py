@@ -1,5 +1,5 @@
-"""Points that the statement names and the figure does not letter: only those of bodies, joints and
-circles have letters.
+"""Points that the statement names and that do not exist, or that the figure does not letter: only
+those of bodies, joints and circles have letters.
 """
 
 from __future__ import annotations
@@ -16,6 +16,36 @@ from kinegrade.problem.template.notation import write_point_symbol
 from kinegrade.problem.template.template import Template
 
 _FORMULA = re.compile(r"\$([^$\n]+)\$")
+_LETTER = re.compile(r"[A-Z](?:_\d+)?'*", re.ASCII)  # A, O_1, B'
+_LETTERS = re.compile(rf"(?:\\(?:angle|triangle)\s*)?((?:{_LETTER.pattern})+)", re.ASCII)
+
+
+def note_unknown_points(template: Template) -> Iterator[Message]:
+    """A remark for each letter of a point, alone or as in OA or an angle, that the statement has
+    and nothing in the file.
+    """
+    named = [letter for formula in _list_formulas(template) for letter in _find_letters(formula)]
+    for letter in dict.fromkeys(named):
+        if letter not in _list_known_letters(template):
+            yield Message("template.no-such-point", point=letter)
+
+
+def _find_letters(formula: str) -> list[str]:
+    """The letters of a formula that consists of points."""
+    points = _LETTERS.fullmatch(formula)
+    return _LETTER.findall(points.group(1)) if points else []
+
+
+def _list_known_letters(template: Template) -> set[str]:
+    """The letters in the names of points and bodies, in labels and in symbols."""
+    names = (*template.scheme.points, *(body.name for body in template.scheme.bodies))
+    symbols = (
+        *map(write_point_symbol, names),
+        *filter(None, template.figure.labels.values()),
+        *(given.symbol for given in template.parameters.values()),
+        *(ask.symbol for ask in template.asks.values()),
+    )
+    return {letter for symbol in symbols for letter in _LETTER.findall(_plain(symbol))}
 
 
 def note_points_without_letter(
@@ -39,11 +69,15 @@ def _list_letters(example: Solution, hints: FigureHints) -> set[str]:
 
 
 def _find_named_points(template: Template) -> Iterator[str]:
-    texts = template.words.statement.texts
-    named = {_plain(formula) for text in texts for formula in _FORMULA.findall(text)}
+    named = set(_list_formulas(template))
     for point in template.scheme.points:
         if _plain(write_point_symbol(point)) in named:
             yield point
+
+
+def _list_formulas(template: Template) -> list[str]:
+    texts = template.words.statement.texts
+    return [_plain(formula) for text in texts for formula in _FORMULA.findall(text)]
 
 
 def _plain(symbol: str) -> str:

@@ -6,10 +6,13 @@ from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
+from functools import cached_property
+from math import prod
 
 from kinegrade.draws.examining import Reason
 from kinegrade.errors import Problem
 from kinegrade.language.message import Message
+from kinegrade.problem.needs import find_idle_givens
 from kinegrade.problem.solution import Solution
 from kinegrade.problem.template.template import Template
 from kinegrade.proof.spread import Spread
@@ -55,27 +58,33 @@ class Report:
 
     @property
     def distinct(self) -> int:
-        """How many distinct instances there are: all combinations, less the share that the sample
+        """How many distinct instances there are: all that differ, less the share that the sample
         refused.
         """
-        return self.template.combinations * self.instances // self.examined if self.examined else 0
+        return self._different * self.instances // self.examined if self.examined else 0
 
     @property
     def possible(self) -> int:
         """How many distinct instances the sample leaves possible: where it has not all
         combinations, chance may have hidden three good ones (19 in 20 samples hide no more).
         """
-        combinations = self.template.combinations
-        if self.examined == combinations:
-            return self.instances
-        return combinations * (self.instances + _HIDDEN) // max(self.examined, 1)
+        if self.examined == self.template.combinations:
+            return self.distinct
+        return self._different * (self.instances + _HIDDEN) // max(self.examined, 1)
 
     def count_needed(self, least: int) -> int:
         """How many draws would tell whether there are `least` distinct instances, where there seem
         to be fewer: chance may then hide no more than are lacking.
         """
-        combinations = self.template.combinations
-        return min(_HIDDEN * combinations // (least - self.distinct) + 1, combinations)
+        needed = _HIDDEN * self._different // (least - self.distinct) + 1
+        return min(needed, self.template.combinations)
+
+    @cached_property
+    def _different(self) -> int:
+        """How many combinations differ in more than givens on which nothing depends."""
+        idle = find_idle_givens(self.template)
+        others = (each for each in self.template.parameters.values() if each.name not in idle)
+        return prod(len(each.choices) for each in others)
 
     @property
     def is_sound(self) -> bool:

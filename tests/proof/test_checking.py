@@ -166,6 +166,31 @@ def test_a_point_that_the_statement_names_and_the_figure_does_not_letter_is_rema
     ]
 
 
+def test_a_point_that_the_statement_names_and_the_file_has_not_is_remarked() -> None:
+    named = ("$A$ is {{ h.value }} above $O$.", r"$\angle OAW$: $A$ is {{ h.value }} above $V_1$.")
+    remarks = all_said(check(crank(named), sample=18).remarks)
+    for letter in ("W", "V_1"):
+        assert (
+            f"the statement names {letter}, which is no point or body of the file: correct the "
+            "letter, or declare the point"
+        ) in remarks
+    assert not [each for each in remarks if "statement names A" in each]
+
+
+def test_a_given_on_which_nothing_depends_is_remarked_and_makes_no_further_instances() -> None:
+    idle = (
+        "[parameters]\n",
+        '[parameters]\nq = { unit = "m", draw = [1, 2, 3], means = "none" }\n',
+    )
+    report = check(crank(idle, ("turns with", "{{ q }} turns with")), sample=54)
+    assert (
+        "nothing that is asked, moves or is drawn depends on the given q: leave it out, or use "
+        "it; its values make no further instances"
+    ) in all_said(report.remarks)
+    assert (report.examined, report.distinct) == (54, 2)
+    assert not [each for each in all_said(check(crank(), 18).remarks) if "depends on" in each]
+
+
 INEXACT = (
     ('phi = "60"', 'phi = "37"'),
     ('v_B = "2*sqrt(3)/3*omega*r"', 'v_B = "GIVEN"'),
