@@ -171,6 +171,23 @@ def test_rows_without_a_time_are_told_of_and_cost_nothing(exam: Path) -> None:
     assert totals(exam)["7"] == ("9.5", "0")
 
 
+def test_two_files_with_different_times_of_a_student_are_told_of(exam: Path) -> None:
+    again = exam.parent / "again.csv"
+    again.write_text(
+        f"student,submitted,{COLUMNS[0]}\n7,2026-12-03 18:00,\n8,2026-12-01 18:10:00,\n9,,\n",
+        encoding="utf-8",
+    )
+    assert "handed in at" not in grade(exam, LATE).stderr
+    sheet, policy = exam.parent / "typed.csv", exam.parent / "policy.toml"
+    done = kinegrade("grade", exam, sheet, again, "--policy", policy, "-o", exam.parent / "TWO")
+    assert done.exit_code == 1
+    assert [line for line in done.stderr.splitlines() if "handed in at" in line] == [
+        'complaint: again.csv:2: student "7" handed in at "2026-12-03 18:00" by this file and at'
+        f' "{IN_TIME[0][1]}" by typed.csv - the time in typed.csv counts; correct one of the files'
+        " and grade again"
+    ]
+
+
 @pytest.mark.parametrize("time", ["12/1/26 18:30", "1.12.2026 18:30", "2026-13-01 18:30", "late"])
 def test_a_time_that_is_not_certain_is_refused(exam: Path, time: str) -> None:
     done = grade(exam, LATE, [("7", time, RIGHT)])

@@ -50,24 +50,48 @@ def _has_answers(entry: Entry) -> bool:
 
 
 def check_times(sheet: Sheet, rule: LateRule | None) -> tuple[Complaint, ...]:
-    """A complaint about students of whom it is not known when they handed in.
+    """Complaints about students of whom it is not known when they handed in, or of whom two files
+    say different times.
 
     Raises TableError for times that are not certain, or cannot be compared with the due date.
     """
     if rule is None:
         return ()
     _require_certain(sheet.entries, rule)
+    return (*_find_unknown(sheet), *_find_different(sheet))
+
+
+def _find_different(sheet: Sheet) -> Iterator[Complaint]:
+    """A complaint for each time that is not that of the first file."""
+    for student, entries in sheet.entries.items():
+        for entry in entries:
+            for place, time in entry.other_times:
+                if parse_moment(time) == parse_moment(entry.submitted):  # written otherwise
+                    continue
+                problem = Message(
+                    "deadline.two-times",
+                    student=Quoted(student),
+                    here=Quoted(shorten(time)),
+                    there=Quoted(shorten(entry.submitted)),
+                    file=entry.file,
+                )
+                done = Message("deadline.first-time-counts", file=entry.file)
+                yield Complaint(*place, "", shorten(time), problem, done)
+
+
+def _find_unknown(sheet: Sheet) -> Iterator[Complaint]:
+    """One complaint about all students of whom it is not known when they handed in."""
     unknown = [
         student
         for student, entries in sheet.entries.items()
         if any(_has_answers(each) and not each.submitted for each in entries)
     ]
     if not unknown:
-        return ()
+        return
     problem = Message("deadline.no-times", count=len(unknown), first=Quoted(unknown[0]))
     files = dict.fromkeys(each.file for whose in unknown for each in sheet.entries[whose])
     done = Message("deadline.nothing-subtracted")
-    return (Complaint(", ".join(files), None, "", "", problem, done),)
+    yield Complaint(", ".join(files), None, "", "", problem, done)
 
 
 def _require_certain(entries: Mapping[str, Sequence[Entry]], rule: LateRule) -> None:

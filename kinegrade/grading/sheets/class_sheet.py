@@ -16,7 +16,7 @@ from kinegrade.files.answer_file import AnswerFile, LeftOut
 from kinegrade.files.cell_text import is_answered, shorten, trim
 from kinegrade.files.tables import Complaint, Table
 from kinegrade.grading.sheets.part import read_part
-from kinegrade.grading.sheets.sheet import Entry, Part, Place, Sheet
+from kinegrade.grading.sheets.sheet import Entry, OtherTime, Part, Place, Sheet
 from kinegrade.grading.typed.same_answer import are_same
 from kinegrade.language.message import Message, Quoted
 
@@ -124,7 +124,14 @@ def _unite(first: Entry, other: Entry) -> Entry:
         tuple(put) if any(put) else (),
         tuple(chosen[number].place(number) for number in numbers),
         first.submitted or other.submitted,
+        (*first.other_times, *_find_other_time(first, other)),
     )
+
+
+def _find_other_time(first: Entry, other: Entry) -> Iterator[OtherTime]:
+    """The time of the other entry where it is not that of the first."""
+    if first.submitted and other.submitted and first.submitted != other.submitted:
+        yield OtherTime(Place(other.file, other.line), other.submitted)
 
 
 def _find_conflicts(

@@ -25,6 +25,15 @@ class Place(NamedTuple):
     line: int | None
 
 
+class OtherTime(NamedTuple):
+    """Another time at which a student handed in, by another file than the first, and where it
+    stands.
+    """
+
+    place: Place
+    submitted: str
+
+
 class Entry(NamedTuple):
     """One row of a student: the responses in the order of the asks; `line` is None where the
     student has no row.
@@ -32,7 +41,8 @@ class Entry(NamedTuple):
     `whole` is the row as it came, where the student has several in its file. `put` holds for each
     ask the student whose line of the key it is marked by, "" for the student's own; it is empty
     where all are the student's own. `submitted` is when it was handed in, as far as that is known.
-    `places` are those of the single responses, where they come from several files.
+    `places` are those of the single responses, where they come from several files; `other_times`
+    are those that do not count.
     """
 
     line: int | None
@@ -42,6 +52,7 @@ class Entry(NamedTuple):
     put: Sources = ()
     places: tuple[Place, ...] = ()
     submitted: str = ""
+    other_times: tuple[OtherTime, ...] = ()
 
     def place(self, number: int) -> Place:
         """Where the response to an ask stands."""
