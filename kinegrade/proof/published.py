@@ -11,7 +11,8 @@ from kinegrade.draws.deck import Combination, make_deck
 from kinegrade.errors import ExpressionError, KinegradeError, Problem
 from kinegrade.expressions.angular import is_angle
 from kinegrade.expressions.evaluation import evaluate, make_elementary_functions
-from kinegrade.language.message import Fault, Message
+from kinegrade.expressions.tree import find_names
+from kinegrade.language.message import Fault, Message, list_all
 from kinegrade.numbers.angle import Angle
 from kinegrade.numbers.balls import Undecided
 from kinegrade.numbers.refusals import Inexact
@@ -118,7 +119,6 @@ def _find_differences(
     its printed figures, all others exactly, or to within the enclosure where no field holds them.
     """
     for name, answer in solution.answers.items():
-        stated = published.texts[name]
         try:
             with solution.arithmetic.context():
                 met = _is_met(template.asks[name], published, solution)
@@ -129,10 +129,32 @@ def _find_differences(
             yield name, Fault(name, Message("template.stated-in-no-field"))
         else:
             if not met:
-                what = Message(
-                    "template.engine-gives", ask=name, stated=stated, given=_write_answer(answer)
-                )
-                yield name, _advise_point(what, stated, answer)
+                yield name, _describe_difference(template.asks[name], published, solution)
+
+
+def _describe_difference(ask: Ask, published: Published, solution: Solution) -> Problem:
+    """What the source gives and what the engine gives; of an expression its own value as well, and
+    the units in which it counts where they are not those of SI.
+    """
+    answer, stated = solution[ask.name], published.texts[ask.name]
+    parts = {"ask": ask.name, "stated": stated, "given": _write_answer(answer)}
+    named = set(find_names(published.gives[ask.name])) & solution.parameters.keys()
+    if not named:
+        return _advise_point(Message("template.engine-gives", **parts), stated, answer)
+    with solution.arithmetic.context():
+        value = Quantity(ask.name, _evaluate_stated(ask, published, solution), ask.unit)
+        what = Message("template.engine-gives-other", value=_write_answer(value), **parts)
+    units = {ask.name: ask.unit} | {
+        name: given.measure for name, given in solution.parameters.items() if name in named
+    }
+    counted = [
+        Message("template.counts-in", name=name, unit=unit.printed)
+        for name, unit in units.items()
+        if unit.text != "1"
+    ]
+    if all(unit.is_si for unit in units.values()):
+        return what
+    return Fault("", what, do=Message("template.own-units", units=list_all(counted)))
 
 
 def _advise_point(what: Message, stated: str, answer: Quantity) -> Problem:
@@ -155,13 +177,19 @@ def _is_met(ask: Ask, published: Published, solution: Solution) -> bool:
     answer, arithmetic = solution[ask.name], solution.arithmetic
     if is_printed_decimal(published.texts[ask.name]):
         return _is_rounded(published.texts[ask.name], answer)
-    functions, tree = make_elementary_functions(arithmetic), published.gives[ask.name]
-    expected = evaluate(tree, _quote(solution), functions, arithmetic)
+    expected = _evaluate_stated(ask, published, solution)
     if arithmetic.exact:
         return _is_equal(expected, answer.number, ask, arithmetic)
-    if ask.unit.degrees and is_angle(tree, solution.template.angles):
-        expected = expected * 180 / arithmetic.turns(1)
     return bool(arithmetic.is_zero(_turn_back(expected - answer.number, answer)))
+
+
+def _evaluate_stated(ask: Ask, published: Published, solution: Solution) -> Any:
+    """The value of a published expression, in the ask's unit."""
+    arithmetic, tree = solution.arithmetic, published.gives[ask.name]
+    functions = make_elementary_functions(arithmetic)
+    expected = evaluate(tree, _quote(solution), functions, arithmetic)
+    angular = ask.unit.degrees and is_angle(tree, solution.template.angles)
+    return expected * 180 / arithmetic.turns(1) if angular and not arithmetic.exact else expected
 
 
 def is_printed_decimal(text: str) -> bool:

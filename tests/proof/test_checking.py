@@ -141,6 +141,19 @@ def test_a_whole_number_that_the_source_has_rounded_is_told_how_to_be_written() 
     assert "whole number" not in fault
 
 
+def test_a_published_expression_tells_its_own_value_and_the_units_in_which_it_counts() -> None:
+    millimetres = (
+        ('r     = { unit = "m", draw = [1, 2]', 'r     = { unit = "mm", draw = [1000, 2000]'),
+        ('h     = { unit = "m", draw = [0, "1/2", 3]', 'h     = { unit = "mm", draw = [500]'),
+        ("[2, 1000000, 20000000]", "[2]"),
+    )
+    fault, *_ = all_said(check(crank(*millimetres), sample=18).faults)
+    assert fault.endswith(
+        "v_x = -omega*h, but the engine gives -1; the expression is -1000 - numbers count in their "
+        "own units here: v_x in m/s, h in mm and omega in rad/s"
+    )
+
+
 def test_a_radius_that_may_be_that_of_several_circles_is_a_fault() -> None:
     """It was drawn at the larger one, though the smaller one was meant, and nothing said so."""
     text = load_template("two-stage-belt-drive").file.text
