@@ -101,17 +101,30 @@ def test_right_is_the_closed_interval_about_the_key(
         ("-10", "right"),
         ("710", "right"),
         ("-369.5", "right"),
+        ("1430", "right"),
+        ("1790", "wrong"),
         ("10", "wrong"),
         ("-12", "wrong"),
     ],
 )
-def test_an_angle_is_right_with_any_number_of_full_turns(typed: str, kind: str) -> None:
+def test_an_angle_is_right_with_a_few_full_turns(typed: str, kind: str) -> None:
     assert (
         judge(
             read(typed, "deg"), Key(Fraction(350), Tolerance(absolute=Fraction(1)), Fraction(360))
         ).kind
         == kind
     )
+
+
+def test_degrees_typed_for_radians_are_no_angle_many_turns_away() -> None:
+    turn = Fraction("6.283185307179586476925286766559005768394")
+    key = Key(Fraction("2.34321"), Tolerance(relative=Fraction("0.02")), turn)
+    verdict = judge(read("134.3", "rad"), key)
+    assert (verdict.kind, said(verdict.reason)) == (
+        "wrong",
+        "key 2.34321, difference 131.957, allowed 0.0468642",
+    )
+    assert judge(read("8.6264", "rad"), key).kind == "right"
 
 
 TO_FIGURES = Key(Fraction("1.2349"), Tolerance(figures=3))

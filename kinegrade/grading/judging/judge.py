@@ -18,6 +18,8 @@ from kinegrade.language.message import Message, Text
 from kinegrade.numbers.decimals import round_to_decimal
 
 _MOST_DIGITS = 40
+#: Full turns between an answer and the key, at most: more are degrees typed for radians
+MOST_TURNS = 3
 
 Kind = Literal[
     #: Within the tolerance.
@@ -99,9 +101,10 @@ def _compare(reading: Reading, key: Key) -> Verdict:
 
 
 def _find_difference(value: Fraction, key: Key) -> Fraction:
-    """How far a value is from the key, but for full turns where any number of them is right."""
+    """How far a value is from the key, but for a few full turns where they do not matter."""
     difference = value - key.value
-    return difference - round(difference / key.period) * key.period if key.period else difference
+    turns = round(difference / key.period) if key.period else 0
+    return difference - turns * (key.period or 0) if abs(turns) <= MOST_TURNS else difference
 
 
 def _is_within(reading: Reading, key: Key, difference: Fraction) -> bool:

@@ -29,6 +29,8 @@
 
 // Keys have 12 digits: what cannot be distinguished from a bound counts as on it
 const SLACK = 1e-11;
+// Between an answer and the key, at most: more are degrees typed for radians
+const MOST_TURNS = 3;
 
 /** @param {Reading} reading @param {Key} key @returns {Verdict} */
 function judge(reading, key) {
@@ -42,7 +44,8 @@ function judge(reading, key) {
 /** @param {number} value @param {number} other @param {Key} key whether they agree by its rule */
 function agrees(value, other, key) {
   let difference = value - other;
-  if (key.period) difference -= Math.round(difference / key.period) * key.period;
+  const turns = key.period && Math.round(difference / key.period);
+  if (Math.abs(turns) <= MOST_TURNS) difference -= turns * key.period;
   const [low, high] = findInterval(other, key.rule);
   const slack = SLACK * Math.max(Math.abs(low), Math.abs(high));
   return low - slack <= other + difference && other + difference <= high + slack;

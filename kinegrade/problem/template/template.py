@@ -58,7 +58,7 @@ class Ask:
     and weight.
 
     `points` is 0 for quantities that are asked only when a bank names them; `vanishes` says that
-    zero is a proper answer, `cyclic` that an angle is right with any number of full turns more or
+    zero is a proper answer, `cyclic` that an angle is right with up to three full turns more or
     less.
     """
 
