@@ -27,10 +27,10 @@ from kinegrade.marks_folder.folder import MarksFolder
 from kinegrade.marks_folder.layout import CHANGES
 from kinegrade.public.folders import expect_own_place
 from kinegrade.public.marking_notes import (
-    describe_by_hand,
     describe_grades,
+    describe_key,
     describe_lapsed,
-    describe_subtracted,
+    describe_points,
     list_written,
 )
 from kinegrade.public.opened import expect_opened
@@ -162,9 +162,9 @@ def grade(
     marks = MarksFolder(place)  # was checked before it was put there
     written = [
         *list_written(grades, place, kept=options.never_lower is not None),
+        *describe_key(exam),
         *lapsed,
-        *describe_by_hand(grades, marks),
-        *describe_subtracted(marks),
+        *describe_points(grades, marks),
         *describe_grades(marks, exam, options.policy),
     ]
     complaints = tuple(complaint.fault for complaint in grades.complaints)

@@ -14,7 +14,7 @@ from kinegrade.errors import Problem
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.grading.marks import ClassGrades
 from kinegrade.grading.policy.reading import read_policy, stated_policy
-from kinegrade.language.message import Message, list_first, list_plainly
+from kinegrade.language.message import Fault, Message, list_first, list_plainly
 from kinegrade.marks_folder.folder import MarksFolder
 from kinegrade.marks_folder.hand_marks import list_hand_marks
 from kinegrade.marks_folder.layout import KEPT, MANUAL, POLICY, SUBTRACTED
@@ -22,6 +22,13 @@ from kinegrade.marks_folder.open_questions import describe_open
 from kinegrade.numbers.amounts import write_amount
 
 _MOST_NAMED = 5
+
+
+def describe_key(exam: ExamFolder) -> Iterator[Fault]:
+    """That the key by which a class is marked is not the one that was generated."""
+    if exam.has_changed_key:
+        what, do = Message("terminal.key-changed"), Message("terminal.verify-key")
+        yield Fault(str(exam.key), what, do=do)
 
 
 def describe_lapsed(folders: Iterable[Path]) -> Iterator[Message]:
@@ -35,7 +42,13 @@ def describe_lapsed(folders: Iterable[Path]) -> Iterator[Message]:
             yield Message("terminal.policy-lapsed", file=str(file), keys=list_plainly(stated))
 
 
-def describe_by_hand(grades: ClassGrades, marks: MarksFolder) -> Iterator[Problem]:
+def describe_points(grades: ClassGrades, marks: MarksFolder) -> Iterator[Problem]:
+    """What hands gave, and what was subtracted."""
+    yield from _describe_by_hand(grades, marks)
+    yield from _describe_subtracted(marks)
+
+
+def _describe_by_hand(grades: ClassGrades, marks: MarksFolder) -> Iterator[Problem]:
     """What hands marked, and what they still have to mark."""
     yield from grades.notes
     given = list(list_hand_marks(marks.by_hand))
@@ -48,7 +61,7 @@ def describe_by_hand(grades: ClassGrades, marks: MarksFolder) -> Iterator[Proble
         yield describe_open(marks.open)
 
 
-def describe_subtracted(marks: MarksFolder) -> Iterator[Message]:
+def _describe_subtracted(marks: MarksFolder) -> Iterator[Message]:
     """From how many totals points were subtracted, where a policy says what costs any."""
     if (marks.path / SUBTRACTED.name).exists():
         points = [each.subtracted for each in marks.totals.students if each.subtracted]

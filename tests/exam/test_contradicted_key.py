@@ -146,3 +146,34 @@ def test_an_earlier_folder_makes_a_quiz_with_solutions(tmp_path: Path) -> None:
     damaged.write_text(text.replace('"x(acceleration(B))"', '"2*x(acceleration(B))"'), "utf-8")
     again = kinegrade(*quiz(exam, tmp_path), "--force")
     assert (again.exit_code, again.stderr.count(REMEDY)) == (2, again.stderr.count("\n"))
+
+
+def told_of_the_key(exam: Path, place: Path) -> list[str]:
+    """What marking an empty sheet says of the key."""
+    done = kinegrade("grade", exam, exam / "answers.csv", "-o", place)
+    assert done.exit_code in (0, 1), done.stderr
+    return [line for line in done.stderr.splitlines() if "key.jsonl" in line]
+
+
+def test_marking_by_a_key_that_somebody_changed_says_so(exam: Path, tmp_path: Path) -> None:
+    edit_key(exam)
+    assert told_of_the_key(exam, tmp_path / "MARKS") == [
+        f"{exam}/key.jsonl: was changed since kinegrade wrote it: marks go by what it says now"
+        " - kinegrade verify EXAM --all names the lines that no longer follow"
+    ]
+
+
+def test_a_key_that_was_only_touched_or_copied_is_as_it_was_written(
+    exam: Path, tmp_path: Path
+) -> None:
+    copied = Path(shutil.copytree(exam, tmp_path / "COPY", copy_function=shutil.copyfile))
+    (exam / "key.jsonl").touch()
+    assert told_of_the_key(exam, tmp_path / "M1") == []
+    assert told_of_the_key(copied, tmp_path / "M2") == []
+
+
+@pytest.mark.parametrize("damage", [b"", b"PK\x03\x04", b"nothing"])
+def test_without_the_arrays_nobody_can_tell(exam: Path, tmp_path: Path, damage: bytes) -> None:
+    edit_key(exam)
+    (exam / "key.npz").write_bytes(damage)
+    assert told_of_the_key(exam, tmp_path / "MARKS") == []

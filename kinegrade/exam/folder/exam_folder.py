@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from kinegrade.errors import ExamError
-from kinegrade.exam.folder.columns.reading import DAMAGED, KeyColumns, find_columns
+from kinegrade.exam.folder.columns.reading import DAMAGED, KeyColumns, find_columns, is_key_changed
 from kinegrade.exam.folder.contents import (
     BANK,
     HEAD,
@@ -246,6 +246,11 @@ class ExamFolder:
     def _columns(self) -> KeyColumns | None:
         """The key as arrays, where they were written by the key as it now stands."""
         return find_columns(self.path / KEY_COLUMNS, self.key, self.head)
+
+    @property
+    def has_changed_key(self) -> bool:
+        """Whether other hands changed key.jsonl, as far as its arrays tell it."""
+        return is_key_changed(self.path / KEY_COLUMNS, self.key, self.head)
 
     @cached_property
     def _decoder(self) -> PaperDecoder:

@@ -23,6 +23,7 @@ from kinegrade.exam.folder.columns.record import (
     PART,
     About,
     is_current,
+    is_other_key,
     read_terms,
 )
 from kinegrade.exam.folder.keys import Paper
@@ -71,12 +72,27 @@ def find_columns(path: Path, key: Path, head: ExamHead) -> KeyColumns | None:
     if not path.exists() or head.choices:
         return None
     try:
-        with ZipFile(path) as archive:
-            about = _read_about(archive.read(ABOUT))
+        about = _open_about(path)
         current = is_current(about, path, key, head) and about.papers == len(head.students)
     except DAMAGED:
         return None
     return KeyColumns(path, head, about) if current else None
+
+
+def is_key_changed(path: Path, key: Path, head: ExamHead) -> bool:
+    """Whether a key is another than that by which the arrays in that file were written; False where
+    nothing tells it.
+    """
+    try:
+        about = _open_about(path)
+        return not is_current(about, path, key, head) and is_other_key(about, key, head)
+    except DAMAGED:
+        return False
+
+
+def _open_about(path: Path) -> About:
+    with ZipFile(path) as archive:
+        return _read_about(archive.read(ABOUT))
 
 
 def _read_arrays(archive: ZipFile, number: int) -> _Arrays:

@@ -84,6 +84,11 @@ def is_current(about: About, columns: Path, key: Path, head: ExamHead) -> bool:
     return about.origin == find_origin(key, head)
 
 
+def is_other_key(about: About, key: Path, head: ExamHead) -> bool:
+    """Whether arrays were made of another key, whatever its head. Raises OSError."""
+    return about.origin.format == FORMAT and about.origin.key != find_origin(key, head).key
+
+
 def _digest_head(head: ExamHead) -> str:
     asks = [(ask.question, ask.ask, ask.unit, str(ask.points)) for ask in head.asks]
     return sha256(msgspec.json.encode((asks, list(head.candidates)))).hexdigest()
