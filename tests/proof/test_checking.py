@@ -358,7 +358,8 @@ def test_the_report_says_what_was_found() -> None:
         "v_x                  -1 .. -1         m/s     negative 100%, different 1",
         'A is "right"; with "left" it closes as well in 100% of the draws: -o FILE shows both',
         "fault: about 2 distinct instances: at least 500 are needed for a class: widen the domains",
-        "fault: v_x has the same answer in all instances: a student guesses it",
+        "fault: v_x has the same answer in all instances: a student guesses it: give it no points "
+        "here (a bank may still ask for it), or ask for something else",
         "fault: breaks at r = 1, h = 3, omega = 2: crank: points.A: the circle about O of "
         "radius 1 does not reach the line y = 3: add a condition or narrow the domains",
     ]
@@ -509,7 +510,8 @@ def test_an_ask_on_request_without_any_answer_to_ask_for_is_a_fault() -> None:
     zero = on_request("alpha(OA)", "rad/s^2")
     assert all_said(check(crank(*WIDE, zero), sample=20).faults) == [
         "asks.w: no drawn instance has an answer to ask for: w is zero: "
-        "ask for something else, or write vanishes = true where zero is a proper answer"
+        "ask for something else, or, where zero is a proper answer, write vanishes = true and leave "
+        "its points to the bank"
     ]
     allowed = on_request("alpha(OA)", "rad/s^2", "vanishes = true, ")
     assert all_said(check(crank(*WIDE, allowed), sample=20).faults) == []
@@ -573,7 +575,9 @@ def test_the_report_is_in_the_language_of_the_terminal(tmp_path: Path) -> None:
     assert shown.exit_code == 1
     assert shown.stdout.startswith("crank：有误\n  齐全的语言：en、zh\n")
     assert "拒绝：大小不合理 2、不合条件 6、退化 4、机构不成立 4\n" in shown.stdout
-    assert "  错误：v_x 在所有实例中答案相同：学生会猜到\n" in shown.stdout
+    assert (
+        "  错误：v_x 在所有实例中答案相同：学生会猜到：请在此不给分（题库仍可要求），或改求别的量\n"
+    ) in shown.stdout
 
 
 def test_the_other_way_in_which_a_mechanism_closes_is_said() -> None:
