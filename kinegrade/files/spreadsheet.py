@@ -197,13 +197,23 @@ def _note_formulas(path: Path, name: str, lines: list[_Line]) -> list[_Line]:
             for place, cell in enumerate(row)
             if cell.data_type == "f"
         }
+    widths = dict[int, int]()
+    for line, place in computed:  # behind the last filled cell, too
+        widths[line] = max(widths.get(line, 0), place + 1)
     return [
         (
             line,
-            [_note_formula(cell, computed.get((line, place))) for place, cell in enumerate(cells)],
+            [
+                _note_formula(cell, computed.get((line, place)))
+                for place, cell in enumerate(_widen(cells, widths.get(line, 0)))
+            ],
         )
         for line, cells in lines
     ]
+
+
+def _widen(cells: list[_Cell], width: int) -> list[_Cell]:
+    return cells + [_BLANK] * (width - len(cells))
 
 
 def _note_formula(cell: _Cell, formula: str | None) -> _Cell:

@@ -135,7 +135,26 @@ def test_dates_long_numbers_and_formulas_are_told(tmp_path: Path) -> None:
             "01:02:00",
             "the cell is a date or a time for the spreadsheet, whatever was typed",
         ),
-        (4, "student", "", "the cell is computed by the formula =1+1 which was never computed"),
+        (
+            4,
+            "student",
+            "",
+            "the cell holds the formula =1+1 without its value; open the file in the spreadsheet"
+            " program and save it",
+        ),
+    ]
+
+
+def test_a_formula_without_a_value_behind_the_last_filled_cell_is_told(tmp_path: Path) -> None:
+    path = book(tmp_path / "a.xlsx", ["student", "a", "b"], ["7", "=1/3"], ["8", 2, 3])
+    assert told(read_workbook(path)) == [
+        (
+            2,
+            "a",
+            "",
+            "the cell holds the formula =1/3 without its value; open the file in the spreadsheet"
+            " program and save it",
+        )
     ]
 
 

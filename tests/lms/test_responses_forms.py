@@ -197,7 +197,8 @@ def test_a_microsoft_form_as_the_workbook_it_comes_as(tmp_path: Path) -> None:
     assert told(read) == [
         (
             2,
-            "the cell is computed by the formula =1+1 which was never computed",
+            "the cell holds the formula =1+1 without its value; open the file in the spreadsheet"
+            " program and save it",
             "taken as its content stands here",
         )
     ]
