@@ -118,8 +118,9 @@ def _mark(
     accepted = alternatives(exam, rules, exam, pool.put_together(exam, sheet), pool.papers)
     orders = exam.printed_orders()
     hands = gather_hand_marks(sources, find_markable(exam, rules, orders))
-    follows = wishes.follows
-    terms = MarkingTerms(rules, accepted, wishes.decimal, follows, pool, hands.by_hand)
+    terms = MarkingTerms(
+        rules, accepted, wishes.decimal, wishes.follows, pool, hands.by_hand, wishes.own_papers
+    )
     by_hand = HandMarking(hands.by_hand, exam.head, rules.given_to_all)
     blocks = by_hand.watched(others.watched(mark_blocks(exam, sheet, terms)))
     grades = collect_grades(exam, sheet, write_marks(folder, blocks))

@@ -49,7 +49,8 @@ class MarkingTerms:
     `alternatives` are the policy's accepted answers, worked out. `decimal` declares the decimal
     mark of the sheet; without it, unambiguous cells decide what 1,234 means. `follows` works out
     what follows from a student's answers; `pool` has the papers whose questions were put to others.
-    `by_hand` are those who have a mark by hand, and so handed in.
+    `by_hand` are those who have a mark by hand, and so handed in. With `own_papers` somebody has
+    seen to it that all answered their own.
     """
 
     policy: Policy = AS_PRINTED
@@ -58,6 +59,7 @@ class MarkingTerms:
     follows: Follows | None = None
     pool: Pool = field(default_factory=Pool)
     by_hand: Collection[str] = ()
+    own_papers: bool = False
 
 
 _BY_THE_PAPERS = MarkingTerms()
@@ -80,7 +82,7 @@ def mark_blocks(exam: Sitting, sheet: Sheet, terms: MarkingTerms) -> Iterator[Ma
     judge = BlockJudge(PapersAnswered(exam), policy, terms.alternatives, styles, terms.follows)
     asks = tuple(policy.ruling(ask.column).ask(ask) for ask in exam.asks)
     submissions = Submissions(policy.penalties)
-    marker = _Marker(sheet, judge, asks, add_counted(asks), terms.pool, submissions, terms.by_hand)
+    marker = _Marker(sheet, judge, asks, add_counted(asks), terms, submissions)
     each, size = exam.papers(), _BLOCK if len(exam.students) < _LARGE else _LARGE_BLOCK
     while block := list(islice(each, size)):
         yield marker.block(block)
@@ -99,9 +101,8 @@ class _Marker:
     judge: BlockJudge
     asks: tuple[Ask, ...]
     out_of: Fraction
-    pool: Pool
+    terms: MarkingTerms
     submissions: Submissions
-    by_hand: Collection[str]
     known: dict[bytes, tuple[Fraction, ...]] = field(default_factory=dict)
 
     def block(self, papers: Sequence[Paper]) -> MarkedBlock:
@@ -109,7 +110,9 @@ class _Marker:
         rows = self._counted(papers)
         judged = self._judged(rows)
         grades = self._make_grades(rows, judged)
-        complaints = [*find_rows_of_others(judged, self.judge.papers, self.sheet.columns)]
+        complaints: list[Complaint] = []
+        if not self.terms.own_papers:
+            complaints += find_rows_of_others(judged, self.judge.papers, self.sheet.columns)
         for paper, entry in rows:
             if paper.lacks:
                 complaints += find_strange(paper, entry, self.asks, self.sheet.columns)
@@ -175,10 +178,10 @@ class _Marker:
     def _handed_in(self, paper: Paper) -> bool:
         """Whether a student answered anything, in any entry, or has a mark by hand."""
         responses = chain.from_iterable(entry.responses for entry in self._entries(paper))
-        return paper.student in self.by_hand or any(map(is_answered, responses))
+        return paper.student in self.terms.by_hand or any(map(is_answered, responses))
 
     def _row(self, paper: Paper, entry: Entry) -> Row:
-        return self.pool.paper(paper, entry), entry
+        return self.terms.pool.paper(paper, entry), entry
 
     def _counted(self, papers: Sequence[Paper]) -> list[Row]:
         """The row that counts for each student, as a whole; among equally good rows the last."""
