@@ -9,8 +9,8 @@ from pathlib import Path
 from tests.problem.crank import crank_text
 
 ACCELERATION = (
-    'v_y = { quantity = "y(velocity(A))", unit = "m/s"',
-    'a_x = { quantity = "x(acceleration(A))", unit = "m/s^2", points = 4',
+    'v_y = { quantity = "y(velocity(A))", unit = "m/s", sign = "+y"',
+    'a_x = { quantity = "x(acceleration(A))", unit = "m/s^2", points = 4, sign = "+x"',
 )
 FAMILIES = {
     "crank-1": "crank",

@@ -15,22 +15,22 @@ from tests.small_class import kinegrade
 SAMPLE = Path(__file__).parent / "samples" / "moodle-gradebook-en.csv"
 
 
-def export(folder: Path, *arguments: str | Path) -> Result:
+def export(folder: Path, *arguments: str | Path, name: str = "out.csv") -> Result:
     marks = folder / "MARKS"
     if not marks.exists():
         write_marks(marks)
         write_exam(folder / "EXAM")
-    return kinegrade("export", marks, "-o", folder / "out.csv", *arguments)
+    return kinegrade("export", marks, "-o", folder / name, *arguments)
 
 
 @pytest.mark.parametrize(
     "system", [name for name in (*SYSTEMS, "xlsx") if name not in ("blackboard", "edx")]
 )
 def test_every_system_gets_a_file_from_scratch(tmp_path: Path, system: str) -> None:
-    target = tmp_path / ("out.xlsx" if system == "xlsx" else "out.csv")
-    result = export(tmp_path, "--to", system, "--exam", tmp_path / "EXAM", "-o", target)
+    name = "out.xlsx" if system == "xlsx" else "out.csv"
+    result = export(tmp_path, "--to", system, "--exam", tmp_path / "EXAM", name=name)
     assert (result.exit_code, result.stdout) == (0, "")
-    assert target.stat().st_size > 100
+    assert (tmp_path / name).stat().st_size > 100
 
 
 def test_it_says_who_is_left_alone(tmp_path: Path) -> None:

@@ -11,10 +11,11 @@ import pytest
 from openpyxl import Workbook, load_workbook
 
 from tests.lms.pooled_quiz import attempt, download, perfect
+from tests.printed_text import read_text
 from tests.small_class import kinegrade, table
 from tests.term.banks import MIDTERM, write_bank
 from tests.term.people import people, write_gradebook, write_registrar
-from tests.term.test_the_exam import Midterm, mark, read, right, totals, write_answers
+from tests.term.test_the_exam import Midterm, mark, right, totals, write_answers
 
 STUDENTS = 6
 GROUP = 36  # fewer would share as much by chance
@@ -123,7 +124,7 @@ def test_row_18_feedback_and_report_are_printed_and_tell_the_groups_apart(small:
     whose = table(sheets / "feedback.csv")
     assert {each["student"] for each in whose} == {each.student for each in people(STUDENTS)}
     english = next(each for each in people(STUDENTS) if not each.language)
-    text = read(sheets / "sheets" / f"{english.student}.pdf")
+    text = read_text(sheets / "sheets" / f"{english.student}.pdf")
     assert english.name in text
     assert "12 / 12" in text
     page = small.folder / "class.html"
