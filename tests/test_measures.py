@@ -56,8 +56,8 @@ def test_lines_of_code_are_lines_without_docstrings_comments_and_blanks(tmp_path
 FAR = {
     "syntax nodes": 722_000,
     "lines of code": 75_200,
-    "syntax nodes a line": 9.64,
-    "modules of more than 250 lines": 23,
+    "syntax nodes a line": 9.65,
+    "modules of more than 250 lines": 24,
 }
 COPIED = """
 def total(rows, key):

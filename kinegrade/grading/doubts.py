@@ -58,7 +58,7 @@ def find_rows_of_others(
     shape = len(judged.rows), len(columns)
     numbers = np.where(judged.are("void"), np.nan, judged.cells.values).reshape(shape)
     wrong = ~judged.are("right").reshape(shape) & ~np.isnan(numbers)
-    for row in np.flatnonzero(wrong.sum(axis=1) > 1).tolist():
+    for row in papers.list_suspect(numbers, wrong):
         paper, entry = judged.rows[row]
         owner = papers.find_owner(paper, numbers[row], wrong[row])
         if owner:

@@ -23,11 +23,12 @@ from itertools import chain
 from math import prod
 
 import numpy as np
+from numpy.typing import NDArray
 
 from kinegrade.exam.folder.columns.gathering import read_values
 from kinegrade.exam.folder.keys import Paper, Sitting, group_places
-from kinegrade.grading.fast.bounds import Flags, Numbers
-from kinegrade.grading.fast.intervals import Intervals, list_intervals
+from kinegrade.grading.fast.bounds import Flags, Numbers, Places
+from kinegrade.grading.fast.intervals import Intervals, SortedIntervals, list_intervals
 from kinegrade.grading.poisson import QUESTIONS_THAT_TELL, find_tail
 
 _LEVEL = 0.02
@@ -60,6 +61,11 @@ class PapersAnswered:
         papers = chain(self.sitting.papers(), self.sitting.variants())
         return list_intervals(papers, len(self.sitting.asks))
 
+    @cached_property
+    def _sorted(self) -> list[SortedIntervals]:
+        count = len(self.sitting.students)
+        return [SortedIntervals.of(each, count) for each in self._intervals]
+
     def find_shared(self, paper: Paper, numbers: Numbers, wrong: Flags) -> Sequence[range]:
         """The questions that a student answered as is right on one other paper; `numbers` are the
         student's by ask, NaN where there is none, and `wrong` where they are on the own `paper`.
@@ -78,6 +84,33 @@ class PapersAnswered:
             return ()
         return [each.question for each in found if each.papers[other]]
 
+    def list_suspect(self, numbers: NDArray[np.float64], wrong: NDArray[np.bool_]) -> list[int]:
+        """The rows for which `find_owner` may find somebody: those with two wrong numbers of which
+        some paper has both, and those where that cannot be told at a glance.
+
+        Raises ExamError where the papers cannot be read.
+        """
+        amiss = wrong & ~np.isnan(numbers)
+        rows = np.flatnonzero(amiss.sum(axis=1) >= _NUMBERS_THAT_TELL)
+        if not len(rows):
+            return []
+        plain = amiss[rows] & np.array([not each.period for each in self._intervals])
+        first = plain.argmax(axis=1)
+        plain[np.arange(len(rows)), first] = False
+        second = plain.argmax(axis=1)
+        told = plain[np.arange(len(rows)), second]
+        found = [rows[~told]]
+        for one, other in set(zip(first[told].tolist(), second[told].tolist(), strict=True)):
+            these = rows[told & (first == one) & (second == other)]
+            found.append(these[self._have_both(numbers[these], one, other)])
+        return sorted(np.concatenate(found).tolist())
+
+    def _have_both(self, numbers: NDArray[np.float64], one: int, other: int) -> Places:
+        """The rows of which some paper has the numbers of both asks."""
+        places, papers = self._sorted[one].pair(numbers[:, one])
+        both = self._intervals[other].fit_each(numbers[places, other], papers)
+        return np.unique(places[both])
+
     def find_owner(self, paper: Paper, numbers: Numbers, wrong: Flags) -> str:
         """The student on whose paper all numbers of a row are right, at least two of which are
         wrong on its own `paper`; "" where there is none, or where chance explains it.
@@ -87,14 +120,24 @@ class PapersAnswered:
         amiss = np.flatnonzero(wrong & ~np.isnan(numbers)).tolist()
         if len(amiss) < _NUMBERS_THAT_TELL:
             return ""
-        others = np.arange(len(self.sitting.students))
+        others = self._list_candidates(numbers, amiss)
         for ask in [*amiss, *np.flatnonzero(~wrong & ~np.isnan(numbers)).tolist()]:
             others = others[self._intervals[ask].at(others).fit(numbers[[ask]])[0]]
             if not len(others):
                 return ""
+        others = np.sort(others)
         by_chance = len(self.sitting.students) * prod(self._nearby(numbers, amiss))
         owner = self.sitting.students[others[0]]
         return owner if owner != paper.student and by_chance <= _LEVEL else ""
+
+    def _list_candidates(self, numbers: Numbers, amiss: Sequence[int]) -> Places:
+        """The students' papers on which the first of these numbers without full turns may be right;
+        all where each has full turns.
+        """
+        for ask in amiss:
+            if not self._intervals[ask].period:
+                return self._sorted[ask].list_near(float(numbers[ask]))
+        return np.arange(len(self.sitting.students))
 
     def _nearby(self, numbers: Numbers, amiss: Sequence[int]) -> Iterator[float]:
         """For each of these numbers the share of papers on which it would be right by chance; the

@@ -52,10 +52,63 @@ class Intervals:
         slack = _SLACK * np.abs(self.value)
         return (away >= np.minimum(*ends) - slack) & (away <= np.maximum(*ends) + slack)
 
+    def fit_each(self, answers: Numbers, papers: Places) -> Flags:
+        """Which answers are right each on the paper beside it."""
+        slack = _SAME * np.abs(answers)
+        low, high = self.low[papers], self.high[papers]
+        right: Flags = (answers >= np.minimum(low, high) - slack) & (
+            answers <= np.maximum(low, high) + slack
+        )
+        return right
+
     def differ(self, values: Numbers) -> Flags:
         """On which papers another answer is right than each of these: a row for each of them."""
         away: Flags = np.abs(self.value - values[:, None]) > _SAME * np.abs(self.value)
         return away
+
+
+@dataclass(frozen=True, slots=True)
+class SortedIntervals:
+    """The intervals of one ask in the order of their values, in which those that hold an answer
+    stand close together: `papers` have them, `up_to` is the highest end so far, `from_on` the
+    lowest beginning from there on. Full turns are no part of it.
+    """
+
+    papers: Places
+    up_to: Numbers
+    from_on: Numbers
+
+    @classmethod
+    def of(cls, intervals: Intervals, count: int) -> SortedIntervals:
+        """Those of the first so many papers."""
+        papers = np.argsort(intervals.value[:count], kind="stable")
+        low, high = intervals.low[papers], intervals.high[papers]
+        up_to = np.maximum.accumulate(np.maximum(low, high))
+        from_on = np.minimum.accumulate(np.minimum(low, high)[::-1])[::-1]
+        return cls(papers, up_to, from_on)
+
+    def find_ranges(self, answers: Numbers) -> tuple[Places, Places]:
+        """Where the papers on which each answer may be right begin and end in that order: all on
+        which it is, and few others.
+        """
+        slack = _SAME * np.abs(answers)
+        begins = np.searchsorted(self.up_to, answers - slack, side="left")
+        ends = np.searchsorted(self.from_on, answers + slack, side="right")
+        return begins, np.maximum(begins, ends)
+
+    def list_near(self, answer: float) -> Places:
+        """The papers on which an answer may be right."""
+        [begin], [end] = self.find_ranges(np.array([answer]))
+        near: Places = self.papers[begin:end]
+        return near
+
+    def pair(self, answers: Numbers) -> tuple[Places, Places]:
+        """Each answer, by its place, beside each of the papers on which it may be right."""
+        begins, ends = self.find_ranges(answers)
+        counts = ends - begins
+        places = np.repeat(np.arange(len(answers)), counts)
+        before = np.repeat(np.cumsum(counts) - counts, counts)
+        return places, self.papers[np.arange(len(places)) - before + begins[places]]
 
 
 def list_intervals(papers: Iterable[Paper], asks: int) -> list[Intervals]:

@@ -90,3 +90,28 @@ def test_the_papers_of_a_pool_are_others_too() -> None:
     assert (
         found(SittingClass(KeyedExam(few.exam.asks, few.exam.examinees), few.drawn), 0, given) == []
     )
+
+
+@pytest.mark.parametrize("students", [30, 300])
+def test_rows_of_others_are_found_among_the_suspect_as_one_by_one(students: int) -> None:
+    sitting = sitting_class(students, 1)
+    papers, every = PapersAnswered(sitting.exam), list(sitting.exam.papers())
+    columns = [ask.column for ask in sitting.exam.asks]
+    keys = np.array(
+        [[float(sitting.key(place, column)) for column in columns] for place in range(students)]
+    )
+    chance = np.random.default_rng(7)
+    typed = keys * chance.choice([1.0, 1.003, 1.4], size=keys.shape, p=[0.6, 0.2, 0.2])
+    slipped = slice(students // 2, None)
+    typed[slipped] = np.roll(keys, 1, axis=0)[slipped]
+    typed[chance.random(keys.shape) < 0.1] = np.nan
+    with np.errstate(invalid="ignore"):
+        wrong = np.abs(typed - keys) > 0.01 * np.abs(keys)
+    owners = [
+        papers.find_owner(paper, numbers, amiss)
+        for paper, numbers, amiss in zip(every, typed, wrong, strict=True)
+    ]
+    suspect = papers.list_suspect(typed, wrong)
+    assert {row for row, owner in enumerate(owners) if owner} <= {*suspect}
+    assert sum(map(bool, owners)) > students // 4
+    assert len(suspect) < students
