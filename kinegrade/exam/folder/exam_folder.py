@@ -78,6 +78,11 @@ class ExamFolder:
         return tuple(self.head.candidates)
 
     @property
+    def names(self) -> Mapping[str, str]:
+        """The names of the candidates, by id."""
+        return {each.student: each.name for each in self.head.students}
+
+    @property
     def codes(self) -> Mapping[str, str]:
         """The candidates by the codes of their papers."""
         return self.head.owners

@@ -163,6 +163,10 @@ class Sitting(Protocol):
         """The ids of the examinees, in the order of the roster."""
 
     @property
+    def names(self) -> Mapping[str, str]:
+        """The names of the examinees, by id."""
+
+    @property
     def codes(self) -> Mapping[str, str]:
         """The examinees by the codes of their papers."""
 
@@ -194,6 +198,11 @@ class KeyedExam:
     def students(self) -> tuple[str, ...]:
         """The ids of the examinees."""
         return tuple(examinee.student for examinee in self.examinees)
+
+    @property
+    def names(self) -> Mapping[str, str]:
+        """The names of the examinees, by id."""
+        return {examinee.student: examinee.name for examinee in self.examinees}
 
     @property
     def codes(self) -> Mapping[str, str]:

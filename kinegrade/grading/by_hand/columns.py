@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from kinegrade.errors import TableError
 from kinegrade.exam.roster.known_columns import list_code_columns, list_column_names
+from kinegrade.exam.roster.student_names import NameColumns, find_name_columns
 from kinegrade.files.cell_text import make_header_key, trim
 from kinegrade.files.tables import Row, Table
 from kinegrade.language.message import Fault, Message, Quoted, list_plainly
@@ -30,6 +31,7 @@ class HandColumns:
     ask: int | None
     points: int
     comment: int | None
+    names: NameColumns
 
     def cell(self, row: Row, place: int | None) -> str:
         """A cell without blanks around it, "" where there is no such column."""
@@ -61,7 +63,8 @@ def find_hand_columns(table: Table) -> HandColumns:
             )
         )
     ask, comment = (_find(header, list_preferred_spellings(each)) for each in (_ASK, _COMMENT))
-    return HandColumns(student, code, question, ask, points, comment)
+    names = find_name_columns(table.header)
+    return HandColumns(student, code, question, ask, points, comment, names)
 
 
 def _find(header: Sequence[str], names: Sequence[str]) -> int | None:

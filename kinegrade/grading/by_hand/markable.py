@@ -11,6 +11,7 @@ from fractions import Fraction
 from kinegrade.ask_names import AskNames
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.roster.student_ids import StudentIds
+from kinegrade.exam.roster.student_names import StudentNames
 from kinegrade.grading.policy.policy import Policy
 from kinegrade.language.message import Message, list_plainly
 from kinegrade.marks_folder.hand_marks import EXTRA
@@ -26,6 +27,7 @@ class Markable:
     """
 
     ids: StudentIds
+    people: StudentNames
     names: AskNames
     maxima: Mapping[str, Fraction]
     orders: Mapping[str, tuple[str, ...]]
@@ -63,5 +65,6 @@ def find_markable(
     shuffled = any(
         list(order) != sorted(order, key=exam.questions.index) for order in orders.values()
     )
-    ids = StudentIds(exam.students, exam.codes)
-    return Markable(ids, AskNames(exam.head.columns, by_hand, shuffled), maxima, orders, by_hand)
+    ids, people = StudentIds(exam.students, exam.codes), StudentNames(exam.names)
+    names = AskNames(exam.head.columns, by_hand, shuffled)
+    return Markable(ids, people, names, maxima, orders, by_hand)

@@ -118,7 +118,15 @@ class _Reader:
             what = Message("marking.code-of-another", student=Quoted(owner))
             self._fault(row, code, what, do=Message("marking.correct-one", student=Quoted(student)))
             return None
-        return student
+        return None if student is None or self._has_other_name(row, student) else student
+
+    def _has_other_name(self, row: Row, student: str) -> bool:
+        """Whether the name beside the id is that of another student, which is a fault."""
+        other = self.markable.people.find_other(student, self.columns.names.written(row))
+        if other is not None:
+            what = Message("marking.name-of-another", student=Quoted(other))
+            self._fault(row, "", what, do=Message("marking.correct-name", student=Quoted(student)))
+        return other is not None
 
     def _find_named(self, row: Row) -> Named | None:
         written = self.columns.target(row)

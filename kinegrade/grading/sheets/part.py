@@ -11,6 +11,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 
 from kinegrade.exam.folder.keys import Sitting
 from kinegrade.exam.roster.student_ids import StudentIds, describe_restoration
+from kinegrade.exam.roster.student_names import StudentNames, find_name_columns
 from kinegrade.exam.roster.students import make_student_key
 from kinegrade.files.answer_file import AnswerFile
 from kinegrade.files.cell_text import shorten, trim
@@ -48,7 +49,12 @@ def read_part(answers: AnswerFile, exam: Sitting) -> Part:
 
     entries = {student: _make_entries(several, make_entry) for student, several in rows.items()}
     names = ("" if index is None else table.header[index] for index in columns.asks)
-    said = (*table.complaints, *_find_extra_columns(table, columns), *complaints)
+    said = (
+        *table.complaints,
+        *_find_extra_columns(table, columns),
+        *complaints,
+        *_find_other_names(table, rows, StudentNames(exam.names)),
+    )
     return Part(table.file, tuple(names), entries, said)
 
 
@@ -93,6 +99,23 @@ def _find_other_codes(
         yield Complaint(
             table.file, row.line, table.header[index], shorten(trim(code)), problem, done
         )
+
+
+def _find_other_names(
+    table: Table, rows: Mapping[str, Sequence[Row]], names: StudentNames
+) -> Iterator[Complaint]:
+    """A complaint for each name beside an id that is that of another student."""
+    columns = find_name_columns(table.header)
+    if not columns.places:
+        return
+    title = table.header[columns.places[0]]
+    for student, several in rows.items():
+        for row in several:
+            other = names.find_other(student, columns.written(row))
+            if other is not None:
+                problem = Message("marking.name-of-another", student=Quoted(other))
+                done = Message("marking.not-by-name", student=Quoted(student))
+                yield Complaint(table.file, row.line, title, "", problem, done)
 
 
 def _complain_of_restored(table: Table, columns: Columns, restored: Mapping[str, str]) -> Complaint:
