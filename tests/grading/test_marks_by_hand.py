@@ -14,6 +14,7 @@ from openpyxl import Workbook, load_workbook
 import kinegrade as library
 from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.exam.folder.records import Candidate
+from kinegrade.files.csv_writing import write_csv_text
 from kinegrade.marks_folder.folder import open_marks
 from tests.exam.test_by_hand import CRANK, SLEEVE, THEORY, WHEEL, mark_right, set_exam
 from tests.exam.test_by_hand import HEAD as EXAM_HEAD
@@ -138,6 +139,26 @@ def test_marks_by_hand_are_carried_over_replaced_and_taken_back(folder: Path) ->
     kept.write_text("".join(line for line in lines if SOFYA not in line), encoding="utf-8")
     assert grade(folder).exit_code == 1
     assert totals(folder)[SOFYA] == ("7", "9.5")
+
+
+def test_a_mark_by_hand_below_what_the_machine_gives_now_is_told(folder: Path) -> None:
+    rows = (folder / "answers.csv").read_text(encoding="utf-8-sig")
+    wrong = [
+        {**row, "q1.v_B": "99"} if row["student"] == ADA else row
+        for row in table(folder / "answers.csv")
+    ]
+    text = write_csv_text(list(wrong[0]), [list(row.values()) for row in wrong])
+    (folder / "answers.csv").write_text(text, encoding="utf-8")
+    decided = give(folder, f"{ADA},q1,1,sketch\n{ADA},q2,2,\n{SOFYA},q2,2,\n")
+    assert "the machine gives" not in decided.stderr
+    (folder / "answers.csv").write_text(rows, encoding="utf-8")
+    corrected = grade(folder)
+    assert corrected.exit_code == 1
+    assert (
+        f'manual.csv: q1: "{ADA}": 1 by hand, and the machine gives 3 now, which gave 0 when that '
+        "was decided - the mark by hand stands - to take it back, delete its row in manual.csv"
+    ) in corrected.stderr
+    assert "the machine gives" not in grade(folder).stderr
 
 
 @pytest.mark.parametrize("options", [["--never-lower"], ["--reason", "appeals", "--since"]])

@@ -17,6 +17,7 @@ _QUESTION = Message("marking.columns-question")
 _ASK = Message("marking.columns-ask")
 _POINTS = Message("marking.columns-points")
 _COMMENT = Message("marking.columns-comment")
+_MACHINE = "machine"  # which kinegrade's own files have
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,6 +32,7 @@ class HandColumns:
     ask: int | None
     points: int
     comment: int | None
+    machine: int | None
     names: NameColumns
 
     def cell(self, row: Row, place: int | None) -> str:
@@ -63,8 +65,8 @@ def find_hand_columns(table: Table) -> HandColumns:
             )
         )
     ask, comment = (_find(header, list_preferred_spellings(each)) for each in (_ASK, _COMMENT))
-    names = find_name_columns(table.header)
-    return HandColumns(student, code, question, ask, points, comment, names)
+    machine, names = _find(header, [_MACHINE]), find_name_columns(table.header)
+    return HandColumns(student, code, question, ask, points, comment, machine, names)
 
 
 def _find(header: Sequence[str], names: Sequence[str]) -> int | None:

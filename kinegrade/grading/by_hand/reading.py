@@ -51,7 +51,11 @@ class HandFile:
 
 
 def read_hand_file(path: Path, markable: Markable) -> HandFile:
-    """The marks of a CSV file or workbook. Raises TableError where it is no such table."""
+    """The marks of a CSV file or workbook; where it is a list of an earlier marking, with what the
+    machine gave then.
+
+    Raises TableError where it is no such table.
+    """
     table = read_workbook(path) if is_workbook(path) else read_table(path)
     return _Reader(table, find_hand_columns(table), markable, str(path)).read()
 
@@ -97,7 +101,8 @@ class _Reader:
         if amount is None:
             return
         maximum = self.markable.maxima.get(named.column)
-        mark = HandMark(student, named.question, named.ask, amount, maximum, comment)
+        before = _read_amount(self.columns.cell(row, self.columns.machine))
+        mark = HandMark(student, named.question, named.ask, amount, maximum, comment, before)
         self.found.rows.append(HandRow(mark, f"{self.path}:{row.line}"))
 
     def _find_student(self, row: Row, students: Mapping[str, str]) -> str | None:
@@ -144,15 +149,12 @@ class _Reader:
             what = Message("marking.not-on-paper", question=question, student=Quoted(student))
             self._fault(row, "", what)
             return None
-        number = _POINTS.fullmatch(normalize("NFKC", cell))
-        if number is None:
+        points = _read_amount(cell)
+        if points is None:
             what = Message("marking.points-are", cell=Quoted(shorten(cell)))
             self._fault(row, named.column, what, Message("marking.hand-points", places=PLACES))
             return None
-        points, maximum = (
-            Fraction(number[1].replace(",", ".")),
-            self.markable.maxima.get(named.column),
-        )
+        maximum = self.markable.maxima.get(named.column)
         if maximum is not None and points > maximum:
             shown = write_amount(points), write_amount(maximum)
             what = Message("marking.above-points", points=shown[0], maximum=shown[1])
@@ -171,6 +173,12 @@ class _Reader:
         self.found.faults.append(
             Fault(f"{where}: {what_for}" if what_for else where, what, expected, do)
         )
+
+
+def _read_amount(cell: str) -> Fraction | None:
+    """The points in a cell, None where it holds none."""
+    number = _POINTS.fullmatch(normalize("NFKC", cell))
+    return None if number is None else Fraction(number[1].replace(",", "."))
 
 
 def _explain_unknown(cell: str, ids: StudentIds) -> tuple[Message, Text, Text]:

@@ -30,8 +30,9 @@ from kinegrade.question_numbers import sort_as_in_bank
 
 @dataclass(frozen=True)
 class HandMarking:
-    """The marks `by_hand` of a class; `machine` is what the machine gave to the asks they are for,
-    by student and column, as far as the class has been marked. Asks `given_to_all` are void.
+    """The marks `by_hand` of a class, with what the machine gave when they were decided; `machine`
+    is what it gives now to the asks they are for, by student and column, as far as the class has
+    been marked. Asks `given_to_all` are void.
     """
 
     by_hand: ByHand
@@ -84,16 +85,13 @@ class HandMarking:
         return Settled(found, beside, still_open, extra)
 
     def _list_lower(self, beside: ByHand) -> Iterator[Complaint]:
-        """The marks that give less than everybody gets who handed in."""
+        """The marks that give less than everybody gets who handed in, or than the machine gives
+        now, which gave less when they were decided.
+        """
         given = {*self.given_to_all, *(each.partition(".")[0] for each in self.given_to_all)}
         for mark in list_hand_marks(beside):
-            if mark.column in given and mark.machine is not None and mark.points < mark.machine:
-                what = Message(
-                    "marking.lower-than-all",
-                    student=Quoted(mark.student),
-                    points=write_amount(mark.points),
-                    all=write_amount(mark.machine),
-                )
+            before = self.by_hand[mark.student][mark.column].machine
+            if what := _describe_lower(mark, before, to_all=mark.column in given):
                 done = Message("marking.lower-stands", file=MANUAL.name)
                 yield Complaint(MANUAL.name, None, mark.column, "", what, done)
 
@@ -102,7 +100,7 @@ class HandMarking:
         if mark.ask:
             return replace(mark, machine=self.machine[mark.student, mark.column])
         if mark.question not in questions:
-            return mark
+            return replace(mark, machine=None)
         return replace(mark, machine=grade.points[questions.index(mark.question)])
 
     def _settle_grade(
@@ -157,6 +155,22 @@ class Settled:
     def list_marks(self) -> Iterator[HandMark]:
         """All marks by hand."""
         return list_hand_marks(self.by_hand)
+
+
+def _describe_lower(mark: HandMark, before: Fraction | None, *, to_all: bool) -> Message | None:
+    """That a mark gives less than the machine, which gave what it did `before` when that was
+    decided; None where there is nothing to say.
+    """
+    if mark.machine is None or mark.points >= mark.machine:
+        return None
+    student, points = Quoted(mark.student), write_amount(mark.points)
+    now = write_amount(mark.machine)
+    if to_all:
+        return Message("marking.lower-than-all", student=student, points=points, all=now)
+    if before is None or before >= mark.machine:
+        return None
+    then = write_amount(before)
+    return Message("marking.lower-than-now", student=student, points=points, now=now, before=then)
 
 
 def _complain_of_lacking(question: OpenQuestion) -> Complaint:
