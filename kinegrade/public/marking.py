@@ -94,7 +94,7 @@ class GradeOptions:
     def marking(self, exam: ExamFolder) -> MarkingWishes:
         """How answers are marked."""
         return MarkingWishes(
-            {"moodle.csv": moodle.export, **self.log},
+            {moodle.FILE: moodle.export, **self.log},
             self.decimal,
             None if self.policy is None else Path(self.policy),
             self.never_lower,
@@ -165,6 +165,7 @@ def grade(
         *describe_key(exam),
         *lapsed,
         *describe_points(grades, marks),
+        *moodle.describe_scaled(marks),
         *describe_grades(marks, exam, options.policy),
     ]
     complaints = tuple(complaint.fault for complaint in grades.complaints)

@@ -13,8 +13,6 @@ from kinegrade.marks_folder.layout import FILES, MARKER
 from kinegrade.marks_folder.merging import Merging, Preference
 from kinegrade.public.outcome import Outcome
 
-_MOODLE = "moodle.csv"
-
 
 def merge_marks(
     folders: Sequence[MarksFolder],
@@ -30,9 +28,11 @@ def merge_marks(
     """
     merging = Merging(folders, preference)
     complaints = tuple(merging.find_different_maxima())
-    with output_folder(output, marker=MARKER, contents=(*FILES, _MOODLE), force=force) as path:
+    with output_folder(output, marker=MARKER, contents=(*FILES, moodle.FILE), force=force) as path:
         merging.write(path)
-        (path / _MOODLE).write_text(moodle.export(open_marks(path)), encoding="utf-8", newline="")
+        (path / moodle.FILE).write_text(
+            moodle.export(open_marks(path)), encoding="utf-8", newline=""
+        )
     first, *_ = folders
     note = Message(
         "terminal.merged",
@@ -40,4 +40,5 @@ def merge_marks(
         count=len(merging.chosen),
         others=sum(each is not first for each in merging.chosen.values()),
     )
-    return Outcome(output, (note,), complaints)
+    scaled = moodle.describe_scaled(MarksFolder(output))
+    return Outcome(output, (note, *scaled), complaints)

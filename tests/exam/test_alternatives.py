@@ -194,6 +194,25 @@ def test_single_questions_and_quizzes_are_refused(exam_folder: Path, tmp_path: P
     assert not (tmp_path / "quiz.zip").exists()
 
 
+def test_points_out_of_unlike_maxima_are_not_exported_as_they_are(
+    exam_folder: Path, tmp_path: Path
+) -> None:
+    policy = tmp_path / "policy.toml"
+    policy.write_text('[questions.q2a]\nvoid = "drop"\n', encoding="utf-8")
+    exam, answers, marks = exam_folder / "EXAM", exam_folder / "answers.csv", tmp_path / "MARKS"
+    made = kinegrade("grade", exam, answers, "-o", marks, "--policy", policy)
+    said = f"{marks}/moodle.csv: totals are scaled to 9 points, as not all students could get"
+    assert said in made.stderr
+    assert {row["Grade"] for row in table(marks / "moodle.csv")} == {"9", "6"}
+    assert {row["out_of"] for row in table(marks / "grades.csv")} == {"3", "9"}
+    for system in ("moodle", "generic"):
+        export = "export", marks, "--to", system, "-o", tmp_path / f"{system}.csv"
+        refused = kinegrade(*export)
+        assert refused.exit_code == 2
+        assert "not all students could get the same points - expected one" in refused.stderr
+        assert kinegrade(*export, "--maximum", "9").exit_code in (0, 1)
+
+
 def test_what_is_typed_for_the_other_alternative_is_complained_of_and_kept(tmp_path: Path) -> None:
     assert set_exam(tmp_path, CRANK + ANY).exit_code == 0
     other = {"q2a": "2b", "q2b": "2a"}[find_held(tmp_path / "EXAM")["1001"][1]]

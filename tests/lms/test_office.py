@@ -112,6 +112,23 @@ def test_points_are_scaled_to_a_maximum(tmp_path: Path) -> None:
     assert points(tmp_path) == [82.5, 40, None, None]
 
 
+def test_points_out_of_unlike_maxima_are_not_filled_in_as_they_are(tmp_path: Path) -> None:
+    marks, office = write_marks(tmp_path / "MARKS"), write_office(tmp_path / "office.xlsx")
+    for name, before, after in (
+        ("grades.csv", "4,0,4,10,40", "4,0,4,12,33.33"),
+        ("marks.csv", "0012346,q2,v_B,-,,m/s,wrong,0,3", "0012346,q2,v_B,-,,m/s,wrong,0,5"),
+    ):
+        text = (marks / name).read_text(encoding="utf-8")
+        assert before in text
+        (marks / name).write_text(text.replace(before, after), encoding="utf-8")
+    files = "--into", office, "-o", tmp_path / "filled.xlsx", "--column", "Punkte"
+    refused = kinegrade("export", marks, "--to", "xlsx", *files)
+    assert refused.exit_code == 2
+    assert "not all students could get the same points - expected one" in refused.stderr
+    kinegrade("export", marks, "--to", "xlsx", *files, "--maximum", "12")
+    assert points(tmp_path)[:2] == [9.9, 4]
+
+
 def test_questions_have_columns_of_their_own(tmp_path: Path) -> None:
     headers = "--per-question", "--column", "q1=Punkte", "--column", "q2=Name"
     fill(tmp_path, *headers, "--overwrite")

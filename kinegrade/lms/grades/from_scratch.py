@@ -114,11 +114,6 @@ def _plan(
         faults += maximum_faults(where, item, students, stated[item], options)
     targets = {item: target_maximum(stated[item], options) for item in items}
     maxima = {item: _find_maximum(students, item, targets[item]) for item in items}
-    faults += [
-        Message("grades.several-maxima", title=Quoted(item_title(title, item)))
-        for item in items
-        if len(maxima[item]) > 1 and _states_maximum(layout)
-    ]
     if faults:
         raise TableError(*dict.fromkeys(faults))
     graded = any(each.scale_grade for each in grades.students)
@@ -190,11 +185,6 @@ def _find_maximum(
     students: Sequence[StudentGrade], item: str, target: Fraction | None
 ) -> set[Fraction]:
     return {target} if target is not None else {each.out_of[item] for each in students}
-
-
-def _states_maximum(layout: NewFile) -> bool:
-    headers = (column.header for column in layout.columns)
-    return any(isinstance(header, str) and "{maximum}" in header for header in headers)
 
 
 def _is_kept(

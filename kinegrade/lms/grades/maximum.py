@@ -40,10 +40,12 @@ def maximum_faults(
 ) -> list[Problem]:
     """Why the grades of an item cannot be written as they are, one line for each reason."""
     graded = tuple(students)
-    others = sorted({each.out_of[item] for each in graded} - {stated})
-    scale = _explain_scale(stated, others, options)
+    known = {each.out_of[item] for each in graded}
+    scale = _explain_scale(stated, sorted(known - {stated}), options)
+    several = len(known - {0}) > 1 and target_maximum(stated, options) is None and stated is None
     return [
         *(Fault(where, fault) for fault in scale),
+        *([Fault(where, Message("grades.several-maxima"))] if several else []),
         *_find_above(graded, item),
     ]
 

@@ -4,17 +4,33 @@ default.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
+from kinegrade.language.message import Message
 from kinegrade.lms.grades.dialect import ExportOptions
 from kinegrade.lms.grades.from_scratch import new_file
 from kinegrade.lms.grades.grades import read_grades
 from kinegrade.lms.grades.systems.moodle import MOODLE
 from kinegrade.marks_folder.folder import MarksFolder
+from kinegrade.numbers.amounts import write_amount
+
+FILE = "moodle.csv"
 
 
 def export(marks: MarksFolder) -> str:
     """The text of moodle.csv; raises TableError.
 
     Feedback is a line such as "1: 4/7; 2: 3/3", by the question numbers on the student's paper.
-    Names stay neutralised against spreadsheets.
+    Names stay neutralised against spreadsheets. Where students could get unlike points, totals are
+    scaled to the most, as an item has one maximum; `describe_scaled` says so.
     """
-    return new_file(MOODLE, read_grades(marks), ExportOptions()).text
+    options = ExportOptions(maximum=marks.totals.largest_of_several)
+    return new_file(MOODLE, read_grades(marks), options).text
+
+
+def describe_scaled(marks: MarksFolder) -> Iterator[Message]:
+    """That the totals of moodle.csv are scaled, if they are."""
+    most = marks.totals.largest_of_several
+    if most is not None:
+        file = str(marks.path / FILE)
+        yield Message("grades.scaled-to-most", file=file, maximum=write_amount(most))

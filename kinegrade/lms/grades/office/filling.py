@@ -18,9 +18,10 @@ from kinegrade.files.workbook_parts import WorkbookParts, read_workbook_parts
 from kinegrade.language.message import Fault, Message, Quoted, list_all
 from kinegrade.lms.grades.dialect import ExportOptions
 from kinegrade.lms.grades.fill_in import Filled
-from kinegrade.lms.grades.grades import TOTAL, ClassGrades
+from kinegrade.lms.grades.grades import ClassGrades
 from kinegrade.lms.grades.item_candidates import number
-from kinegrade.lms.grades.maximum import scaled, target_maximum
+from kinegrade.lms.grades.item_columns import items_of
+from kinegrade.lms.grades.maximum import maximum_faults, scaled, target_maximum
 from kinegrade.lms.grades.office.class_list import ClassList, find_class_list
 from kinegrade.numbers.amounts import write_amount
 
@@ -35,10 +36,10 @@ def fill_workbook(grades: ClassGrades, into: Path, options: ExportOptions) -> Fi
     found = find_class_list(book, [each.student for each in grades.students])
     columns = {
         item: found.find_header(options.columns.get(item, ""))[1]
-        for item in (grades.questions if options.per_question else (TOTAL,))
+        for item in items_of(grades, options)
     }
     values = dict(_list_values(found, columns, grades, options))
-    faults = list(_find_faults(found, values, options))
+    faults = [*_list_maximum_faults(found, grades, options), *_find_faults(found, values, options)]
     if faults:
         raise TableError(*faults[:_MOST_NAMED])
     cells = found.sheet.xml.cells
@@ -67,6 +68,15 @@ def _list_values(
             points = write_amount(scaled(grade, item, target))
             if text := _say(grade.scale_grade) if options.of_scale else points:
                 yield (rows[0], column), text
+
+
+def _list_maximum_faults(
+    found: ClassList, grades: ClassGrades, options: ExportOptions
+) -> Iterator[Problem]:
+    """Why points cannot be written as they are, where points are written."""
+    students = grades.exported(ungraded=options.ungraded)
+    for item in () if options.of_scale else items_of(grades, options):
+        yield from maximum_faults(item or found.where, item, students, None, options)
 
 
 def _say(grade: str) -> str:
