@@ -71,6 +71,7 @@ LOBBY = {"kinegrade", "kinegrade.__main__"}  # the entrances, which call any flo
 GRADING_MAY_USE = {
     "kinegrade.exam.roster.known_columns",
     "kinegrade.exam.roster.student_ids",
+    "kinegrade.exam.roster.student_names",
     "kinegrade.exam.roster.students",
 }
 EXAM_FOLDER = "kinegrade.exam.folder."

@@ -165,7 +165,6 @@ def grade(
         *describe_key(exam),
         *lapsed,
         *describe_points(grades, marks),
-        *moodle.describe_scaled(marks),
         *describe_grades(marks, exam, options.policy),
     ]
     complaints = tuple(complaint.fault for complaint in grades.complaints)

@@ -15,6 +15,7 @@ from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.grading.marks import ClassGrades
 from kinegrade.grading.policy.reading import read_policy, stated_policy
 from kinegrade.language.message import Fault, Message, list_first, list_plainly
+from kinegrade.lms.grades import moodle
 from kinegrade.marks_folder.folder import MarksFolder
 from kinegrade.marks_folder.hand_marks import list_hand_marks
 from kinegrade.marks_folder.layout import KEPT, MANUAL, POLICY, SUBTRACTED
@@ -43,9 +44,10 @@ def describe_lapsed(folders: Iterable[Path]) -> Iterator[Message]:
 
 
 def describe_points(grades: ClassGrades, marks: MarksFolder) -> Iterator[Problem]:
-    """What hands gave, and what was subtracted."""
+    """What hands gave, what was subtracted, and that totals are scaled for another system."""
     yield from _describe_by_hand(grades, marks)
     yield from _describe_subtracted(marks)
+    yield from moodle.describe_scaled(marks)
 
 
 def _describe_by_hand(grades: ClassGrades, marks: MarksFolder) -> Iterator[Problem]:
