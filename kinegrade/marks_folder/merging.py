@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 from functools import cached_property
 from pathlib import Path
 from typing import Literal, assert_never
@@ -114,6 +115,11 @@ class Merging:
         listed = list(rows)
         if listed:
             write_csv(target / file.name, file.columns, listed)
+
+    def maxima(self) -> Iterator[Fraction]:
+        """What each student's total is out of."""
+        for student, folder in self.chosen.items():
+            yield folder.totals.by_student[student].out_of
 
     def find_different_maxima(self) -> Iterator[Fault]:
         """Folders in which there was something else to get than in the first."""

@@ -194,14 +194,6 @@ class ClassTotals:
         """Every student's total, in the order of the file."""
         return {each.student: each for each in self.students}
 
-    @cached_property
-    def largest_of_several(self) -> Fraction | None:
-        """The largest maximum where not all students could get the same points, else None."""
-        # By identity first, as hashing a fraction takes longer than the rest
-        objects = {id(each.out_of): each.out_of for each in self.students}
-        maxima = set(objects.values()) - {0}
-        return max(maxima) if len(maxima) > 1 else None
-
 
 @dataclass(frozen=True)
 class QuestionSums:

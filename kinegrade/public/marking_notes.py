@@ -23,6 +23,9 @@ from kinegrade.marks_folder.open_questions import describe_open
 from kinegrade.numbers.amounts import write_amount
 
 _MOST_NAMED = 5
+_FEW_STUDENTS = 5
+_SAMPLE = 1000  # of a large class
+_HARDLY_ANY = Fraction(1, 10)
 
 
 def describe_key(exam: ExamFolder) -> Iterator[Fault]:
@@ -47,7 +50,7 @@ def describe_points(grades: ClassGrades, marks: MarksFolder) -> Iterator[Problem
     """What hands gave, what was subtracted, and that totals are scaled for another system."""
     yield from _describe_by_hand(grades, marks)
     yield from _describe_subtracted(marks)
-    yield from moodle.describe_scaled(marks)
+    yield from moodle.describe_scaled(marks.path, (each.out_of for each in grades.grades))
 
 
 def _describe_by_hand(grades: ClassGrades, marks: MarksFolder) -> Iterator[Problem]:
@@ -107,6 +110,7 @@ def list_written(marks: ClassGrades, output: Path, *, kept: bool) -> Iterator[Me
         who = sum(each.kept is not None for each in marks.grades)
         yield Message("terminal.kept-totals", file=str(output / KEPT.name), count=who)
     yield from _describe_absent(marks)
+    yield from _describe_strangers(marks)
 
 
 def _describe_absent(grades: ClassGrades) -> Iterator[Message]:
@@ -115,3 +119,16 @@ def _describe_absent(grades: ClassGrades) -> Iterator[Message]:
     if absent:
         names = list_first(absent, _MOST_NAMED)
         yield Message("terminal.absent", count=len(absent), all=len(grades.grades), names=names)
+
+
+def _describe_strangers(grades: ClassGrades) -> Iterator[Message]:
+    """That a class has hardly any points, as one has whose answers are to another exam: sheets of a
+    series may ask the same of the same students.
+    """
+    everybody = [each for each in grades.grades if not each.absent]
+    present = everybody[:: len(everybody) // _SAMPLE + 1]
+    possible = sum(float(each.out_of) for each in present)
+    share = sum(float(each.total) for each in present) / possible if possible else 1.0
+    if len(everybody) >= _FEW_STUDENTS and share < _HARDLY_ANY:
+        percent = write_amount(Fraction(100 * share), places=1)
+        yield Message("terminal.hardly-any", count=len(everybody), percent=percent)

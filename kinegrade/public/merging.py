@@ -40,5 +40,5 @@ def merge_marks(
         count=len(merging.chosen),
         others=sum(each is not first for each in merging.chosen.values()),
     )
-    scaled = moodle.describe_scaled(MarksFolder(output))
+    scaled = moodle.describe_scaled(output, merging.maxima())
     return Outcome(output, (note, *scaled), complaints)

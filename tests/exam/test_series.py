@@ -14,6 +14,7 @@ from pypdf import PdfReader
 from kinegrade.deadlines.moment import is_past, parse_moment, read_moment, write_moment
 from kinegrade.errors import FieldError
 from kinegrade.exam.folder.exam_folder import open_exam
+from kinegrade.files.csv_writing import write_csv_text
 from tests.problem.crank import crank_text
 from tests.small_class import contents, key_lines, kinegrade
 
@@ -114,6 +115,23 @@ def test_a_series_continued_by_other_dates_says_which_stay(tmp_path: Path) -> No
     assert f"{kept} (due {dates[0]}, by this command without a date)" in said[0].splitlines()
     assert f"{kept} (due {dates[0]}, by this command due {dates[1]})" in said[1].splitlines()
     assert kept in said[2].splitlines()
+
+
+def test_answers_to_one_sheet_given_for_the_next_are_told(tmp_path: Path) -> None:
+    bank = write(tmp_path, students=6) / "bank.toml"
+    bank.write_text(bank.read_text(encoding="utf-8").replace("1 .. 8", "1 .. 20"), encoding="utf-8")
+    assert series(tmp_path, 2).exit_code == 0
+    first, second = (tmp_path / "HW" / name for name in ("sheet-1", "sheet-2"))
+    columns = open_exam(first).head.columns
+    asked = [line["questions"][0]["asks"] for line in key_lines(first)]
+    rows = [[f"s{n}", *(each["decimal"] for each in asks.values())] for n, asks in enumerate(asked)]
+    answers = tmp_path / "answers.csv"
+    answers.write_text(write_csv_text(["student", *columns], rows), encoding="utf-8")
+    right = kinegrade("grade", first, answers, "-o", tmp_path / "RIGHT")
+    wrong = kinegrade("grade", second, answers, "-o", tmp_path / "WRONG")
+    said = "6 students have 0 % of the points together: look whether the answers are to this exam"
+    assert "of the points together" not in right.stderr
+    assert said in wrong.stderr
 
 
 def test_too_few_numbers_for_all_sheets_are_refused_and_the_others_are_there(

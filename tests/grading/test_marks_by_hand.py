@@ -161,6 +161,23 @@ def test_a_mark_by_hand_below_what_the_machine_gives_now_is_told(folder: Path) -
     assert "the machine gives" not in grade(folder).stderr
 
 
+@pytest.mark.parametrize("place", ["q1", "q1.v_B"])
+def test_marks_by_hand_of_what_is_dropped_later_are_left_out_and_said(
+    folder: Path, place: str
+) -> None:
+    give(folder, f"{ADA},{place},2,sketch\n{ADA},q2,2,\n{SOFYA},q2,1,\n")
+    policy = folder / "policy.toml"
+    policy.write_text("[questions.q1]\nvoid = 'drop'\n", encoding="utf-8")
+    options = "--policy", policy, "--since", folder / "MARKS", "--reason", "q1 was wrong"
+    dropped = grade(folder, *options, marks="MARKS2")
+    assert dropped.exit_code == 0, dropped.stderr
+    assert totals(folder, "MARKS2") == {ADA: ("6", "6.5"), SOFYA: ("5", "6.5")}
+    file = folder / "MARKS" / "manual.csv"
+    assert f"{file}: 1 mark by hand is for what the policy drops and is left out" in dropped.stderr
+    again = grade(folder, "--policy", policy, "--manual", file)
+    assert f"{file}: 1 mark by hand is for what the policy drops and is left out" in again.stderr
+
+
 @pytest.mark.parametrize("options", [["--never-lower"], ["--reason", "appeals", "--since"]])
 def test_a_new_folder_takes_those_of_the_marking_that_it_follows(
     folder: Path, options: list[str]

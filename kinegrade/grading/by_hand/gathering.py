@@ -4,7 +4,7 @@ that is replaced, which are never lost in silence.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import chain
 from pathlib import Path
@@ -79,25 +79,31 @@ def gather_hand_marks(sources: HandSources, markable: Markable) -> Gathered:
     if faults:
         raise TableError(*faults)
     by_hand = group_by_student(row.mark for row in (*kept, *rows))
-    return Gathered(by_hand, tuple(_say(sources, given, carried, kept, replacing)))
+    files = list(zip(sources.given, given, strict=True))
+    notes = *_say(files), *_say_carried(sources, carried, kept, replacing)
+    return Gathered(by_hand, notes)
 
 
-def _say(
-    sources: HandSources,
-    given: Sequence[HandFile],
-    carried: HandFile,
-    kept: Sequence[HandRow],
-    replacing: dict[tuple[str, str], HandRow],
-) -> Iterator[Problem]:
-    """What was carried over and replaced, which rows have no points yet, and which ids were
-    repaired.
+def _say(files: Sequence[tuple[Path, HandFile]]) -> Iterator[Problem]:
+    """Of the files that are given, which rows have no points yet or do not count, and which ids
+    were repaired.
     """
-    for path, file in zip(sources.given, given, strict=True):
+    for path, file in files:
         if file.restored:
             what, done = describe_restoration(file.restored)
             yield Fault(str(path), what, do=done)
         if file.unmarked:
             yield Message("marking.unmarked-rows", file=str(path), count=file.unmarked)
+        yield from _say_dropped(path, file)
+
+
+def _say_carried(
+    sources: HandSources,
+    carried: HandFile,
+    kept: Sequence[HandRow],
+    replacing: Mapping[tuple[str, str], HandRow],
+) -> Iterator[Problem]:
+    """What was carried over and replaced, and what was not as it does not count."""
     changed = sum(
         replacing[each.mark.student, each.mark.column].mark.points != each.mark.points
         for each in carried.rows
@@ -107,6 +113,14 @@ def _say(
         yield Message("marking.carried-over", file=str(sources.carried), count=len(kept))
     if changed:
         yield Message("marking.replaced-by-hand", file=str(sources.carried), count=changed)
+    if sources.carried is not None:
+        yield from _say_dropped(sources.carried, carried)
+
+
+def _say_dropped(path: Path, file: HandFile) -> Iterator[Message]:
+    """That points are for what the policy dropped."""
+    if file.dropped:
+        yield Message("marking.dropped-by-hand", file=str(path), count=file.dropped)
 
 
 def _find_lost(

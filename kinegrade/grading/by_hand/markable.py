@@ -4,7 +4,7 @@ points.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Set
 from dataclasses import dataclass
 from fractions import Fraction
 
@@ -23,7 +23,8 @@ _SHOWN = 4  # names that a message gives as examples
 @dataclass(frozen=True, slots=True)
 class Markable:
     """`maxima` are the points under the policy, by question and by ask; `orders` are the questions
-    of each paper that has others than the exam, or in another order.
+    of each paper that has others than the exam, or in another order; the policy `dropped` some
+    questions and asks.
     """
 
     ids: StudentIds
@@ -32,6 +33,7 @@ class Markable:
     maxima: Mapping[str, Fraction]
     orders: Mapping[str, tuple[str, ...]]
     by_hand: tuple[str, ...]
+    dropped: Set[str]
 
     def is_held(self, student: str, question: str) -> bool:
         """Whether a student's paper holds a question."""
@@ -67,4 +69,11 @@ def find_markable(
     )
     ids, people = StudentIds(exam.students, exam.codes), StudentNames(exam.names)
     names = AskNames(exam.head.columns, by_hand, shuffled)
-    return Markable(ids, people, names, maxima, orders, by_hand)
+    dropped = {column for column in maxima if _is_dropped(column, exam, policy)}
+    return Markable(ids, people, names, maxima, orders, by_hand, dropped)
+
+
+def _is_dropped(column: str, exam: ExamFolder, policy: Policy) -> bool:
+    """Whether an ask, or every ask of a question, is dropped."""
+    asks = {ask.column for ask in exam.asks if column in (ask.column, ask.question)}
+    return bool(asks) and asks <= policy.dropped

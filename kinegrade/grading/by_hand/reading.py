@@ -40,12 +40,13 @@ class HandRow:
 
 @dataclass
 class HandFile:
-    """What was read of one file: its marks, how many rows have none yet, which ids are not as in
-    the exam, and what is wrong.
+    """What was read of one file: its marks, how many rows have none yet, how many mark what the
+    policy dropped and do not count, which ids are not as in the exam, and what is wrong.
     """
 
     rows: list[HandRow] = field(default_factory=list)
     unmarked: int = 0
+    dropped: int = 0
     restored: Mapping[str, str] = field(default_factory=dict)
     faults: list[Fault] = field(default_factory=list)
 
@@ -155,6 +156,9 @@ class _Reader:
             self._fault(row, named.column, what, Message("marking.hand-points", places=PLACES))
             return None
         maximum = self.markable.maxima.get(named.column)
+        if named.column in self.markable.dropped and points > 0:
+            self.found.dropped += 1
+            return None
         if maximum is not None and points > maximum:
             shown = write_amount(points), write_amount(maximum)
             what = Message("marking.above-points", points=shown[0], maximum=shown[1])

@@ -108,6 +108,11 @@ class Policy:
         """The answer columns whose points everybody gets who handed in."""
         return {column for column, each in self.rulings.items() if each.void == "full"}
 
+    @property
+    def dropped(self) -> Set[str]:
+        """The answer columns that count for nobody."""
+        return {column for column, each in self.rulings.items() if each.void == "drop"}
+
     def ruling(self, column: str) -> Ruling:
         """The ruling for an answer column."""
         return self.rulings.get(column, _AS_PRINTED)

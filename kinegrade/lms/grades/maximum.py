@@ -25,6 +25,17 @@ def target_maximum(stated: Fraction | None, options: ExportOptions) -> Fraction 
     return stated if options.scale else None
 
 
+def find_most(maxima: Iterable[Fraction]) -> Fraction | None:
+    """The largest maximum where not all students could get the same points, else None.
+
+    >>> find_most([Fraction(9), Fraction(9)]), find_most([Fraction(3), Fraction(9), Fraction(0)])
+    (None, Fraction(9, 1))
+    """
+    # By identity first, as hashing a fraction takes longer than the rest
+    different = set({id(each): each for each in maxima}.values()) - {0}
+    return max(different) if len(different) > 1 else None
+
+
 def scaled(grade: StudentGrade, item: str, target: Fraction | None) -> Fraction:
     """The points of an item, scaled where there is a target."""
     points, out_of = grade.points[item], grade.out_of[item]

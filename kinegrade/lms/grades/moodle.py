@@ -4,12 +4,15 @@ default.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
+from fractions import Fraction
+from pathlib import Path
 
 from kinegrade.language.message import Message
 from kinegrade.lms.grades.dialect import ExportOptions
 from kinegrade.lms.grades.from_scratch import new_file
 from kinegrade.lms.grades.grades import read_grades
+from kinegrade.lms.grades.maximum import find_most
 from kinegrade.lms.grades.systems.moodle import MOODLE
 from kinegrade.marks_folder.folder import MarksFolder
 from kinegrade.numbers.amounts import write_amount
@@ -24,13 +27,12 @@ def export(marks: MarksFolder) -> str:
     Names stay neutralised against spreadsheets. Where students could get unlike points, totals are
     scaled to the most, as an item has one maximum; `describe_scaled` says so.
     """
-    options = ExportOptions(maximum=marks.totals.largest_of_several)
-    return new_file(MOODLE, read_grades(marks), options).text
+    maximum = find_most(each.out_of for each in marks.totals.students)
+    return new_file(MOODLE, read_grades(marks), ExportOptions(maximum=maximum)).text
 
 
-def describe_scaled(marks: MarksFolder) -> Iterator[Message]:
-    """That the totals of moodle.csv are scaled, if they are."""
-    most = marks.totals.largest_of_several
+def describe_scaled(folder: Path, maxima: Iterable[Fraction]) -> Iterator[Message]:
+    """That the totals of moodle.csv are scaled, if they are: the students' `maxima` differ."""
+    most = find_most(maxima)
     if most is not None:
-        file = str(marks.path / FILE)
-        yield Message("grades.scaled-to-most", file=file, maximum=write_amount(most))
+        yield Message("grades.scaled-to-most", file=str(folder / FILE), maximum=write_amount(most))
