@@ -121,7 +121,7 @@ def test_answers_to_one_sheet_given_for_the_next_are_told(tmp_path: Path) -> Non
     bank = write(tmp_path, students=6) / "bank.toml"
     bank.write_text(bank.read_text(encoding="utf-8").replace("1 .. 8", "1 .. 20"), encoding="utf-8")
     assert series(tmp_path, 2).exit_code == 0
-    first, second = (tmp_path / "HW" / name for name in ("sheet-1", "sheet-2"))
+    first, second = (tmp_path / "HW" / name for name in ("homework-1", "homework-2"))
     columns = open_exam(first).head.columns
     asked = [line["questions"][0]["asks"] for line in key_lines(first)]
     rows = [[f"s{n}", *(each["decimal"] for each in asks.values())] for n, asks in enumerate(asked)]
