@@ -15,14 +15,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
-from itertools import chain
 
 import numpy as np
 from numpy.typing import NDArray
 
 from kinegrade.errors import ExamError
 from kinegrade.exam.folder.exam_folder import ExamFolder
-from kinegrade.exam.folder.keys import Ask, group_places
+from kinegrade.exam.folder.keys import Ask
+from kinegrade.grading.fast.another_paper import group_places
 from kinegrade.grading.fast.bounds import Flags, Numbers
 from kinegrade.grading.fast.intervals import Intervals, list_intervals
 from kinegrade.grading.judging.judge import Kind
@@ -72,7 +72,7 @@ class OtherPapers:
         step = max(1, len(rows) // _LOOKED_AT)
         places = np.arange(0, len(rows), step)
         answers = _Answers(rows[places], right[places], places)
-        bounds = list_intervals(chain(exam.papers(), exam.variants()), len(self.asks))
+        bounds = list_intervals(exam)
         questions = group_places(self.asks)
         found = answers.foreign(bounds, questions)
         chance = _expect_by_chance(lambda moved: answers.foreign(moved, questions), bounds)

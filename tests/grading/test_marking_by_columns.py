@@ -15,6 +15,7 @@ from pathlib import Path
 import pytest
 
 from benchmarks.large_class import COLUMNS, write_class
+from kinegrade.exam.folder.columns.gathering import read_right_answers
 from kinegrade.exam.folder.columns.part import PartKeys
 from kinegrade.exam.folder.columns.writing import write_columns
 from kinegrade.exam.folder.contents import KEY, KEY_COLUMNS
@@ -166,3 +167,52 @@ def test_answers_as_round_as_the_key_are_decided_side_by_side(
     found = grade(open_exam(folder), tmp_path / "answers.csv", tmp_path / "MARKS").grades
     assert {each.total for each in found} == {15}
     assert b"difference 0, allowed 0.135" in (tmp_path / "MARKS" / "marks.csv").read_bytes()
+
+
+def slip_rows(sheet: bytes) -> bytes:
+    """The answers of every fourth student are those of the next."""
+    head, *rows = sheet.splitlines(keepends=True)
+    cells = [row.split(b",", 2) for row in rows]
+    slipped = (
+        b",".join([*mine[:2], (cells[place + 1] if place % 4 == 0 else mine)[2]])
+        for place, mine in enumerate(cells)
+    )
+    return b"".join([head, *slipped])
+
+
+def test_rows_of_other_students_are_told_alike(tmp_path: Path) -> None:
+    write_class(tmp_path, 1200, 0.0)
+    sheet = tmp_path / "answers.csv"
+    sheet.write_bytes(slip_rows(sheet.read_bytes()))
+    by_columns, by_key = mark_twice(tmp_path, MarkingWishes())
+    assert by_columns == by_key
+    assert by_key["complaints.csv"].count(b"right on the paper of") > 5
+
+
+def list_right_answers(exam: ExamFolder) -> list[tuple[list[float], object]]:
+    """What is right on each paper, and by which rules."""
+    parts = list(read_right_answers(exam))
+    assert {(*part.periods,) for part in parts if len(part.values)} == {(0,) * len(COLUMNS)}
+    return [
+        (values.tolist(), rules)
+        for part in parts
+        for values, rules in zip(part.values, part.rules, strict=True)
+    ]
+
+
+def test_what_is_right_on_all_papers_is_read_from_the_arrays(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    write_class(tmp_path, 1200, 0.0)
+    folder = tmp_path / "EXAM"
+    with monkeypatch.context() as change:
+        change.setattr(ExamFolder, "papers", None)
+        by_columns = list_right_answers(open_exam(folder))
+    assert [len(values) for values, _ in by_columns] == [len(COLUMNS)] * 1200
+    damaged = bytearray((folder / KEY_COLUMNS).read_bytes())
+    place = damaged.rindex(b"1/values.npy", 0, damaged.rindex(b"1/values.npy")) + 400
+    damaged[place] ^= 1
+    (folder / KEY_COLUMNS).write_bytes(damaged)
+    assert list_right_answers(open_exam(folder)) == by_columns
+    (folder / KEY_COLUMNS).unlink()
+    assert list_right_answers(open_exam(folder)) == by_columns

@@ -8,6 +8,7 @@ head is read immediately.
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterator, Mapping
+from contextlib import suppress
 from dataclasses import dataclass, field
 from functools import cached_property, lru_cache
 from itertools import islice
@@ -32,7 +33,7 @@ from kinegrade.exam.folder.head import read_head, require_finished
 from kinegrade.exam.folder.key_decoding import PaperDecoder
 from kinegrade.exam.folder.key_index import KeyIndex, make_index
 from kinegrade.exam.folder.key_stream import stream_papers
-from kinegrade.exam.folder.keys import Ask, Examinee, KeyedExam, Paper, list_questions
+from kinegrade.exam.folder.keys import Ask, Examinee, KeyedExam, Paper, RightAnswers, list_questions
 from kinegrade.exam.folder.printed_orders import read_printed_orders
 from kinegrade.exam.folder.records import ExamHead, KeyLine, StatedNumber
 from kinegrade.exam.folder.stated_keys import Place
@@ -127,6 +128,12 @@ class ExamFolder:
             except DAMAGED:
                 pass
         yield from islice(stream_papers(self.key, self.head), done, None)
+
+    def right_answers(self) -> Iterator[RightAnswers]:
+        """What is right on the first of them, as far as the key's arrays can be read."""
+        if self._columns is not None:
+            with suppress(*DAMAGED):
+                yield from self._columns.right_answers()
 
     def papers_of(self, students: Collection[str]) -> Mapping[str, Paper]:
         """The papers of these students, by student. Raises ExamError where one is missing."""

@@ -8,13 +8,16 @@ from __future__ import annotations
 from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
-from itertools import groupby
-from typing import NamedTuple, Protocol, assert_never
+from typing import TYPE_CHECKING, NamedTuple, Protocol, assert_never
 
 from kinegrade.language import ENGLISH, Language
 from kinegrade.numbers.amounts import add_amounts
 from kinegrade.numbers.tolerance import Tolerance
 from kinegrade.sign_conventions import Convention
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
 
 
 @dataclass(frozen=True, slots=True)
@@ -149,6 +152,16 @@ class Examinee:
     keys: Mapping[str, Key]
 
 
+class RightAnswers(NamedTuple):
+    """What is right on some papers: `values`, nearly rounded, have a row for each paper and a
+    column for each ask, `rules` are those of each paper, `periods` the full turns of the asks or 0.
+    """
+
+    values: NDArray[np.float64]
+    rules: Sequence[tuple[Tolerance, ...]]
+    periods: Sequence[float]
+
+
 class Sitting(Protocol):
     """What marking needs to know about an exam: what was asked of whom, and one paper after
     another.
@@ -176,6 +189,9 @@ class Sitting(Protocol):
 
     def papers(self) -> Iterator[Paper]:
         """The papers in the order of the roster."""
+
+    def right_answers(self) -> Iterator[RightAnswers]:
+        """What is right on the first of them, as many as stand in arrays."""
 
     def variants(self) -> Sequence[Paper]:
         """The papers of the pool that was made of the exam, none if there is no pool."""
@@ -215,15 +231,13 @@ class KeyedExam:
             keys = [each.keys.get(ask.column, NOT_ASKED) for ask in self.asks]
             yield Paper(each.student, each.name, keys)
 
+    def right_answers(self) -> Iterator[RightAnswers]:
+        """Nothing: keys in memory are no arrays."""
+        return iter(())
+
     def variants(self) -> Sequence[Paper]:
         """None: an exam in memory has the papers of its examinees alone."""
         return ()
-
-
-def group_places(asks: Sequence[Ask]) -> Sequence[range]:
-    """The positions of each question's asks among all asks."""
-    groups = groupby(range(len(asks)), lambda place: asks[place].question)
-    return [range(places[0], places[-1] + 1) for places in (list(group) for _, group in groups)]
 
 
 def add_counted(asks: Iterable[Ask]) -> Fraction:

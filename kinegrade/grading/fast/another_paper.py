@@ -19,14 +19,14 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from itertools import chain
+from itertools import groupby
 from math import prod
 
 import numpy as np
 from numpy.typing import NDArray
 
 from kinegrade.exam.folder.columns.gathering import read_values
-from kinegrade.exam.folder.keys import Paper, Sitting, group_places
+from kinegrade.exam.folder.keys import Ask, Paper, Sitting
 from kinegrade.grading.fast.bounds import Flags, Numbers, Places
 from kinegrade.grading.fast.intervals import Intervals, SortedIntervals, list_intervals
 from kinegrade.grading.poisson import QUESTIONS_THAT_TELL, find_tail
@@ -58,8 +58,7 @@ class PapersAnswered:
 
     @cached_property
     def _intervals(self) -> list[Intervals]:
-        papers = chain(self.sitting.papers(), self.sitting.variants())
-        return list_intervals(papers, len(self.sitting.asks))
+        return list_intervals(self.sitting)
 
     @cached_property
     def _sorted(self) -> list[SortedIntervals]:
@@ -86,7 +85,7 @@ class PapersAnswered:
 
     def list_suspect(self, numbers: NDArray[np.float64], wrong: NDArray[np.bool_]) -> list[int]:
         """The rows for which `find_owner` may find somebody: those with two wrong numbers of which
-        some paper has both, and those where that cannot be told at a glance.
+        some paper has all numbers, and those where that cannot be told at a glance.
 
         Raises ExamError where the papers cannot be read.
         """
@@ -96,20 +95,22 @@ class PapersAnswered:
             return []
         plain = amiss[rows] & np.array([not each.period for each in self._intervals])
         first = plain.argmax(axis=1)
-        plain[np.arange(len(rows)), first] = False
-        second = plain.argmax(axis=1)
-        told = plain[np.arange(len(rows)), second]
+        told = plain.any(axis=1)
         found = [rows[~told]]
-        for one, other in set(zip(first[told].tolist(), second[told].tolist(), strict=True)):
-            these = rows[told & (first == one) & (second == other)]
-            found.append(these[self._have_both(numbers[these], one, other)])
+        for ask in np.unique(first[told]).tolist():
+            these = rows[told & (first == ask)]
+            found.append(these[self._have_all(numbers[these], ask)])
         return sorted(np.concatenate(found).tolist())
 
-    def _have_both(self, numbers: NDArray[np.float64], one: int, other: int) -> Places:
-        """The rows of which some paper has the numbers of both asks."""
-        places, papers = self._sorted[one].pair(numbers[:, one])
-        both = self._intervals[other].fit_each(numbers[places, other], papers)
-        return np.unique(places[both])
+    def _have_all(self, numbers: NDArray[np.float64], ask: int) -> Places:
+        """The rows of which some paper has the number of this ask, and all others that tell."""
+        rows, papers = self._sorted[ask].pair(numbers[:, ask])
+        for other, intervals in enumerate(self._intervals):
+            if other == ask or intervals.period:
+                continue
+            fits = intervals.may_fit(numbers[:, other], rows, papers)
+            rows, papers = rows[fits], papers[fits]
+        return np.unique(rows)
 
     def find_owner(self, paper: Paper, numbers: Numbers, wrong: Flags) -> str:
         """The student on whose paper all numbers of a row are right, at least two of which are
@@ -167,3 +168,9 @@ class PapersAnswered:
                 intervals, answer = self._intervals[ask], numbers[[ask]]
                 around = intervals.widened(_WIDENED).fit(answer).mean() / _WIDENED
                 yield max(intervals.fit(answer).mean(), around)
+
+
+def group_places(asks: Sequence[Ask]) -> Sequence[range]:
+    """The positions of each question's asks among all asks."""
+    groups = groupby(range(len(asks)), lambda place: asks[place].question)
+    return [range(places[0], places[-1] + 1) for places in (list(group) for _, group in groups)]

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from kinegrade.exam.folder.columns.runs import find_begins, list_runs
 from kinegrade.numbers.tolerance import Tolerance
 
 Numbers = NDArray[np.float64]
@@ -80,12 +81,13 @@ class Rules:
 def tabulate_rules(papers: Sequence[tuple[Tolerance, ...]]) -> Rules:
     """The rules of these papers, one after another; most papers share one tuple of them."""
     known = {id(rules): rules for rules in papers}
-    columns = {
-        name: np.array([_list_numbers(rule) for rule in rules], dtype=np.float64).reshape(-1, 4).T
-        for name, rules in known.items()
-    }
-    joined = [np.empty((4, 0)), *(columns[id(rules)] for rules in papers)]
-    return Rules(np.concatenate(joined, axis=1))
+    numbers = {name: number for number, name in enumerate(known)}
+    which = np.array([numbers[id(rules)] for rules in papers], dtype=np.intp)
+    counts = np.array([*map(len, known.values())], dtype=np.intp)
+    listed = [_list_numbers(rule) for rules in known.values() for rule in rules]
+    table = np.array(listed, dtype=np.float64).reshape(-1, 4).T
+    places = list_runs(find_begins(counts)[which], counts[which])
+    return Rules(np.ascontiguousarray(table[:, places]))
 
 
 def _list_numbers(rule: Tolerance) -> tuple[float, float, float, float]:

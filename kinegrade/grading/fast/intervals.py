@@ -6,13 +6,14 @@ papers an answer fits, of all of them at once.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from dataclasses import dataclass
+from itertools import chain
 
 import numpy as np
 
-from kinegrade.exam.folder.columns.gathering import read_periods, read_rules, read_values
-from kinegrade.exam.folder.keys import Paper
+from kinegrade.exam.folder.columns.gathering import read_right_answers
+from kinegrade.exam.folder.columns.runs import list_runs
+from kinegrade.exam.folder.keys import Sitting
 from kinegrade.grading.fast.bounds import Flags, Numbers, Places, tabulate_rules
 
 _SAME = 1e-9  # relative: values further apart than this are different
@@ -52,14 +53,17 @@ class Intervals:
         slack = _SLACK * np.abs(self.value)
         return (away >= np.minimum(*ends) - slack) & (away <= np.maximum(*ends) + slack)
 
-    def fit_each(self, answers: Numbers, papers: Places) -> Flags:
-        """Which answers are right each on the paper beside it."""
+    def may_fit(self, answers: Numbers, places: Places, papers: Places) -> Flags:
+        """False where the answer at a place is certainly wrong on the paper beside it, full turns
+        aside; a blank may be anything.
+        """
         slack = _SAME * np.abs(answers)
-        low, high = self.low[papers], self.high[papers]
-        right: Flags = (answers >= np.minimum(low, high) - slack) & (
-            answers <= np.maximum(low, high) + slack
-        )
-        return right
+        least, most = answers - slack, answers + slack
+        blank = np.isnan(answers)
+        least[blank], most[blank] = -np.inf, np.inf
+        fits: Flags = self.low[papers] <= most[places]
+        fits &= self.high[papers] >= least[places]
+        return fits
 
     def differ(self, values: Numbers) -> Flags:
         """On which papers another answer is right than each of these: a row for each of them."""
@@ -106,25 +110,19 @@ class SortedIntervals:
         """Each answer, by its place, beside each of the papers on which it may be right."""
         begins, ends = self.find_ranges(answers)
         counts = ends - begins
-        places = np.repeat(np.arange(len(answers)), counts)
-        before = np.repeat(np.cumsum(counts) - counts, counts)
-        return places, self.papers[np.arange(len(places)) - before + begins[places]]
+        near = self.papers[list_runs(begins, counts)]
+        return np.repeat(np.arange(len(answers)), counts), near
 
 
-def list_intervals(papers: Iterable[Paper], asks: int) -> list[Intervals]:
-    """Those of each ask. Raises ExamError where the papers cannot be read."""
-    values, rules, periods = [], [], [0.0] * asks
-    for paper in papers:
-        values.append(read_values(paper.keys))
-        rules.append(read_rules(paper.keys))
-        periods = [
-            max(period, float(own or 0))
-            for period, own in zip(periods, read_periods(paper.keys), strict=True)
-        ]
-    columns = np.array(values, dtype=np.float64).reshape(-1, asks)
-    bounds = tabulate_rules(rules).bounds(columns.reshape(-1))
-    low, high = (each.reshape(columns.shape) for each in (bounds.low, bounds.high))
-    return [
-        Intervals(columns[:, ask].copy(), low[:, ask].copy(), high[:, ask].copy(), period)
-        for ask, period in enumerate(periods)
-    ]
+def list_intervals(exam: Sitting) -> list[Intervals]:
+    """Those of each ask on the papers of an exam, and then on those of its pool. Raises ExamError
+    where the papers cannot be read.
+    """
+    parts = list(read_right_answers(exam))
+    columns = np.concatenate([part.values for part in parts])
+    rules = tabulate_rules([*chain.from_iterable(part.rules for part in parts)])
+    bounds = rules.bounds(columns.reshape(-1))
+    each = (columns, *(ends.reshape(columns.shape) for ends in (bounds.low, bounds.high)))
+    turned = (np.ascontiguousarray(numbers.T) for numbers in each)
+    periods = (max(own) for own in zip(*(part.periods for part in parts), strict=True))
+    return [*map(Intervals, *turned, periods)]

@@ -4,17 +4,19 @@ in one part, else paper by paper.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from itertools import chain
+from itertools import chain, islice
 from math import nan
 
 import numpy as np
 from numpy.typing import NDArray
 
 from kinegrade.exam.folder.columns.part import KeyPart, PartKeys
-from kinegrade.exam.folder.keys import NOT_ASKED, Keys
+from kinegrade.exam.folder.columns.record import PART
+from kinegrade.exam.folder.columns.runs import list_runs
+from kinegrade.exam.folder.keys import NOT_ASKED, Keys, Paper, RightAnswers, Sitting
 from kinegrade.exam.folder.stated_keys import StatedKeys, read_stated_mistakes
 from kinegrade.numbers.decimals import FEW_DIGITS
 from kinegrade.numbers.tolerance import Tolerance
@@ -104,6 +106,29 @@ def _is_decimal(text: str) -> bool:
     return not rest and len(str(abs(digits)).rstrip("0")) <= FEW_DIGITS
 
 
+def read_right_answers(exam: Sitting) -> Iterator[RightAnswers]:
+    """What is right on all papers of an exam, in the order of the roster, and then on those of its
+    pool. Raises ExamError where they cannot be read.
+    """
+    done = 0
+    for part in exam.right_answers():
+        yield part
+        done += len(part.values)
+    others = islice(exam.papers(), done, None) if done < len(exam.students) else ()
+    rest = chain(others, exam.variants())
+    while papers := list(islice(rest, PART)):
+        yield _gather_right_answers(papers)
+
+
+def _gather_right_answers(papers: Sequence[Paper]) -> RightAnswers:
+    """What is right on these papers."""
+    keys = [paper.keys for paper in papers]
+    values = np.array([*map(read_values, keys)], dtype=np.float64)
+    listed = zip(*map(read_periods, keys), strict=True)
+    periods = [float(max(period or 0 for period in own)) for own in listed]
+    return RightAnswers(values, [*map(read_rules, keys)], periods)
+
+
 def read_values(keys: Keys) -> Sequence[float]:
     """The right answers in double precision, those of cyclic angles too; nearly rounded."""
     match keys:
@@ -153,8 +178,7 @@ def _gather_mistakes(part: KeyPart, places: Places) -> LedTo:
     """Those of the asks of a part at these places, as they stand there one after the other."""
     begins = part.ends[places]
     counts = part.ends[places + 1] - begins
-    before = np.cumsum(counts) - counts
-    chosen = np.arange(counts.sum()) + np.repeat(begins - before, counts)
+    chosen = list_runs(begins, counts)
     names = part.names[chosen].astype(np.intp)
     return LedTo(counts, names, part.wrong[chosen], part.known, as_written=True)
 

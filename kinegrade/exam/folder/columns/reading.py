@@ -6,7 +6,7 @@ cannot be read says so, and `ExamFolder` reads the key itself.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from zipfile import BadZipFile, ZipFile
@@ -26,7 +26,7 @@ from kinegrade.exam.folder.columns.record import (
     is_other_key,
     read_terms,
 )
-from kinegrade.exam.folder.keys import Paper
+from kinegrade.exam.folder.keys import Paper, RightAnswers
 from kinegrade.exam.folder.records import ExamHead
 from kinegrade.exam.folder.stated_keys import Terms
 
@@ -59,12 +59,32 @@ class KeyColumns:
         terms = [read_terms(stated, self.head) for stated in self.about.terms]
         candidates = iter(self.head.students)
         with ZipFile(self.path) as archive:
-            for number in range(-(-self.about.papers // PART)):
-                part = _make_part(_read_arrays(archive, number), terms, self.about)
+            for number in range(self._parts):
+                part = _make_part(_read_arrays(archive, number, ARRAYS), terms, self.about)
                 for row in range(len(part.terms)):
                     owner = next(candidates)
                     yield Paper(owner.student, owner.name, PartKeys(part, row))
                 del part  # so that the next takes its place
+
+    def right_answers(self) -> Iterator[RightAnswers]:
+        """What is right on the papers, part by part: a twentieth of what they take. Raises one of
+        `DAMAGED` at the first part that cannot be read.
+        """
+        terms = [read_terms(stated, self.head) for stated in self.about.terms]
+        with ZipFile(self.path) as archive:
+            for number in range(self._parts):
+                arrays = _read_arrays(archive, number, ("values", "terms"))
+                which: list[int] = arrays["terms"].tolist()
+                periods = [terms[each].periods for each in {*which}]
+                yield RightAnswers(
+                    arrays["values"].astype(np.float64, copy=False),
+                    [terms[each].rules for each in which],
+                    [float(max(each or 0 for each in own)) for own in zip(*periods, strict=True)],
+                )
+
+    @property
+    def _parts(self) -> int:
+        return -(-self.about.papers // PART)
 
 
 def find_columns(path: Path, key: Path, head: ExamHead) -> KeyColumns | None:
@@ -95,9 +115,9 @@ def _open_about(path: Path) -> About:
         return _read_about(archive.read(ABOUT))
 
 
-def _read_arrays(archive: ZipFile, number: int) -> _Arrays:
+def _read_arrays(archive: ZipFile, number: int, names: Iterable[str]) -> _Arrays:
     found = {}
-    for name in ARRAYS:
+    for name in names:
         with archive.open(f"{number}/{name}.npy") as stream:
             found[name] = read_array(stream, allow_pickle=False)
     return found
