@@ -27,6 +27,7 @@ from kinegrade.proof.causes import find_causes, write_causes
 from kinegrade.proof.demanding import describe_demands
 from kinegrade.proof.ends import note_points_beyond_ends
 from kinegrade.proof.letters import note_points_without_letter, note_unknown_points
+from kinegrade.proof.marked_values import find_wrong_marks
 from kinegrade.proof.published import prove_published
 from kinegrade.proof.report import SECRET, Report
 from kinegrade.proof.searching import find_breaking_values
@@ -76,6 +77,7 @@ def check(template: Template, sample: int = 200, secret: str = SECRET) -> Report
         return report
     _weigh(report)
     note_assemblies(report)
+    report.faults += find_wrong_marks(template, report.examples)
     report.remarks += note_points_beyond_ends(template, report.examples)
     report.remarks += note_points_without_letter(template, report.examples[:1])
     report.faults += prove_solutions(report)

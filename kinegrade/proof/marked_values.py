@@ -1,0 +1,136 @@
+"""Dimensions, radii and angles of a figure that carry the letter of a given and show another
+value: the distance of other points, another wheel, the angle beside it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from math import acos, cos, degrees, radians
+
+from kinegrade.figure.marks.lengths.dimensions import find_measured_direction
+from kinegrade.figure.placing.mark import direction
+from kinegrade.figure.plane import length, unit
+from kinegrade.language.math.reading import read_math
+from kinegrade.language.message import Fault, Message
+from kinegrade.numbers.floats import Floats
+from kinegrade.problem.solution import Solution
+from kinegrade.problem.template.hints import Angle, Length, Radius
+from kinegrade.problem.template.template import Parameter, Template
+
+_DIFFERENT = 1e-6  # of a length, or of a cosine: less is what doubles leave
+
+
+@dataclass(frozen=True)
+class _Instance:
+    """An instance in doubles: SI units and radians."""
+
+    solution: Solution
+
+    def value(self, given: Parameter) -> float:
+        """The value of a given."""
+        stated = self.solution.parameters[given.name].value
+        measure = given.unit
+        return radians(stated) if measure.degrees else stated * Floats().scale(measure.scale)
+
+    def distance(self, mark: Length) -> float:
+        """What a dimension measures."""
+        at = self.solution.doubles.points
+        start, end = at[mark.start], at[mark.end]
+        along = find_measured_direction(mark.along, start, end)
+        return float(abs((end - start).dot(along)))
+
+    def radii(self, mark: Radius) -> list[float]:
+        """The radii of the circles about a centre, those of its joints and of the figure."""
+        mechanism, at = self.solution.assembly.mechanism.map(float), self.solution.doubles.points
+        circles = [each for joint in mechanism.joints for each in joint.list_circles()]
+        rims = (
+            each for each in self.solution.template.figure.circles if each.centre == mark.centre
+        )
+        drawn = (length(at[each.through] - at[each.centre]) for each in rims)
+        return [*(each.radius for each in circles if each.centre == mark.centre), *drawn]
+
+    def cosine(self, mark: Angle) -> float:
+        """The cosine of the angle between the sides of an arc."""
+        at = self.solution.doubles.points
+        first, last = (direction(at, at[mark.at], name) for name in (mark.start, mark.end))
+        return float(unit(first).dot(unit(last)))
+
+
+def find_wrong_marks(template: Template, examples: Iterable[Solution]) -> Iterator[Fault]:
+    """A fault for each length, radius and angle of the figure that carries the symbol of a given
+    and has another value in any of these instances.
+    """
+    instances = tuple(map(_Instance, examples))
+    for distance in template.figure.lengths:
+        given = _find_given(template, distance.symbol)
+        if given is not None and given.unit.is_length:
+            yield from _find_wrong_length(distance, given, instances)
+    for radius in template.figure.radii:
+        given = _find_given(template, radius.symbol)
+        if given is not None and given.unit.is_length:
+            yield from _find_wrong_radius(radius, given, instances)
+    for angle in template.figure.angles:
+        given = _find_given(template, angle.symbol)
+        if given is not None and given.unit.angle and not given.unit.time:
+            yield from _find_wrong_angle(angle, given, instances)
+
+
+def _find_given(template: Template, symbol: str) -> Parameter | None:
+    """The given that has a symbol, if one alone has it."""
+    wanted = read_math(symbol, "figure")
+    givens = template.parameters.values()
+    found = [each for each in givens if read_math(each.symbol, "figure") == wanted]
+    return found[0] if len(found) == 1 else None
+
+
+def _find_wrong_length(
+    mark: Length, given: Parameter, instances: Iterable[_Instance]
+) -> Iterator[Fault]:
+    """A fault at the first instance in which a dimension is not as long as its letter says."""
+    scale = Floats().scale(given.unit.scale)
+    for each in instances:
+        stated, shown = abs(each.value(given)), each.distance(mark)
+        if abs(shown - stated) > _DIFFERENT * stated:
+            measured = f"{mark.start}{mark.end}"
+            yield _explain(given, measured, shown / scale, stated / scale)
+            return
+
+
+def _find_wrong_radius(
+    mark: Radius, given: Parameter, instances: Iterable[_Instance]
+) -> Iterator[Fault]:
+    """A fault at the first instance in which no circle about a centre has the radius."""
+    scale = Floats().scale(given.unit.scale)
+    for each in instances:
+        stated, radii = abs(each.value(given)), each.radii(mark)
+        nearest = min(radii, key=lambda radius: abs(radius - stated), default=stated)
+        if abs(nearest - stated) > _DIFFERENT * stated:
+            yield _explain(given, mark.centre, nearest / scale, stated / scale)
+            return
+
+
+def _find_wrong_angle(
+    mark: Angle, given: Parameter, instances: Iterable[_Instance]
+) -> Iterator[Fault]:
+    """A fault at the first instance in which the angle of an arc is not that of its letter, with
+    any sign and number of turns.
+    """
+    for each in instances:
+        stated, shown = cos(each.value(given)), each.cosine(mark)
+        if abs(shown - stated) > _DIFFERENT:
+            measured = f"{mark.start}, {mark.at}, {mark.end}"
+            yield _explain(given, measured, *map(degrees, map(acos, (shown, stated))))
+            return
+
+
+def _explain(given: Parameter, measured: str, shown: float, stated: float) -> Fault:
+    shown_in = "°" if given.unit.angle else f" {given.unit.printed}"
+    what = Message(
+        "template.marks-another",
+        name=given.name,
+        measured=measured,
+        shown=f"{shown:.4g}{shown_in}",
+        stated=f"{stated:.4g}{shown_in}",
+    )
+    return Fault("figure", what, do=Message("template.mark-its-own"))
