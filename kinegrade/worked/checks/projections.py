@@ -12,6 +12,7 @@ from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import VectorEquation
 from kinegrade.worked.case import Case
 from kinegrade.worked.checks.check import Check, Side, compare
+from kinegrade.worked.deductions.deductions import AXIS_NAMES
 from kinegrade.worked.formulas.atoms import AxisName, add_terms
 from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.measures import bearing, size
@@ -19,7 +20,6 @@ from kinegrade.worked.formulas.numbers import measure
 from kinegrade.worked.steps.couplers import Coupler, choose_method, find_coupler
 from kinegrade.worked.steps.rigid import find_rigid_triangle
 from kinegrade.worked.steps.titles import select_scalars
-from kinegrade.worked.vectors.deductions import AXIS_NAMES
 from kinegrade.worked.vectors.facts import make_key
 from kinegrade.worked.vectors.inclinations import find_inclination, is_direction_told
 from kinegrade.worked.vectors.magnitudes import find_heading

@@ -13,6 +13,7 @@ from typing import Literal, TypeAlias, assert_never
 from kinegrade.language.message import Message
 from kinegrade.mechanics.plan import Step
 from kinegrade.problem.template.template import Method
+from kinegrade.worked.deductions.deductions import explain_deduction, show_solution
 from kinegrade.worked.document import Block
 from kinegrade.worked.steps.couplers import (
     Coupler,
@@ -24,7 +25,6 @@ from kinegrade.worked.steps.pole_method import explain_by_pole
 from kinegrade.worked.steps.rigid import explain_rigid_triangle, find_rigid_triangle
 from kinegrade.worked.steps.steps import explain_remarks, make_term_table
 from kinegrade.worked.steps.titles import introduce_equation
-from kinegrade.worked.vectors.deductions import explain_deduction, show_solution
 from kinegrade.worked.vectors.projection import Deduction, find_deductions
 from kinegrade.worked.vectors.stage import Stage
 

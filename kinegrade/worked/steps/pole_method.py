@@ -23,8 +23,8 @@ from kinegrade.worked.steps.couplers import Coupler, explain_base_speed
 from kinegrade.worked.steps.pole_distances import PoleTriangle
 from kinegrade.worked.steps.poles import name_pole
 from kinegrade.worked.vectors.arms import introduce_lengths, name_length
-from kinegrade.worked.vectors.deductions import state_rotation_result
 from kinegrade.worked.vectors.projection import PARALLEL
+from kinegrade.worked.vectors.results import state_rotation_result
 from kinegrade.worked.vectors.vectors import name_part, name_point_vector, name_value
 
 

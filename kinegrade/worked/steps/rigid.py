@@ -20,7 +20,7 @@ from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.measures import double, length
 from kinegrade.worked.formulas.numbers import measure, state_number
 from kinegrade.worked.vectors.arms import introduce_lengths, name_length
-from kinegrade.worked.vectors.deductions import state_rotation_result, state_vector_value
+from kinegrade.worked.vectors.results import state_rotation_result, state_vector_value
 from kinegrade.worked.vectors.stage import Stage, measure_along_direction
 from kinegrade.worked.vectors.vectors import UNITS, name_part, name_point_vector, name_value
 

@@ -19,6 +19,7 @@ from kinegrade.mechanics.vector_equation import (
     write_vector_equation,
 )
 from kinegrade.worked.case import Case
+from kinegrade.worked.deductions.deductions import explain_deduction
 from kinegrade.worked.document import Block, Term, TermTable
 from kinegrade.worked.formulas.atoms import ZERO, VectorSymbol
 from kinegrade.worked.formulas.equation import Equation, equate
@@ -31,7 +32,6 @@ from kinegrade.worked.steps.titles import describe_meanings, introduce_equation,
 from kinegrade.worked.vectors.arms import find_arms, introduce_lengths
 from kinegrade.worked.vectors.by_components import find_components
 from kinegrade.worked.vectors.coriolis import explain_absence, explain_directions, list_turned
-from kinegrade.worked.vectors.deductions import explain_deduction
 from kinegrade.worked.vectors.facts import has_been_told
 from kinegrade.worked.vectors.magnitudes import (
     describe_direction,

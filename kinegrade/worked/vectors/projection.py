@@ -115,11 +115,37 @@ def find_deductions(
             for index, equation in enumerate(equations)
             for projection in _find_core_projections(equation, unshared[index])
         ]
-        yield Deduction(_select_enough(core, scalars, shared), tuple(scalars), tuple(shared))
+        yield from _take_apart(_select_enough(core, scalars, shared), scalars, shared)
     for index, equation in enumerate(equations):
         for rate in unshared[index]:
             others = [other for other in unshared[index] if other != rate]
             yield Deduction((_project_toward(equation, rate, others),), (), (rate,))
+
+
+def _take_apart(
+    projections: Sequence[Projection], scalars: Sequence[Relation], shared: Sequence[Rate]
+) -> Iterator[Deduction]:
+    """The deductions of shared unknowns: a projection in which one alone is left gives that, the
+    rest are solved for together.
+    """
+    left, unsolved = list(projections), list(shared)
+    while found := next(_find_single(left, unsolved), None):
+        projection, rate = found
+        left.remove(projection)
+        unsolved.remove(rate)
+        yield Deduction((projection,), (), (rate,))
+    if unsolved:
+        yield Deduction(tuple(left), tuple(scalars), tuple(unsolved))
+
+
+def _find_single(
+    projections: Sequence[Projection], unsolved: Sequence[Rate]
+) -> Iterator[tuple[Projection, Rate]]:
+    """The projections in which one unknown alone is left, with that."""
+    for projection in projections:
+        involved = [rate for rate in unsolved if projection.involves(rate)]
+        if len(involved) == 1:
+            yield projection, involved[0]
 
 
 def _find_private_unknowns(

@@ -10,11 +10,12 @@ from kinegrade.mechanics.rates import Rate
 from kinegrade.mechanics.relations import Term
 from kinegrade.mechanics.vector_equation import Level, Part, VectorEquation
 from kinegrade.worked.case import Case
-from kinegrade.worked.formulas.atoms import ONE, ZERO, add_terms
+from kinegrade.worked.formulas.atoms import ONE, ZERO, add_terms, multiply_factors
 from kinegrade.worked.formulas.equation import Equation, equate
 from kinegrade.worked.formulas.formula import Formula, Function
 from kinegrade.worked.formulas.measures import length
 from kinegrade.worked.formulas.numbers import measure, state_angle
+from kinegrade.worked.vectors.arms import name_length
 from kinegrade.worked.vectors.by_components import find_components, project_components
 from kinegrade.worked.vectors.inclinations import (
     Cosine,
@@ -68,7 +69,7 @@ class Stage:
             for share in side
             if share.part.unknown == rate
         ]
-        if len(sought) != 1 or len(self.occurrences(rate)) != 1:
+        if len(sought) != 1:
             return None
         ((side, share),) = sought
         left = [one for one in projection.left if one.part.unknown != rate]
@@ -77,9 +78,21 @@ class Stage:
             *self.list_terms(projection, right, -side, solved),
             *self.list_terms(projection, left, side, solved),
         ]
-        sign, cosine = self._state_cosine(projection, share, solved is not None)
+        sign, cosine = self.state_cosine(projection, share, solved is not None)
         total = add_terms(term.signed(-sign) for term in terms)
-        return divide_by(total, cosine)
+        arm = self._find_shared_arm(share.part, solved is not None)
+        factors = [one for one in (arm, cosine) if one != ONE]
+        return divide_by(total, multiply_factors(factors) if factors else ONE)
+
+    def _find_shared_arm(self, part: Part, in_numbers: bool) -> Formula:
+        """The arm of a rotation that several vectors share, whose rate is solved for; else 1."""
+        if part.term is None or part.term.kind != "rotation":
+            return ONE
+        if len(self.occurrences(part.term.rate)) == 1:
+            return ONE
+        if in_numbers:
+            return measure(length(part.term.vector, self.case.arithmetic), "m")
+        return name_length(part.base, part.point, self.case)
 
     def list_terms(
         self,
@@ -96,7 +109,7 @@ class Stage:
                 continue
             amount = self._state_share(projection.equation, share.part, solved)
             if amount != ZERO:
-                turned, cosine = self._state_cosine(projection, share, solved is not None)
+                turned, cosine = self.state_cosine(projection, share, solved is not None)
                 term = amount.size if cosine == ONE else amount.size * cosine
                 yield term.signed(sign * amount.sign * turned)
 
@@ -110,7 +123,7 @@ class Stage:
             return ()
         return project_components(pieces, axis, self.case, in_numbers=in_numbers)
 
-    def _state_cosine(
+    def state_cosine(
         self, projection: Projection, share: Share, in_numbers: bool
     ) -> tuple[int, Formula]:
         """The sign and the cosine with which a part counts: of named angles where it has them."""

@@ -5,41 +5,27 @@ as decimals.
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator
+from dataclasses import replace
 
-from kinegrade.language.math.tree import Row
 from kinegrade.language.message import Message
 from kinegrade.mechanics.rates import Rate
 from kinegrade.mechanics.vector import Vector
-from kinegrade.mechanics.vector_equation import Level, Part
+from kinegrade.mechanics.vector_equation import Part
 from kinegrade.worked.case import Case
+from kinegrade.worked.deductions.elimination import find_elimination
+from kinegrade.worked.deductions.insertions import Insertion
 from kinegrade.worked.document import Block, Display
-from kinegrade.worked.formulas.equation import (
-    Equation,
-    Link,
-    equate,
-    lead_to,
-)
-from kinegrade.worked.formulas.formula import Formula
-from kinegrade.worked.formulas.measures import bearing, double, length
-from kinegrade.worked.formulas.numbers import measure, state_number
-from kinegrade.worked.senses import (
-    find_axis_sense,
-    state_rotation_sense,
-    state_sense_along,
-    state_way_round,
-)
+from kinegrade.worked.formulas.equation import Equation, lead_to
+from kinegrade.worked.formulas.measures import bearing
+from kinegrade.worked.senses import find_axis_sense
 from kinegrade.worked.vectors.alignments import explain_alignments
 from kinegrade.worked.vectors.angle_sums import explain_sums
-from kinegrade.worked.vectors.arms import name_length
 from kinegrade.worked.vectors.inclinations import Cosine, find_ends, introduce_angle
-from kinegrade.worked.vectors.magnitudes import find_heading, find_path_ends
+from kinegrade.worked.vectors.magnitudes import find_heading
 from kinegrade.worked.vectors.projection import Deduction, Projection
-from kinegrade.worked.vectors.stage import (
-    Stage,
-    find_share_cosine,
-    measure_along_direction,
-)
-from kinegrade.worked.vectors.vectors import UNITS, name_part, name_value
+from kinegrade.worked.vectors.results import state_results, state_rotation_result
+from kinegrade.worked.vectors.stage import Stage, find_share_cosine
+from kinegrade.worked.vectors.vectors import name_part
 
 _RIGHT_ANGLE = 90.0
 AXIS_NAMES = {0.0: Message("solution.projection-x"), 90.0: Message("solution.projection-y")}
@@ -50,6 +36,7 @@ def explain_deduction(
 ) -> Iterator[Block]:
     """A deduction in words and equations; relations between rates have been written before."""
     case, single = stage.case, len(deduction.unknowns) == 1 and not deduction.scalars
+    found = None if single else find_elimination(deduction, stage.level, case)
     for projection in deduction.projections:
         yield from _introduce_angles(stage, projection)
         yield from explain_sums(_list_cosines(stage, projection), case)
@@ -57,12 +44,35 @@ def explain_deduction(
         yield case.say(_announce_axis(stage, projection))
         if single:
             yield show_solution(stage, projection, solved, deduction.unknowns[0])
+        elif found and not found.by:
+            yield case.show(stage.project(projection, None))
         else:
             yield case.show(*_state_projection(stage, projection, solved))
-    if not single:
+    if found:
+        yield from _explain_insertion(Insertion(stage, found), deduction, solved)
+    elif not single:
         yield case.say(Message("solution.together"))
-        results = (result for rate in deduction.unknowns for result in _state_results(stage, rate))
+        results = (result for rate in deduction.unknowns for result in state_results(stage, rate))
         yield case.show(*results)
+
+
+def _explain_insertion(
+    insertion: Insertion, deduction: Deduction, solved: Collection[Rate]
+) -> Iterator[Block]:
+    """What is inserted into what, then the values: first of the unknown that is kept."""
+    stage, kept = insertion.stage, insertion.elimination.kept
+    yield from insertion.explain(solved)
+    results = list[Equation]()
+    for rate in (kept, *(one for one in deduction.unknowns if one != kept)):
+        found = list(state_results(stage, rate))
+        if rate == kept and kept.kind == "turning":
+            results.append(state_rotation_result(rate, stage.case, stage.level))
+            found = found[:-1]
+        if found:
+            first, *others = found
+            links = lead_to(first.left, insertion.find_working(rate), first.links)
+            results += (replace(first, links=links), *others)
+    yield stage.case.show(*results)
 
 
 def _list_cosines(stage: Stage, projection: Projection) -> Iterator[Cosine | None]:
@@ -94,7 +104,7 @@ def show_solution(
     stage: Stage, projection: Projection, solved: Collection[Rate], rate: Rate
 ) -> Display:
     """A projection with one unknown, solved for it in symbols, then in numbers, and its result."""
-    first, *others = _state_results(stage, rate)
+    first, *others = state_results(stage, rate)
     symbols, numbers = (stage.solve(projection, rate, rates) for rates in (None, solved))
     if symbols is None or numbers is None:
         return stage.case.show(*_state_projection(stage, projection, solved), first, *others)
@@ -156,59 +166,3 @@ def _name_line(axis: float, dropped: Part, case: Case) -> Message | None:
     return Message(
         "solution.projection-line", start=case.naming.point(first), end=case.naming.point(last)
     )
-
-
-def _state_results(stage: Stage, rate: Rate) -> Iterator[Equation]:
-    """The value of a vector along its direction, and of the rotation it belongs to."""
-    case, level = stage.case, stage.level
-    found = stage.occurrences(rate)
-    turning = rate.kind == "turning"
-    if found and (len(found) == 1 or not turning):
-        equation, part = found[0]
-        symbol = name_value(equation, part, case)
-        yield state_vector_value(symbol, part, case, level)
-        if turning:
-            yield state_rotation_result(rate, case, level, _divide_by_arm(symbol, part, stage))
-    elif turning:
-        yield state_rotation_result(rate, case, level)
-
-
-def _divide_by_arm(symbol: Formula, part: Part, stage: Stage) -> tuple[Link, ...]:
-    """A rotation as the speed over the arm, in symbols and, unless it is zero, in numbers."""
-    ratio = symbol / name_length(part.base, part.point, stage.case)
-    if part.term is None or not double(length(part.value, stage.case.arithmetic)):
-        return equate(ratio)
-    speed = measure_along_direction(part.term, stage.case, stage.level)
-    arm = measure(length(part.term.vector, stage.case.arithmetic), "m")
-    return equate(ratio, measure(speed, UNITS[stage.level, False]) / arm)
-
-
-def state_rotation_result(
-    rate: Rate, case: Case, level: Level, how: tuple[Link, ...] = ()
-) -> Equation:
-    """The value of an angular velocity or acceleration with its sense."""
-    value = case.rates(level)[rate]
-    links = (*how, *state_number(value, UNITS[level, True]))
-    letters = case.naming.turning(rate.body, level)
-    return Equation(letters, links, state_rotation_sense(value, case))
-
-
-def state_vector_value(symbol: Formula, part: Part, case: Case, level: Level) -> Equation:
-    """The algebraic value of an unknown vector along its positive direction, with its sense in
-    words.
-    """
-    unit = UNITS[level, False]
-    if part.term is None or part.coefficient is None:
-        return Equation(symbol, state_number(length(part.value, case.arithmetic), unit))
-    value = measure_along_direction(part.term, case, level)
-    sense = _state_sense(double(value), part.coefficient, part, case)
-    return Equation(symbol, state_number(value, unit), sense)
-
-
-def _state_sense(value: float, positive: Vector, part: Part, case: Case) -> Row:
-    """The direction beside the value of an unknown vector; of a clockwise rotation about what,
-    where the vector is slanting.
-    """
-    if part.base and value < 0 and find_axis_sense(positive) is None:
-        return state_way_round(part.base, value, case)
-    return state_sense_along(value, positive, find_path_ends(part, case), case)

@@ -1,0 +1,70 @@
+"""Unknowns that several equations share: what is inserted into what is said."""
+
+from __future__ import annotations
+
+import pytest
+
+from kinegrade.language import Language
+from tests.worked.draws import kept
+from tests.worked.telling import lines
+
+
+def _read_after(name: str, start: str, count: int, language: Language = "en") -> list[str]:
+    """The lines of a template's solution from the first one that begins so."""
+    told = [" ".join(line.split()) for line in lines(kept(name, 0, None, language), boxes=False)]
+    place = next(place for place, line in enumerate(told) if line.startswith(start))
+    return told[place : place + count]
+
+
+def test_relations_between_rates_are_inserted_into_the_projection() -> None:
+    # three values were given after "These equations together give"
+    announced, inserted, omega, first, second = _read_after(
+        "pinion-between-two-racks", "By the relations above", 5
+    )
+    assert announced == (
+        r"By the relations above, $v_{\mathrm{r}1} = -70\,\unit{mm} \cdot \omega$, "
+        r"$v_{\mathrm{r}2} = 70\,\unit{mm} \cdot \omega$; inserted into the projection, this "
+        r"leaves only $\omega$ unknown:"
+    )
+    assert inserted == (
+        r"250\,\unit{mm/s} - 70\,\unit{mm} \cdot \omega &= "
+        r"-100\,\unit{mm/s} + 70\,\unit{mm} \cdot \omega"
+    )
+    assert omega.startswith(r"\omega &= 2.5\,\unit{rad/s}")
+    assert first.startswith(r"v_{\mathrm{r}1} &= -70\,\unit{mm} \cdot 2.5\,\unit{rad/s} = -175")
+    assert second.startswith(r"v_{\mathrm{r}2} &= 70\,\unit{mm} \cdot 2.5\,\unit{rad/s} = 175")
+
+
+def test_what_a_relation_adds_is_inserted_too() -> None:
+    announced, inserted, *_ = _read_after(
+        "slider-crank-relative-rotation-driver", "By the relations above", 2
+    )
+    assert r"v_{BA} = 0.2\,\unit{m} \cdot \omega_{OA} + 0.8\,\unit{m/s}$" in announced
+    assert r"v_{A} \approx 0.3464\,\unit{m} \cdot \omega_{OA}$" in announced
+    assert inserted.endswith(r"+ 0.8\,\unit{m/s} \cdot \cos 60^\circ")
+
+
+def test_the_last_of_two_projections_is_inserted_into_the_first() -> None:
+    announced, inserted, _, second = _read_after(
+        "crank-slider-in-floating-link", "The last equation gives", 4
+    )
+    assert announced == (
+        r"The last equation gives $\omega_{BC} \approx -0.8660\omega_{O_{1}B}$; inserted into the "
+        r"first one, this leaves only $\omega_{O_{1}B}$ unknown:"
+    )
+    assert inserted.endswith(r"- 0.2309\,\unit{m} \cdot 0.8660\omega_{O_{1}B}")
+    assert second.startswith(r"\omega_{BC} &= -0.8660 \cdot (-0.75\,\unit{rad/s}) \approx 0.6495")
+
+
+def test_a_projection_in_which_one_unknown_is_left_gives_it_at_once() -> None:
+    (speed,) = _read_after("square-on-two-fixed-points", "v_{O,x} &=", 1)
+    assert speed.startswith(r"v_{O,x} &= -v_{A'O}\sin\psi_{OA} = -0.2236")
+
+
+@pytest.mark.parametrize(
+    ("language", "start"), [("de", "Nach den Beziehungen oben ist"), ("zh", "由以上关系得")]
+)
+def test_it_is_said_in_every_language(language: Language, start: str) -> None:
+    announced, inserted = _read_after("spool-pulled-by-cord", start, 2, language)
+    assert announced.endswith((r"$\omega$ unbekannt:", r"$\omega$："))
+    assert r"\cdot \omega &=" in inserted
