@@ -27,7 +27,7 @@ from kinegrade.language.message import (
     list_plainly,
 )
 from kinegrade.lms.responses.assumptions import list_assumptions
-from kinegrade.lms.responses.detection import DIALECTS, detected
+from kinegrade.lms.responses.detection import DIALECTS, detected, is_header
 from kinegrade.lms.responses.people import Columns, Found, People
 from kinegrade.lms.responses.pooled import Pairs, own_papers_only, pool_of, put_to
 from kinegrade.lms.responses.sheet import read_answer_file
@@ -84,7 +84,7 @@ def read_responses(
     the questions answered in a quiz are recognised by it, unless each student answered their own
     paper. `name` replaces the file's name in messages. Raises TableError, ExamError.
     """
-    table = read_answer_file(path, wishes.encoding)
+    table = read_answer_file(path, wishes.encoding, is_header(wishes.source))
     table = replace(table, file=name or table.file, rows=drop_headers(table))
     system = detected(table) if wishes.source is None else _known(wishes.source, path)
     typed = DIALECTS[system].read(table, exam.head, wishes.attempts)

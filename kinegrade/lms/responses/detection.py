@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from kinegrade.errors import TableError
 from kinegrade.exam.folder.records import ExamHead
+from kinegrade.files.header_line import HeaderSign
 from kinegrade.files.tables import Table
 from kinegrade.language.lines import show_in_one_line
 from kinegrade.language.message import Fault, Message, list_plainly
@@ -33,6 +34,15 @@ DIALECTS: Mapping[str, Dialect] = {
     "long": Dialect(long.TITLE, long.recognises, long.read),
     "sheet": Dialect(sheet.TITLE, sheet.recognises, sheet.read),
 }
+
+
+def is_header(source: str | None) -> HeaderSign:
+    """What takes a line for the header of a system's files, or of any system's where it is
+    None.
+    """
+    if source is not None and source in DIALECTS:
+        return DIALECTS[source].recognises
+    return lambda cells: any(each.recognises(cells) for each in DIALECTS.values())
 
 
 def detected(table: Table) -> str:

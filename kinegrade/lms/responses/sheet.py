@@ -4,7 +4,8 @@ unchanged. The workbook's line by which rows are found is left out as the file i
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from pathlib import Path
 
 from kinegrade.errors import TableError
@@ -15,14 +16,15 @@ from kinegrade.exam.roster.known_columns import (
     list_column_names,
     list_key_columns,
 )
-from kinegrade.files.cell_text import make_header_key
+from kinegrade.files.cell_text import make_header_key, trim
+from kinegrade.files.header_line import HeaderSign
 from kinegrade.files.spreadsheet import read_workbook
-from kinegrade.files.tables import Table, choose_cells, read_table
+from kinegrade.files.tables import Complaint, Row, Table, choose_cells, read_table
 from kinegrade.files.workbook_inspection import is_workbook
 from kinegrade.language.message import Fault, Message
 from kinegrade.language.spellings import list_spellings
 from kinegrade.lms.responses.people import Kind
-from kinegrade.lms.responses.typed_rows import Attempts, TypedRow, TypedRows
+from kinegrade.lms.responses.typed_rows import Attempts, TypedRow, TypedRows, whole
 
 SUBMITTED = "submitted"  # the column that says when a row was handed in
 TITLE = Message("responses.sheet")
@@ -61,21 +63,39 @@ def _places(header: Sequence[str], names: Sequence[str]) -> list[int]:
     return [keys.index(name) for name in names if name in keys]
 
 
-def read_answer_file(path: Path, encoding: str | None = None) -> Table:
-    """The table of a file, whose header is its first line, or the one below the finder. Raises
-    TableError.
+def read_answer_file(
+    path: Path, encoding: str | None = None, is_header: HeaderSign = recognises
+) -> Table:
+    """The table of a file, whose header is its first line, the one below the finder, or the first
+    one that `is_header` takes for it, below titles. Raises TableError.
+
+    Rows above such a header are complaints with their whole content, as they may be students'.
     """
-    table = _read(path, encoding, finds=False)
-    return _read(path, encoding, finds=True) if _is_finder(table.header) else table
+    table = _read(path, encoding)
+    if _is_finder(table.header):
+        return _read(path, encoding, lambda cells: not _is_finder(cells))
+    if is_header(table.header):
+        return table
+    below = _read(path, encoding, is_header)
+    if not is_header(below.header):
+        return table
+    return replace(below, complaints=(*below.complaints, *_list_above(table, below)))
 
 
-def _read(path: Path, encoding: str | None, *, finds: bool) -> Table:
-    sign = _is_header if finds else None
+def _read(path: Path, encoding: str | None, sign: HeaderSign | None = None) -> Table:
     return read_workbook(path, sign) if is_workbook(path) else read_table(path, encoding, sign)
 
 
-def _is_header(cells: Sequence[str]) -> bool:
-    return not _is_finder(cells)
+def _list_above(table: Table, below: Table) -> Iterator[Complaint]:
+    """The rows above a header with more than a title in them, as they are in the whole table."""
+    first, *_ = below.above
+    for row in (Row(first, table.header), *table.rows):
+        # A comma in a title may have been taken for what separates cells
+        text = table.separator.join(row.cells)
+        cells = text.split(below.separator) if below.separator else row.cells
+        if row.line in below.above and sum(bool(trim(cell)) for cell in cells) > 1:
+            what, done = Message("responses.above-header"), Message("marking.not-graded")
+            yield Complaint(table.file, row.line, "", whole(row), what, done)
 
 
 def _is_finder(cells: Sequence[str]) -> bool:
