@@ -26,7 +26,11 @@ from kinegrade.proof.assemblies import note_assemblies
 from kinegrade.proof.causes import find_causes, write_causes
 from kinegrade.proof.demanding import describe_demands
 from kinegrade.proof.ends import note_points_beyond_ends
-from kinegrade.proof.letters import note_points_without_letter, note_unknown_points
+from kinegrade.proof.letters import (
+    note_points_without_letter,
+    note_renamed_points,
+    note_unknown_points,
+)
 from kinegrade.proof.marked_values import find_wrong_marks
 from kinegrade.proof.published import prove_published
 from kinegrade.proof.report import SECRET, Report
@@ -58,6 +62,7 @@ def check(template: Template, sample: int = 200, secret: str = SECRET) -> Report
     report.faults += find_statement_faults(template)
     report.faults += find_unfinished_translations(template)
     report.remarks += note_unknown_points(template)
+    report.remarks += note_renamed_points(template)
     report.remarks += (
         Message("template.idle-given", given=name) for name in find_idle_givens(template)
     )

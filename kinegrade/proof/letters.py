@@ -30,6 +30,16 @@ def note_unknown_points(template: Template) -> Iterator[Message]:
             yield Message("template.no-such-point", point=letter)
 
 
+def note_renamed_points(template: Template) -> Iterator[Message]:
+    """A remark for each point that the figure letters as another: worked solutions go by its name
+    in the file.
+    """
+    for point in template.scheme.points:
+        label, symbol = template.figure.labels.get(point), write_point_symbol(point)
+        if label and _LETTER.fullmatch(_plain(label)) and _plain(label) != _plain(symbol):
+            yield Message("template.renamed-point", point=_plain(symbol), label=_plain(label))
+
+
 def _find_letters(formula: str) -> list[str]:
     """The letters of a formula that consists of points."""
     points = _LETTERS.fullmatch(formula)

@@ -190,6 +190,17 @@ def test_a_point_that_the_statement_names_and_the_file_has_not_is_remarked() -> 
     assert not [each for each in remarks if "statement names A" in each]
 
 
+def test_a_point_with_another_letter_in_the_figure_is_remarked() -> None:
+    renamed = ("[asks]\n", '[figure]\nlabels = { A = "K_1" }\n[asks]\n')
+    said = (
+        "the figure calls A K_1, and worked solutions and feedback A: call the point K_1 in the "
+        "file"
+    )
+    assert said in all_said(check(crank(renamed), sample=18).remarks)
+    same = ("[asks]\n", '[figure]\nlabels = { A = "A" }\n[asks]\n')
+    assert said[:12] not in "".join(all_said(check(crank(same), sample=18).remarks))
+
+
 def test_a_given_on_which_nothing_depends_is_remarked_and_makes_no_further_instances() -> None:
     idle = (
         "[parameters]\n",
