@@ -13,8 +13,10 @@ from collections.abc import Iterable, Sequence
 from itertools import chain
 from pathlib import Path
 
-_QUOTED = re.compile('[,"\r\n]')
-_FORMULA = re.compile(r"'*[=+\-@\t\r\n\uff1d\uff0b\uff0d\uff20]")
+_NEEDS_QUOTES = ',"\r\n'
+_QUOTED = re.compile(f"[{_NEEDS_QUOTES}]")
+_BEGINS_FORMULA = r"'*[=+\-@\t\r\n\uff1d\uff0b\uff0d\uff20]"
+_FORMULA, _FORMULA_LINE = re.compile(_BEGINS_FORMULA), re.compile(f"\n{_BEGINS_FORMULA}")
 _HARMLESS = re.compile(r"-|[+-]?(?:[0-9]+(?:[.,][0-9]*)?|[.,][0-9]+)(?:[eE][+-]?[0-9]+)?")
 
 
@@ -68,6 +70,30 @@ def write_csv_cell(text: str) -> str:
         return text
     doubled = text.replace('"', '""')
     return f'"{doubled}"'
+
+
+def write_csv_cells(texts: Sequence[str]) -> Sequence[str]:
+    """The same of many texts, most of which stand as they are.
+
+    >>> write_csv_cells(["0.5", "0,5"])
+    ['0.5', '"0,5"']
+    """
+    together = "".join(texts)
+    if not any(letter in together for letter in _NEEDS_QUOTES):
+        return texts
+    return [*map(write_csv_cell, texts)]
+
+
+def neutralise_cells(texts: Sequence[str]) -> Sequence[str]:
+    """Many cells that no spreadsheet runs as formulas; most stand as they are.
+
+    >>> neutralise_cells(["Ada", "=1+1"])
+    ['Ada', "'=1+1"]
+    """
+    lines = "\n".join(["", *texts])
+    if lines.count("\n") == len(texts) and _FORMULA_LINE.search(lines) is None:
+        return texts
+    return [*map(neutralise, texts)]
 
 
 def write_csv(path: Path, header: Sequence[str], rows: Iterable[Sequence[str]]) -> None:

@@ -17,8 +17,10 @@ from kinegrade.files.csv_writing import (
     encode,
     encode_for_people,
     neutralise,
+    neutralise_cells,
     write_csv,
     write_csv_cell,
+    write_csv_cells,
     write_csv_text,
     write_for_people,
 )
@@ -159,16 +161,17 @@ class MarksWriter:
 def _write_grade_lines(grades: Sequence[Grade], needed: Sequence[str]) -> Iterator[str]:
     """Most students share one tuple of points with others: such amounts are formatted once."""
     known: dict[tuple[int, int, int, int, bool], str] = {}
-    for grade in grades:
+    students = write_csv_cells([grade.student for grade in grades])
+    names = write_csv_cells(neutralise_cells([grade.name for grade in grades]))
+    for grade, student, name in zip(grades, students, names, strict=True):
         # by identity, because hashing a fraction takes longer than the rest of the line
         shared = id(grade.points), id(grade.out_of), id(grade.kept), id(grade.subtracted)
         which = *shared, grade.absent
         if which not in known:
             status: Status = "absent" if grade.absent else "marked"
             known[which] = ",".join((*_write_amounts(grade), status))
-        last = "".join([f",{write_csv_cell(_LAST[name](grade))}" for name in needed])
-        name = write_csv_cell(neutralise(grade.name))
-        yield f"{write_csv_cell(grade.student)},{name},{known[which]}{last}\n"
+        last = "".join([f",{write_csv_cell(_LAST[each](grade))}" for each in needed])
+        yield f"{student},{name},{known[which]}{last}\n"
 
 
 _LAST: Mapping[str, Callable[[Grade], str]] = {

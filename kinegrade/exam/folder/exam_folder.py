@@ -121,9 +121,10 @@ class ExamFolder:
         done = 0
         if self._columns is not None:
             try:
-                for paper in self._columns.papers():
-                    yield paper
-                    done += 1
+                for part in self._columns.parts():
+                    yield from part
+                    done += len(part)
+                    del part  # so that the next takes its place
                 return
             except DAMAGED:
                 pass

@@ -68,13 +68,15 @@ class Rules:
             settled | ~to_figures,
         )
 
-    def may_agree(self, values: Numbers, centres: Numbers) -> Flags:
-        """False only where a value is certainly wrong, at a fraction of the cost of `bounds`."""
+    def may_agree(self, values: Numbers, places: Places, centres: Numbers) -> Flags:
+        """False only where the value at a place is certainly wrong by the centre beside it, at a
+        fraction of the cost of `bounds`.
+        """
         _, absolute, _, widest = self.table
-        size = np.abs(centres)
         with np.errstate(all="ignore"):
-            reach = 1.01 * (widest * size + absolute) + 1e-8 * (size + np.abs(values))
-            beyond: Flags = np.abs(values - centres) > reach
+            least = 1.01 * absolute + 1e-8 * np.abs(values)
+            reach = least[places] + (1.01 * widest + 1e-8)[places] * np.abs(centres)
+            beyond: Flags = np.abs(values[places] - centres) > reach
         return ~beyond
 
 

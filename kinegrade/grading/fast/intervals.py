@@ -85,7 +85,7 @@ class SortedIntervals:
     @classmethod
     def of(cls, intervals: Intervals, count: int) -> SortedIntervals:
         """Those of the first so many papers."""
-        papers = np.argsort(intervals.value[:count], kind="stable")
+        papers = np.argsort(intervals.value[:count])
         low, high = intervals.low[papers], intervals.high[papers]
         up_to = np.maximum.accumulate(np.maximum(low, high))
         from_on = np.minimum.accumulate(np.minimum(low, high)[::-1])[::-1]

@@ -54,7 +54,7 @@ class Mistakes:
         `decimals` of few digits are those of all places.
         """
         values = self.led_to.values
-        agreeing = rules.at(self.places).may_agree(answers[self.places], values)
+        agreeing = rules.may_agree(answers, self.places, values)
         near = np.flatnonzero(agreeing)
         places = self.places[near]
 

@@ -108,9 +108,12 @@ def _find_other_names(
     columns = find_name_columns(table.header)
     if not columns.places:
         return
-    title = table.header[columns.places[0]]
+    place, *others = columns.places
+    own, title = {} if others else names.by_student, table.header[place]
     for student, several in rows.items():
         for row in several:
+            if row.cell(place) == own.get(student):  # as in most rows
+                continue
             other = names.find_other(student, columns.written(row))
             if other is not None:
                 problem = Message("marking.name-of-another", student=Quoted(other))

@@ -52,8 +52,13 @@ class PlainCells:
             and (letters[signs[signs > 0] - 1] == _END).all()
             and (letters[points + 1] >= _ZERO).all()
             and (letters[points - 1] >= _ZERO).all()
-            and (np.diff(self._find_cells(points)) > 0).all()
+            and not self._hold_two_points()
         )
+
+    def _hold_two_points(self) -> bool:
+        """Whether a point follows another one before the end of a cell."""
+        at = self.letters[(self.letters == _POINT) | (self.letters == _END)] == _POINT
+        return bool((at[1:] & at[:-1]).any())
 
     def find_decimals(self) -> NDArray[np.bool_] | None:
         """Which cells have a point that certainly stands before decimals: it does not where three

@@ -23,7 +23,7 @@ def test_bounds_that_are_settled_are_those_of_the_rule(
     rules, rights, typed = zip(*cases, strict=True)
     centres, values = (np.array([float(each) for each in numbers]) for numbers in (rights, typed))
     table = tabulate_rules([rules])
-    bounds, near = table.bounds(centres), table.may_agree(values, centres)
+    bounds, near = table.bounds(centres), table.may_agree(values, np.arange(len(values)), centres)
     for place, (rule, right, value) in enumerate(cases):
         low, high = rule.interval(right)
         if bounds.settled[place]:
