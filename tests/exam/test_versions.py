@@ -178,6 +178,27 @@ def test_the_class_is_marked_by_its_own_papers(
     assert {row["percent"] for row in table(tmp_path / "MARKS" / "grades.csv")} == {"100"}
 
 
+def test_everybody_who_answered_another_version_is_told(versions: Path, tmp_path: Path) -> None:
+    lines = key_lines(versions)
+    right = {line["version"]: line["questions"] for line in lines}
+    mixed_up = [line["student"] for line in lines if line["version"] == "A"]
+    rows = []
+    for line in lines:
+        answered = right["B" if line["version"] == "A" else line["version"]]
+        values = [repr(ask["value"]) for each in answered for ask in each["asks"].values()]
+        rows.append(",".join([line["student"], "N", *values]))
+    head = (versions / "answers.csv").read_text(encoding="utf-8-sig").splitlines()[0]
+    (tmp_path / "answers.csv").write_text("\n".join([head, *rows]) + "\n", encoding="utf-8")
+    marked = kinegrade("grade", versions, tmp_path / "answers.csv", "-o", tmp_path / "MARKS")
+    assert marked.exit_code == 1
+    problems = [row["problem"] for row in table(tmp_path / "MARKS" / "complaints.csv")]
+    assert len(mixed_up) > 1
+    for student in mixed_up:
+        said = f'all numbers of student "{student}" are right on the paper of student '
+        assert len([each for each in problems if each.startswith(said)]) == 1
+    assert len(problems) == len(mixed_up)
+
+
 def test_too_few_combinations_for_the_versions_are_dealt_round(tmp_path: Path) -> None:
     (tmp_path / "roster.csv").write_text(
         "student,name\n1,Ann\n2,Bo\n3,Cy\n4,Di\n", encoding="utf-8"

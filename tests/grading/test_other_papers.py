@@ -66,7 +66,8 @@ def test_a_row_that_slipped_by_a_line_names_whose_answers_it_holds(
     assert complaints.count("perhaps the rows slipped") == 1
     assert (
         f"all numbers of student {quoted(STUDENTS[2])} are right on the paper of student"
-        f" {quoted(STUDENTS[1])}, and not on the own one - perhaps the rows slipped"
+        f" {quoted(STUDENTS[1])}, and not on the own one - perhaps the rows slipped,"
+        " or papers were mixed up"
     ) in complaints.replace('""', '"')
     spoiled = sheet(exam, tmp_path, OWN | slipped, "q1.v_B", "77.7")
     marked = kinegrade("grade", exam, spoiled, "-o", tmp_path / "MARKS", "--force")

@@ -61,9 +61,21 @@ class PapersAnswered:
         return list_intervals(self.sitting)
 
     @cached_property
+    def _different(self) -> Places:
+        """The first student of each lot that has the same paper, as where there are versions."""
+        values = [each.value[: len(self.sitting.students)] for each in self._intervals]
+        first: Places = np.unique(np.column_stack(values), axis=0, return_index=True)[1]
+        first.sort()
+        return first
+
+    @cached_property
+    def _students(self) -> list[Intervals]:
+        """The intervals on the different papers of students."""
+        return [each.at(self._different) for each in self._intervals]
+
+    @cached_property
     def _sorted(self) -> list[SortedIntervals]:
-        count = len(self.sitting.students)
-        return [SortedIntervals.of(each, count) for each in self._intervals]
+        return [SortedIntervals.of(each) for each in self._students]
 
     def find_shared(self, paper: Paper, numbers: Numbers, wrong: Flags) -> Sequence[range]:
         """The questions that a student answered as is right on one other paper; `numbers` are the
@@ -93,7 +105,7 @@ class PapersAnswered:
         rows = np.flatnonzero(amiss.sum(axis=1) >= _NUMBERS_THAT_TELL)
         if not len(rows):
             return []
-        plain = amiss[rows] & np.array([not each.period for each in self._intervals])
+        plain = amiss[rows] & np.array([not each.period for each in self._students])
         first = plain.argmax(axis=1)
         told = plain.any(axis=1)
         found = [rows[~told]]
@@ -105,7 +117,7 @@ class PapersAnswered:
     def _have_all(self, numbers: NDArray[np.float64], ask: int) -> Places:
         """The rows of which some paper has the number of this ask, and all others that tell."""
         rows, papers = self._sorted[ask].pair(numbers[:, ask])
-        for other, intervals in enumerate(self._intervals):
+        for other, intervals in enumerate(self._students):
             if other == ask or intervals.period:
                 continue
             fits = intervals.may_fit(numbers[:, other], rows, papers)
@@ -123,29 +135,28 @@ class PapersAnswered:
             return ""
         others = self._list_candidates(numbers, amiss)
         for ask in [*amiss, *np.flatnonzero(~wrong & ~np.isnan(numbers)).tolist()]:
-            others = others[self._intervals[ask].at(others).fit(numbers[[ask]])[0]]
+            others = others[self._students[ask].at(others).fit(numbers[[ask]])[0]]
             if not len(others):
                 return ""
-        others = np.sort(others)
-        by_chance = len(self.sitting.students) * prod(self._nearby(numbers, amiss))
-        owner = self.sitting.students[others[0]]
+        by_chance = len(self._different) * prod(self._nearby(numbers, amiss))
+        owner = self.sitting.students[self._different[others.min()]]
         return owner if owner != paper.student and by_chance <= _LEVEL else ""
 
     def _list_candidates(self, numbers: Numbers, amiss: Sequence[int]) -> Places:
-        """The students' papers on which the first of these numbers without full turns may be right;
+        """The different papers on which the first of these numbers without full turns may be right;
         all where each has full turns.
         """
         for ask in amiss:
-            if not self._intervals[ask].period:
+            if not self._students[ask].period:
                 return self._sorted[ask].list_near(float(numbers[ask]))
-        return np.arange(len(self.sitting.students))
+        return np.arange(len(self._different))
 
     def _nearby(self, numbers: Numbers, amiss: Sequence[int]) -> Iterator[float]:
-        """For each of these numbers the share of papers on which it would be right by chance; the
-        paper that is found does not count.
+        """For each of these numbers the share of different papers on which it would be right by
+        chance; the paper that is found does not count.
         """
         for ask in amiss:
-            intervals, answer = self._intervals[ask], numbers[[ask]]
+            intervals, answer = self._students[ask], numbers[[ask]]
             found = intervals.fit(answer).sum() - 1
             around = intervals.widened(_WIDENED).fit(answer).sum() / _WIDENED
             yield float(max(found, around)) / len(intervals.value)

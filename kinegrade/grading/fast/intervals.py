@@ -83,9 +83,9 @@ class SortedIntervals:
     from_on: Numbers
 
     @classmethod
-    def of(cls, intervals: Intervals, count: int) -> SortedIntervals:
-        """Those of the first so many papers."""
-        papers = np.argsort(intervals.value[:count])
+    def of(cls, intervals: Intervals) -> SortedIntervals:
+        """Those of all its papers."""
+        papers = np.argsort(intervals.value)
         low, high = intervals.low[papers], intervals.high[papers]
         up_to = np.maximum.accumulate(np.maximum(low, high))
         from_on = np.minimum.accumulate(np.minimum(low, high)[::-1])[::-1]
