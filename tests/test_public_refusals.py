@@ -78,6 +78,12 @@ def test_options_of_an_exam_that_are_unknown_or_contradict_each_other(
             "--overwrite: cells of a download are filled anyway - leave it out, or fill a workbook "
             "(--to xlsx --into)",
         ),
+        (
+            "moodle",
+            {"id_column": "A"},
+            "--id-column: says whose the rows of an office's workbook are - leave it out, or fill "
+            "a workbook (--to xlsx --into)",
+        ),
         ("moodle", {"maximum": 0}, '"0": expected a number above zero, like 10 or 12.5'),
         (
             "moodle",

@@ -44,6 +44,11 @@ def _list_files() -> Iterable[str]:
     is_flag=True,
 )
 @click.option(
+    "--id-column",
+    default="",
+    metavar="HEADER",
+)
+@click.option(
     "--column",
     "columns",
     multiple=True,

@@ -78,6 +78,8 @@ def _require_possible(to: str, options: ExportOptions) -> None:
         raise OptionError(Message("terminal.no-headers"))
     if options.overwrite and to != WORKBOOK:
         raise OptionError(Message("terminal.no-overwrite"))
+    if options.id_column and (to != WORKBOOK or options.into is None):
+        raise OptionError(Message("terminal.no-id-column"))
     points = options.per_question or options.scale or options.maximum is not None
     if options.of_scale and (points or to != WORKBOOK or options.into is None):
         raise OptionError(Message("terminal.no-of-scale"))

@@ -181,6 +181,51 @@ def test_a_student_on_two_rows_gets_no_grade(tmp_path: Path) -> None:
     assert 'student "0012345" is found on lines 4 and 7 by Matrikelnr.' in done.stderr
 
 
+def write_partners(title: str) -> Edit:
+    """An edit that puts the ids of partners into column A, under a title."""
+
+    def edit(sheet: Worksheet) -> None:
+        for row, value in enumerate((title, 12346, "0012345", "0012348"), 3):
+            sheet.cell(row, 1, value)
+
+    return edit
+
+
+def test_a_column_called_as_ids_are_wins_over_one_of_partners(tmp_path: Path) -> None:
+    done = fill(tmp_path, "--column", "Punkte", edit=write_partners("Gruppenpartner"))
+    assert points(tmp_path) == [8.25, 4, None, None]
+    assert 'students are found by "Matrikelnr."' in done.stderr
+
+
+def test_of_two_columns_called_as_ids_are_one_has_to_be_named(tmp_path: Path) -> None:
+    partners = write_partners("ID")
+    done = fill(tmp_path, "--column", "Punkte", edit=partners)
+    assert done.exit_code == 2
+    assert not (tmp_path / "filled.xlsx").exists()
+    assert (
+        'Liste: several columns hold ids of the class: "ID" (column A) and "Matrikelnr." (column B)'
+        " - say with --id-column HEADER which of them says whose row it is"
+    ) in done.stderr
+    fill(tmp_path, "--column", "Punkte", "--id-column", "matrikelnr.", edit=partners)
+    assert points(tmp_path) == [8.25, 4, None, None]
+    fill(tmp_path, "--column", "Punkte", "--id-column", "A", edit=partners)
+    assert points(tmp_path)[:2] == [4, 8.25]
+    done = fill(tmp_path, "--column", "Punkte", "--id-column", "Matrikel", edit=partners)
+    assert done.exit_code == 2
+    assert (
+        'no column with ids of the class is called "Matrikel" - did you mean "Matrikelnr."?'
+    ) in done.stderr
+
+
+def test_two_columns_with_the_same_ids_say_the_same(tmp_path: Path) -> None:
+    def repeat(sheet: Worksheet) -> None:
+        for row, value in enumerate(("ID", "0012345", 12346, "0012347", "0012399"), 3):
+            sheet.cell(row, 1, value)
+
+    fill(tmp_path, "--column", "Punkte", edit=repeat)
+    assert points(tmp_path) == [8.25, 4, None, None]
+
+
 def test_a_workbook_of_another_class_is_refused(tmp_path: Path) -> None:
     def rename(sheet: Worksheet) -> None:
         for row in range(4, 8):

@@ -160,8 +160,9 @@ class ExportOptions:
     """What the instructor asks for.
 
     `into` is a downloaded file to be filled in, in place of a new one; with `overwrite`, cells of a
-    workbook that hold something else are filled, too. `by` are the fields to match
-    or to write, empty for the system's default; `columns` the headers by item, the total's under
+    workbook that hold something else are filled, too; `id_column` is the header or letter of its
+    column of ids, empty for the one that is called so. `by` are the fields to match or to write,
+    empty for the system's default; `columns` the headers by item, the total's under
     ""; `feedback` None where the system decides; `maximum` the item's maximum in the system, to
     which grades are scaled; `scale` scales to the maximum that the file states; `language` that of
     translated headers, None for the exam's; with `of_scale` a workbook gets the grades of the scale
@@ -179,4 +180,5 @@ class ExportOptions:
     language: str | None = None
     into: str | PathLike[str] | None = None
     overwrite: bool = False
+    id_column: str = ""
     of_scale: bool = False

@@ -1,11 +1,11 @@
-"""A class list in somebody else's workbook, found by what its cells hold: the sheet and the column
-with the ids of the class, and above them the headers of the columns to be filled.
+"""A class list in somebody else's workbook: the ids of the class in one column of a sheet, and
+above them the headers of the columns to be filled.
 """
 
 from __future__ import annotations
 
-from collections import Counter, defaultdict
-from collections.abc import Iterator, Mapping, Sequence
+from collections import defaultdict
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -13,7 +13,7 @@ from kinegrade.errors import TableError, suggest
 from kinegrade.exam.roster.student_ids import StudentIds
 from kinegrade.files.cell_text import make_header_key, trim
 from kinegrade.files.sheet_xml import SheetCell, write_position
-from kinegrade.files.workbook_parts import WorkbookParts, WorkbookSheet
+from kinegrade.files.workbook_parts import WorkbookSheet
 from kinegrade.language.message import Fault, Message, Quoted, list_plainly
 
 
@@ -36,7 +36,7 @@ class ClassList:
         """The rows of each student who has any."""
         found: dict[str, list[int]] = defaultdict(list)
         for row, cell in self._list_cells():
-            student = _find_student(self.ids, cell.text)
+            student = find_student(self.ids, cell.text)
             if student is not None:
                 found[student].append(row)
         return found
@@ -81,7 +81,7 @@ class ClassList:
     def name_column(self, column: int) -> str:
         """What stands lowest above the students; the letter of the column where nothing does."""
         above = [trim(text) for (_, place), text in self._list_headers() if place == column]
-        return above[-1] if above else write_position((0, column)).rstrip("0")
+        return above[-1] if above else name_letter(column)
 
     def _list_cells(self) -> Iterator[tuple[int, SheetCell]]:
         """The cells of the column, from above."""
@@ -98,27 +98,12 @@ class ClassList:
         ]
 
 
-def find_class_list(book: WorkbookParts, students: Sequence[str]) -> ClassList:
-    """The sheet and the column with the most ids of these students. Raises TableError where there
-    is none.
-    """
-    ids = StudentIds(students, {})
-    counts = Counter(
-        (number, column)
-        for number, sheet in enumerate(book.sheets)
-        for (_, column), cell in sheet.xml.cells.items()
-        if _find_student(ids, cell.text) is not None
-    )
-    if not counts:
-        what, expected = Message("grades.no-ids"), Message("grades.column-of-ids")
-        raise TableError(Fault(book.file, what, expected))
-    ((number, column), _) = max(
-        counts.items(), key=lambda each: (each[1], -each[0][0], -each[0][1])
-    )
-    return ClassList(book.file, book.sheets[number], ids, column)
+def name_letter(column: int) -> str:
+    """A column as spreadsheets call it."""
+    return write_position((0, column)).rstrip("0")
 
 
-def _find_student(ids: StudentIds, text: str) -> str | None:
+def find_student(ids: StudentIds, text: str) -> str | None:
     """The student whom a cell means, but for zeros and capitals; None where two could be meant."""
     near = () if ids.exact(text) else ids.near(text)
     return near[0] if len(near) == 1 else ids.exact(text)

@@ -22,7 +22,8 @@ from kinegrade.lms.grades.grades import ClassGrades
 from kinegrade.lms.grades.item_candidates import number
 from kinegrade.lms.grades.item_columns import items_of
 from kinegrade.lms.grades.maximum import maximum_faults, scaled, target_maximum
-from kinegrade.lms.grades.office.class_list import ClassList, find_class_list
+from kinegrade.lms.grades.office.class_list import ClassList
+from kinegrade.lms.grades.office.id_column import find_class_list
 from kinegrade.numbers.amounts import write_amount
 
 _MOST_NAMED = 20
@@ -33,7 +34,8 @@ def fill_workbook(grades: ClassGrades, into: Path, options: ExportOptions) -> Fi
     something else are filled only where `options` say so, and formulas never.
     """
     book = read_workbook_parts(into)
-    found = find_class_list(book, [each.student for each in grades.students])
+    students = [each.student for each in grades.students]
+    found = find_class_list(book, students, options.id_column)
     columns = {
         item: found.find_header(options.columns.get(item, ""))[1]
         for item in items_of(grades, options)
