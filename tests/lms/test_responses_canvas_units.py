@@ -12,8 +12,9 @@ from pathlib import Path
 import pytest
 
 from kinegrade.exam.quiz.document import Language
+from kinegrade.grading.typed.assumed_unit import in_unit
 from kinegrade.language.html_text import write_unit_html
-from kinegrade.lms.responses.asked_units import asked_unit, in_unit, on_the_line
+from kinegrade.lms.responses.asked_units import asked_unit, on_the_line
 from kinegrade.students.rounding.kept_decimals import list_finer_units
 from tests.lms.quiz.packages import bare, files_of
 from tests.lms.quiz.test_canvas_class import SPEED, STUDENTS, right_answers, set_exam

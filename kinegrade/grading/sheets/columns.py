@@ -27,7 +27,7 @@ _ANSWER_COLUMN = re.compile(
     r"q[0-9]+[a-z]?\.\w+"
 )  # as generate writes the headers of the answer sheet
 
-_UNIT = re.compile(r"\s*[(\[][^()\[\]]*[)\]]$")  # "q1.v_B (m/s)"
+_UNIT = re.compile(r"\s*[(\[]([^()\[\]]*)[)\]]$")  # "q1.v_B (m/s)"
 
 
 @dataclass(frozen=True, slots=True)
@@ -106,6 +106,16 @@ def find_columns(table: Table, asks: Sequence[Ask]) -> Columns:
             if name in list_code_columns() and index != student
         ),
     )
+
+
+def find_unit(title: str) -> str:
+    """What stands in brackets at the end of a title, "" where there is nothing.
+
+    >>> find_unit("q1.v_B (m/s)")
+    'm/s'
+    """
+    found = _UNIT.search(trim(title))
+    return trim(found[1]) if found else ""
 
 
 def _explain(table: Table, problem: Message, expected: Text = "") -> Fault:

@@ -17,6 +17,7 @@ from kinegrade.files.answer_file import AnswerFile
 from kinegrade.files.cell_text import shorten, trim
 from kinegrade.files.tables import Complaint, Row, Table, drop_headers
 from kinegrade.grading.sheets.columns import Columns, find_columns
+from kinegrade.grading.sheets.header_units import find_stated_units
 from kinegrade.grading.sheets.sheet import Entry, Part, quote_cells
 from kinegrade.language.message import (
     Message,
@@ -34,7 +35,9 @@ def read_part(answers: AnswerFile, exam: Sitting) -> Part:
     table = answers.table
     columns = find_columns(table, exam.asks)
     rows, complaints = _group_rows(table, columns, exam)
-    responses, put, places = columns.responses(), columns.sources(answers), columns.places(answers)
+    stated = find_stated_units(table, columns, exam.asks)
+    responses = stated.convert(columns.responses())
+    put, places = columns.sources(answers), columns.places(answers)
 
     only_rows = not (put or places or answers.submitted)
 
@@ -52,6 +55,7 @@ def read_part(answers: AnswerFile, exam: Sitting) -> Part:
     said = (
         *table.complaints,
         *_find_extra_columns(table, columns),
+        *stated.complaints,
         *complaints,
         *_find_other_names(table, rows, StudentNames(exam.names)),
     )

@@ -17,7 +17,6 @@ from kinegrade.students.rounding.kept_decimals import list_finer_units
 
 _TAG = re.compile(r"<[^>]*>")
 _POWER = re.compile(r"\^(-?\d+)")
-_NUMBER = re.compile(r"[-+−]?[\d.,\s]*\d[\d.,\s]*(?:[eE][-+−]?\d+)?")
 
 
 def asked_unit(header: str, unit: str) -> str:
@@ -31,15 +30,6 @@ def asked_unit(header: str, unit: str) -> str:
         if factor > 1 and any(sentence in text for sentence in _sentences(finer, unit)):
             return finer
     return ""
-
-
-def in_unit(typed: str, unit: str) -> str:
-    """What was typed as a number in that unit; anything but a number without a unit is unchanged.
-
-    >>> in_unit("4.25", "mm/s"), in_unit("4.25 m/s", "mm/s"), in_unit("4.25", "")
-    ('4.25 mm/s', '4.25 m/s', '4.25')
-    """
-    return f"{typed} {unit}" if unit and _NUMBER.fullmatch(typed.strip()) else typed
 
 
 def on_the_line(unit: str) -> str:
