@@ -157,7 +157,8 @@ def grade(
     read = read_class([Path(file) for file in _list_files(answers)], exam, options.reading)
     for assumption in read.assumed:
         options.assuming(assumption)
-    lapsed = tuple(describe_lapsed(_list_earlier(place, options)))  # before they are replaced
+    # Before they are replaced
+    lapsed = tuple(describe_lapsed(_list_earlier(place, options), options.policy))
     grades = mark_class(exam, read.files, place, options.marking(exam), force=force)
     marks = MarksFolder(place)  # was checked before it was put there
     written = [
@@ -185,10 +186,9 @@ def _require_kept_log(place: Path, options: GradeOptions) -> None:
 
 
 def _list_earlier(place: Path, options: GradeOptions) -> Iterator[Path]:
-    """The marks folders whose policy might have been meant, where none is given."""
-    if options.policy is None:
-        yield place
-        yield from (each.path for each in (options.since, options.never_lower) if each is not None)
+    """The marks folders whose policy might be meant to hold still."""
+    yield place
+    yield from (each.path for each in (options.since, options.never_lower) if each is not None)
 
 
 def _list_files(

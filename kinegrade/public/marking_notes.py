@@ -5,10 +5,11 @@ subtracted, and the grades.
 from __future__ import annotations
 
 import tomllib
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from fractions import Fraction
 from os import PathLike
 from pathlib import Path
+from typing import Any
 
 from kinegrade.errors import Problem
 from kinegrade.exam.folder.exam_folder import ExamFolder
@@ -35,15 +36,47 @@ def describe_key(exam: ExamFolder) -> Iterator[Fault]:
         yield Fault(str(exam.key), what, do=do)
 
 
-def describe_lapsed(folders: Iterable[Path]) -> Iterator[Message]:
-    """Which of these earlier markings were by a policy, whose rules do not hold without it."""
+def describe_lapsed(
+    folders: Iterable[Path], policy: str | PathLike[str] | None
+) -> Iterator[Message]:
+    """Which of these earlier markings were by rules that do not hold under this policy, or without
+    any.
+    """
+    stated = {} if policy is None else _read_rules(Path(policy))
     for file in dict.fromkeys(folder / POLICY for folder in folders):
-        try:
-            stated = tomllib.loads(file.read_text(encoding="utf-8"))
-        except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError):
-            continue  # no marks folder, or none that anybody could mark by
-        if stated:
-            yield Message("terminal.policy-lapsed", file=str(file), keys=list_plainly(stated))
+        before = _read_rules(file)
+        if before and policy is None:
+            yield Message("terminal.policy-lapsed", file=str(file), keys=list_plainly(before))
+        elif lost := [key for key in _list_rules(before) if key not in set(_list_rules(stated))]:
+            keys = list_first(lost, _MOST_NAMED)
+            yield Message("terminal.rules-lapsed", file=str(file), policy=str(policy), keys=keys)
+
+
+def _read_rules(file: Path) -> dict[str, Any]:
+    """The tables of a policy; none where there is no file that anybody could mark by."""
+    try:
+        return tomllib.loads(file.read_text(encoding="utf-8"))
+    except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError):
+        return {}
+
+
+def _list_rules(table: Mapping[str, Any]) -> Iterator[str]:
+    """What a policy rules on, by dotted keys; each accepted answer is a rule of its own."""
+    for key, value in table.items():
+        match value:
+            case dict():
+                yield from (f"{key}.{below}" for below in _list_rules(value))
+            case list():
+                yield from (f"{key} ({_show(each)})" for each in value)
+            case _:
+                yield key
+
+
+def _show(rule: Any) -> str:
+    """A rule of a list, such as an accepted answer."""
+    if not isinstance(rule, dict):
+        return str(rule)
+    return ", ".join(f"{key} = {value}" for key, value in rule.items())
 
 
 def describe_points(grades: ClassGrades, marks: MarksFolder) -> Iterator[Problem]:

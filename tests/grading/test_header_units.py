@@ -39,7 +39,7 @@ def mark(exam: Path, folder: Path, title: str, factor: float) -> tuple[str, str]
     [
         ("q1.v_B (cm/s)", 100),
         ("q1.v_B [km/h]", 3.6),
-        ("1a (mm/s)", 1000),
+        ("Q1.v_b (mm/s)", 1000),
         ("q1.v_B (m·s⁻¹)", 1),
         ("q1.v_B (-)", 1),
     ],

@@ -55,6 +55,27 @@ def test_a_policy_that_is_given_again_says_nothing(folder: Path) -> None:
     assert grade(folder, "NEW", "--never-lower", folder / "MARKS", *again) == []
 
 
+def test_rules_that_another_policy_has_not_are_named(folder: Path) -> None:
+    late = folder / "late.toml"
+    late.write_text('[questions.q3.asks.omega_AB]\nvoid = "full"\n', encoding="utf-8")
+    said = grade(folder, "NEW", "--policy", late, "--never-lower", folder / "MARKS")
+    assert said == [
+        f"{folder}/MARKS/policy.toml: the marking before had rules that {late} has not, and that "
+        "no longer hold: tolerance.relative, questions.q1.void"
+    ]
+
+
+def test_each_accepted_answer_is_a_rule(folder: Path) -> None:
+    both, one = folder / "both.toml", folder / "one.toml"
+    accepted = [f'[[questions.q2.asks.v_y.accept]]\nvalue = "{each}"\n' for each in ("h", "r")]
+    both.write_text("".join(accepted), encoding="utf-8")
+    one.write_text(accepted[1], encoding="utf-8")
+    assert len(grade(folder, "MARKS", "--force", "--policy", both)) == 1
+    said = grade(folder, "MARKS", "--force", "--policy", one)
+    assert len(said) == 1
+    assert "questions.q2.asks.v_y.accept (value = h)" in said[0]
+
+
 def test_a_damaged_copy_holds_no_rules(folder: Path) -> None:
     (folder / "MARKS" / "policy.toml").write_text("= 3", encoding="utf-8")
     assert grade(folder, "MARKS", "--force") == []
