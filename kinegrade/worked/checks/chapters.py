@@ -11,7 +11,7 @@ from kinegrade.problem.template.template import Ask
 from kinegrade.worked.case import Case
 from kinegrade.worked.checks.bodies import list_body_checks
 from kinegrade.worked.checks.carriers import list_carrier_checks
-from kinegrade.worked.checks.check import Check
+from kinegrade.worked.checks.check import Check, choose_check
 from kinegrade.worked.checks.places import list_place_checks
 from kinegrade.worked.checks.poles import list_pole_checks
 from kinegrade.worked.checks.projections import list_projection_checks
@@ -25,24 +25,23 @@ def check_rates(stages: Mapping[Step, Stage], level: Level, case: Case) -> Itera
     of a body or of gears on a carrier.
     """
     if case.findings.places_alone:
-        yield from _say_first(list_pole_checks(stages.values(), case), case)
+        yield from _say_chosen(list_pole_checks(stages.values(), case), case)
         return
-    for step, stage in reversed(tuple(stages.items())):
-        for check in list_projection_checks(step, stage):
-            if check.is_telling:
-                yield check.say(case)
-                return
+    projections = (
+        list_projection_checks(step, stage) for step, stage in reversed(tuple(stages.items()))
+    )
     kinds = (list_track_checks, list_body_checks, list_carrier_checks)
-    yield from _say_first(chain.from_iterable(kind(level, case) for kind in kinds), case)
+    others = (kind(level, case) for kind in kinds)
+    yield from _say_chosen(chain.from_iterable(chain(projections, others)), case)
 
 
 def check_places(asked: Sequence[Ask], case: Case) -> Iterator[Block]:
     """The check of answers that positions alone decide."""
-    yield from _say_first(list_place_checks(asked, case), case)
+    yield from _say_chosen(list_place_checks(asked, case), case)
 
 
-def _say_first(checks: Iterable[Check], case: Case) -> Iterator[Block]:
-    """The first check that tells something."""
-    first = next((one for one in checks if one.is_telling), None)
-    if first is not None:
-        yield first.say(case)
+def _say_chosen(checks: Iterable[Check], case: Case) -> Iterator[Block]:
+    """The check that tells something at a glance, if there is one."""
+    chosen = choose_check(checks)
+    if chosen is not None:
+        yield chosen.say(case)

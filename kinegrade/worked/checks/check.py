@@ -4,7 +4,9 @@ agree where no slip has been made.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 from kinegrade.language.math.width import measure_row
@@ -18,7 +20,8 @@ from kinegrade.worked.formulas.measures import double
 from kinegrade.worked.formulas.notation import PLAIN
 from kinegrade.worked.formulas.numbers import state_number
 
-_LONGEST = 2 * WIDEST  # letters of both sides: what is read at a glance
+_AT_A_GLANCE = 2 * WIDEST  # letters of both sides
+_LONGEST = 4 * WIDEST  # of those that are told where no shorter one is found
 _CLOSE = 1e-9  # relative: far below a digit that is printed
 
 
@@ -30,11 +33,20 @@ class Check:
     left: Equation
     right: Equation
 
+    @cached_property
+    def letters(self) -> float:
+        """The letters of both sides."""
+        return sum(measure_row(side.print_inline(PLAIN)) for side in (self.left, self.right))
+
     @property
     def is_telling(self) -> bool:
-        """Whether the sides are read at a glance, and are not the same from the start."""
-        letters = sum(measure_row(side.print_inline(PLAIN)) for side in (self.left, self.right))
-        return letters <= _LONGEST and self.left.left != self.right.left
+        """Whether the sides are not the same from the start, and can be read."""
+        return self.left.left != self.right.left and self.letters <= _LONGEST
+
+    @property
+    def is_short(self) -> bool:
+        """Whether the sides are read at a glance."""
+        return self.letters <= _AT_A_GLANCE
 
     def say(self, case: Case) -> Prose:
         """The check in one sentence."""
@@ -56,6 +68,17 @@ class Side:
         *_, decimal = state_number(self.value, unit)
         links = approximate(decimal.right) if is_rounded(self.numbers) else (decimal,)
         return Equation(self.numbers, links)
+
+
+def choose_check(checks: Iterable[Check]) -> Check | None:
+    """The first check that tells something and is short, else the shortest of those that tell."""
+    telling = list[Check]()
+    for check in checks:
+        if check.is_telling:
+            if check.is_short:
+                return check
+            telling.append(check)
+    return min(telling, key=lambda check: check.letters, default=None)
 
 
 def compare(way: Message, left: Side, right: Side, unit: str, largest: float = 0.0) -> Check:

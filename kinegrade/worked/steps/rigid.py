@@ -100,7 +100,7 @@ def _state_rotation(triangle: RigidTriangle, stage: Stage) -> Equation:
     if not value or part.term is None:
         return state_rotation_result(rate, case, stage.level)
     sign = 1 if value > 0 else -1
-    arm = measure(length(part.term.vector, case.arithmetic), "m")
+    arm = _measure_arm(part, case)
     size = measure(length(part.value, case.arithmetic), UNITS[stage.level, False])
     symbols = name_value(triangle.equation, part, case) / _name_arm(part, case)
     how = equate(symbols.signed(sign), (size / arm).signed(sign))
@@ -108,16 +108,19 @@ def _state_rotation(triangle: RigidTriangle, stage: Stage) -> Equation:
 
 
 def _state_motion(triangle: RigidTriangle, stage: Stage) -> Iterator[Equation]:
-    """The motion of the second point along its circle, and its normal acceleration."""
+    """The motion of the second point along its circle, and the normal accelerations of both: from
+    one of them to the other the solution is checked.
+    """
     case, part = stage.case, triangle.sought
     if part.term is None:
         return
-    arm = measure(length(part.term.vector, case.arithmetic), "m")
+    arm = _measure_arm(part, case)
     match stage.level:
         case "velocity":
             pass
         case "acceleration":
-            yield _state_normal(triangle, part, arm, case)
+            for one in (triangle.known, part):
+                yield _state_normal(triangle, one, case)
         case _:
             assert_never(stage.level)
     rate = case.rates(stage.level)[make_turning(triangle.body)]
@@ -129,13 +132,14 @@ def _state_motion(triangle: RigidTriangle, stage: Stage) -> Iterator[Equation]:
     yield Equation(left, lead_to(left, (symbols, numbers), result.links), result.aside)
 
 
-def _state_normal(triangle: RigidTriangle, part: Part, arm: Formula, case: Case) -> Equation:
+def _state_normal(triangle: RigidTriangle, part: Part, case: Case) -> Equation:
     """The square of the speed over the radius, towards the centre."""
     normal = next(
         one for one in triangle.equation.parts if one.point == part.point and one.part == "n"
     )
     speed = name_point_vector(part.point, "velocity", case)
     number = measure(abs(_measure_speed(part, case)), "m/s")
+    arm = _measure_arm(part, case)
     symbols = speed**TWO / _name_arm(part, case)
     size = state_number(length(normal.value, case.arithmetic), "m/s^2")
     left = name_part(triangle.equation, normal, case)
@@ -147,6 +151,11 @@ def _measure_speed(part: Part, case: Case) -> float:
     if part.term is None:
         return 0.0
     return double(measure_along_direction(part.term, case, "velocity"))
+
+
+def _measure_arm(part: Part, case: Case) -> Formula:
+    """The radius of a point's circle, in metres."""
+    return measure(length(part.term.vector, case.arithmetic), "m") if part.term else ZERO
 
 
 def _name_arm(part: Part, case: Case) -> Formula:
