@@ -122,3 +122,9 @@ def test_the_centre_of_a_wheel_on_a_straight_track_goes_along_it() -> None:
         "2. The disc $C$ rolls without slipping on a fixed straight track",
         "3. $BC$: base point $C$",
     ]
+
+
+def test_the_arm_to_a_midpoint_is_half_of_a_given_length() -> None:
+    # it was worked out by the coordinates of both ends, with a root
+    (arms,) = [text for text in proses(kept("scissor-lift")) if text.startswith("Here $AM = ")]
+    assert arms.startswith(r"Here $AM = \frac{l}{2} = \frac{2\,\unit{m}}{2} = 1\,\unit{m}$")

@@ -13,7 +13,7 @@ from kinegrade.worked.formulas.atoms import Symbol
 from kinegrade.worked.formulas.equation import Equation, drop_repetition
 from kinegrade.worked.formulas.numbers import state_quantity
 from kinegrade.worked.formulas.symbols import collect_symbols, join_letters, read_symbol
-from kinegrade.worked.positions.algebra import is_negated, make_positive
+from kinegrade.worked.positions.algebra import TWO, is_negated, make_positive
 from kinegrade.worked.positions.axes import length_of
 from kinegrade.worked.positions.construction_steps import list_steps
 from kinegrade.worked.positions.instance import METRE, Instance, make_instance
@@ -69,7 +69,11 @@ def _state_length(start: str, end: str, case: Case) -> Equation | None:
     by neither.
     """
     instance = make_instance(case)
-    tree = _find_radius(start, end, case) or _measure_distance(start, end, instance)
+    tree = (
+        _find_radius(start, end, case)
+        or _find_half(start, end, case)
+        or _measure_distance(start, end, instance)
+    )
     if tree is None:
         return None
     symbol = join_letters(map(case.naming.letter, (start, end)))
@@ -96,6 +100,25 @@ def _find_radius(start: str, end: str, case: Case) -> Expression | None:
                         return radius.right if is_negated(radius) else radius
                 case _:
                     continue
+    return None
+
+
+def _find_half(start: str, end: str, case: Case) -> Expression | None:
+    """Half of a given length between two points, of which one is the first or the second point, and
+    the other one their midpoint.
+    """
+    given = collect_symbols(case.template)
+    for step in list_steps(case.template):
+        match step.tree:
+            case Call(function="midpoint", arguments=(Name(first), Name(second))):
+                whole = find_stated_length(first, second, case)
+                if whole is None or {start, end} not in ({step.point, first}, {step.point, second}):
+                    continue
+                for name in case.template.parameters:
+                    if given[name].looks_like(whole):
+                        return Operation("/", Name(name), TWO)
+            case _:
+                continue
     return None
 
 
