@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from typing import assert_never
 
-from kinegrade.expressions.tree import Call, Expression, Name, Number, Operation, Operator
+from kinegrade.expressions.tree import SUMS, Call, Expression, Name, Number, Operation, Operator
 
-ANGLES = frozenset({"asin", "acos", "atan", "atan2", "direction", "angle", "between"})
+TURNING = frozenset({"atan2", "direction", "angle"})  # right up to full turns
+ANGLES = frozenset({"asin", "acos", "atan", "between"}) | TURNING
 
 
 def is_angle(tree: Expression, angles: frozenset[str]) -> bool:
@@ -30,6 +31,21 @@ def find_angular_degree(tree: Expression, angles: frozenset[str]) -> int:
         case Operation(sign, left, right):
             degrees = find_angular_degree(left, angles), find_angular_degree(right, angles)
             return _combine_degrees(sign, *degrees)
+        case _:
+            assert_never(tree)
+
+
+def turns_round(tree: Expression) -> bool:
+    """Whether the expression is the angle of a position, itself or with others added: one that
+    full turns leave the same.
+    """
+    match tree:
+        case Number() | Name():
+            return False
+        case Call(function):
+            return function in TURNING
+        case Operation(sign, left, right):
+            return sign in SUMS and (turns_round(left) or turns_round(right))
         case _:
             assert_never(tree)
 

@@ -268,3 +268,27 @@ def test_each_fault_is_reported_with_its_place_and_what_was_expected(
     old: str, new: str, expected: list[str]
 ) -> None:
     assert faults((old, new)) == expected
+
+
+@pytest.mark.parametrize(
+    ("quantity", "more", "cyclic"),
+    [
+        ("direction(O, A)", "", True),
+        ("pi/2 - direction(O, A)", "", True),
+        ("angle((1, 0), velocity(A))", "", True),
+        ("atan2(1, 2) + phi", "", True),
+        ("direction(O, A)", ", cyclic = false", False),
+        ("between(A - O, velocity(A))", "", False),
+        ("2*direction(O, A)", "", False),
+        ("phi", "", False),
+        ("phi", ", cyclic = true", True),
+    ],
+)
+def test_the_angle_of_a_position_is_right_up_to_full_turns(
+    quantity: str, more: str, cyclic: bool
+) -> None:
+    ask = (
+        f'psi = {{ quantity = "{quantity}", unit = "deg", means = {{ en = "a", zh = "a" }}{more} }}'
+    )
+    template = read_template("crank", CRANK.replace("[asks]", f"[asks]\n{ask}"))
+    assert template.asks["psi"].cyclic == cyclic

@@ -59,7 +59,7 @@ class Ask:
 
     `points` is 0 for quantities that are asked only when a bank names them; `vanishes` says that
     zero is a proper answer, `cyclic` that an angle is right with up to three full turns more or
-    less.
+    less, as the angle of a position is unless its author denies it.
     """
 
     name: str

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from kinegrade.errors import FieldError, suggest
+from kinegrade.expressions.angular import turns_round
 from kinegrade.files.fields.table import Table
 from kinegrade.files.fields.values import flag, found, whole
 from kinegrade.language.message import Message
@@ -34,9 +35,11 @@ def _read_ask(name: str, table: Table) -> Ask | None:
     sign: Sign = entry.optional("sign", read_sign) or "magnitude"
     points = entry.with_default("points", whole(0, _MOST_POINTS), 0)
     vanishes = entry.with_default("vanishes", flag, False)
-    cyclic = entry.with_default("cyclic", flag, False)
+    cyclic = entry.optional("cyclic", flag)
     if quantity is None or counted_in is None or means is None:
         return None
+    if cyclic is None:
+        cyclic = turns_round(quantity)
     return Ask(name, label, quantity, counted_in, means, sign, points, vanishes, cyclic)
 
 
