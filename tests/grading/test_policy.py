@@ -177,17 +177,18 @@ def test_an_accepted_angle_is_an_angle_whatever_its_unit(tmp_path: Path, value: 
     ]
 
 
-def test_an_accepted_answer_may_use_the_numbers_of_each_paper(tmp_path: Path) -> None:
+@pytest.mark.parametrize("unit", ["", ', unit = "rpm"', ', unit = "rad/s"'])
+def test_an_accepted_answer_may_use_the_numbers_of_each_paper(tmp_path: Path, unit: str) -> None:
     exam = drawn_exam(tmp_path / "EXAM")
     (tmp_path / "answers.csv").write_text(
         "student,q1.v_B,q1.omega_AB,q2.a_B\n007,π,15 rpm,\n0012,2π,30 rpm,\nS9,3π,π/2,\n12,-4π,,\n",
         encoding="utf-8",
     )
-    policy = """
+    policy = f"""
         [questions.q1.asks.v_B]
-        accept = [{ value = "r*omega" }, { value = "-r*omega + 0*h", credit = 0.5 }]
+        accept = [{{ value = "r*omega" }}, {{ value = "-r*omega + 0*h", credit = 0.5 }}]
         [questions.q1.asks.omega_AB]
-        accept = [{ value = "omega*sin(phi)" }]
+        accept = [{{ value = "omega*sin(phi)"{unit} }}]
     """
     regraded(exam, "MARKS", policy)
     lines = (tmp_path / "MARKS" / "grades.csv").read_text(encoding="utf-8").splitlines()

@@ -68,22 +68,22 @@ class AcceptedReader:
         return value
 
     def _scale(self, entry: Table, ask: Ask, tree: Expression) -> Conversion:
-        """The factor for the value, as given by its unit.
+        """The factor for the value: for a number by its unit.
 
-        A value made of givens, or of angles, is in SI units.
+        Givens, asks and angles bring their own units, so that a value made of them is in SI units;
+        a unit stated beside it has to be of the ask's kind and changes nothing.
         """
         used = [name for name in find_names(tree) if name != "pi"]
         units = self._units(ask, used)
         for name in sorted(set(used) - units.keys()):
             unknown = Message("policy.unknown-name", name=Quoted(name))
             entry.fault("value", unknown, do=suggest(name, units))
-        if "unit" in entry:
-            return entry.with_default("unit", partial(_read_conversion, ask), Conversion())
+        stated = entry.with_default("unit", partial(_read_conversion, ask), Conversion())
         angles = frozenset(name for name in used if units.get(name) in ("deg", "rad"))
         printed = read_unit(ask.unit)
         if printed and (used or is_angle(tree, angles)):
             return Conversion(1 / printed.factor, -printed.pi)
-        return Conversion()
+        return stated
 
     def _units(self, ask: Ask, used: list[str]) -> Mapping[str, str]:
         """The units of the names a value may use: the question's asks, and its givens where it uses

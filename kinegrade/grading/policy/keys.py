@@ -48,7 +48,7 @@ ACCEPTED = (
     #: The answer: a number, or an expression of this paper's parameters and right answers, in SI
     #: units.
     "value",
-    #: Its unit; that of the ask where it is not stated.
+    #: The unit of a number; that of the ask where it is not stated, or where the value has givens.
     "unit",
     #: Its share of the points; all of them where it is not stated.
     "credit",
