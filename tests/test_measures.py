@@ -54,7 +54,7 @@ def test_lines_of_code_are_lines_without_docstrings_comments_and_blanks(tmp_path
 # did when fairness came to be bounded (mistakes, follow-through, papers alike hard) and when
 # mechanisms came to move (cycles)
 FAR = {
-    "syntax nodes": 730_000,
+    "syntax nodes": 730_700,
     "lines of code": 75_700,
     "syntax nodes a line": 9.66,
     "modules of more than 250 lines": 24,

@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from math import ceil, cos, pi, sin
 
-from kinegrade.figure.plane import angle_of, length, polar, unit
+from kinegrade.figure.plane import angle_of, length, polar, shorter_way, unit
 from kinegrade.figure.scene import (
     BOLD,
     FIRM,
@@ -31,6 +31,7 @@ PIN = 0.85  # radius of a pin's circle
 _HALF_PIN = 1.15
 DOT = 0.75  # radius of the dot of a marked point
 _HATCH = 1.5  # depth of ground hatching
+_OPEN = (4.2, 3.0)  # millimetres before and after an angle without hatching, whose strokes lean
 BLOCK_LENGTH, BLOCK_WIDTH = 5.0, 3.0
 SLOT_WIDTH, BAR_WIDTH, SLEEVE_WIDTH = 1.9, 3.5, 3.2
 _GUIDE_GAP = BOLD.width / 2 + 0.55  # from the axis of a rod to its guide
@@ -137,10 +138,14 @@ def draw_ground(
 
 
 def draw_round_ground(
-    centre: Vector, radius: float, outward: bool, arc: tuple[float, float] | None = None
+    centre: Vector,
+    radius: float,
+    outward: bool,
+    arc: tuple[float, float] | None = None,
+    open_at: float | None = None,
 ) -> tuple[Primitive, ...]:
     """A fixed circular surface, or an arc of it from an angle onward, with hatching inside or
-    outside.
+    outside, which is open at an angle for the letter of a point there.
     """
     first, sweep = arc or (0.0, 2 * pi)
     count = max(12, ceil(sweep * radius / 1.5))
@@ -148,6 +153,8 @@ def draw_round_ground(
     lines = []
     for index in range(count):
         (x, y), angle = centre, first + sweep * index / count
+        if open_at is not None and -_OPEN[0] < shorter_way(angle - open_at) * radius < _OPEN[1]:
+            continue
         along, upward = cos(angle), sin(angle)
         x, y = x + along * radius, y + upward * radius
         lines.append(

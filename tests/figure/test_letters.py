@@ -31,6 +31,10 @@ def occurs(row: Row, rows: list[Row]) -> bool:
     )
 
 
+# A module is no distance between two points
+NOT_DRAWN = {("epicyclic-train-by-tooth-counts", "m")}
+
+
 def list_missing(solution: Solution) -> list[str]:
     """The symbols of the givens other than zero that the figure lacks; a length like AB is named by
     its points.
@@ -40,7 +44,7 @@ def list_missing(solution: Solution) -> list[str]:
     symbols = [
         read_math(template.parameters[name].symbol, "figure")
         for name, given in solution.parameters.items()
-        if float(given.value)
+        if float(given.value) and (template.name, name) not in NOT_DRAWN
     ]
     return [
         str(symbol)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import replace
 from math import degrees, hypot, pi
 
@@ -10,11 +11,14 @@ import pytest
 from kinegrade.figure.joints.symbol import Rim
 from kinegrade.figure.marks.lengths.dimensions import find_extension_angles
 from kinegrade.figure.marks.turning_arrow import Company, TurningArrow
+from kinegrade.figure.mechanism.paper import scale_to_paper
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.placing.obstacles import Obstacles
+from kinegrade.figure.plane import angle_of, length, shorter_way
 from kinegrade.figure.scene import BOLD, FIRM, THIN, Bow, Disc, Scene, Strokes
 from kinegrade.figure.sketch import sketch
 from kinegrade.mechanics.drivers import Rotation
+from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.given_marks import mark_givens
 from kinegrade.problem.template.hints import Length, Turning
@@ -131,16 +135,32 @@ def test_a_relative_arrow_ends_before_the_body_that_turns() -> None:
     assert 0 < arrow.sweep * arrow.radius < 9.0
 
 
-def test_the_arrow_of_an_arm_stands_outside_the_disc_about_its_pivot() -> None:
-    template = load_template("crossed-belt-drive")
+def _draw_arrows(name: str) -> Iterator[tuple[Mechanism, list[Bow]]]:
+    """Some draws of a template in millimetres, and the arrows of rotations in their figures."""
+    template = load_template(name)
     for draw in drawn(draw_filter(template), 4):
         mechanism = draw.solution.assembly.mechanism.map(float)
         scene = sketch(mechanism, mark_givens(template))
-        _, *of_arm = list_arrows(scene)
-        for arrow in of_arm:
-            discs = [part for part in scene.primitives if isinstance(part, Disc)]
-            about = [disc.radius for disc in discs if disc.centre == arrow.centre]
-            assert arrow.radius > max(about)
+        yield scale_to_paper(mechanism, scene.scale), list_arrows(scene)
+
+
+def test_the_arrow_of_an_arm_begins_on_it_where_a_pulley_turns_about_the_same_pivot() -> None:
+    for mechanism, (_, *of_arm) in _draw_arrows("crossed-belt-drive"):
+        arm = angle_of(mechanism.points["A"] - mechanism.points["O"])
+        assert len(of_arm) == 2
+        assert [arrow.start for arrow in of_arm] == pytest.approx([arm, arm])
+
+
+def test_the_arrow_of_an_arm_beneath_gears_goes_ahead_of_its_planet() -> None:
+    for mechanism, (arrow,) in _draw_arrows("epicyclic-train-by-tooth-counts"):
+        reach = mechanism.points["P"] - mechanism.points["O"]
+        assert abs(arrow.radius - length(reach)) < 3.1
+        assert 0 < shorter_way(arrow.start - angle_of(reach)) < pi / 3
+
+
+def test_the_arrow_of_an_arm_is_not_in_the_disc_of_its_planet() -> None:
+    for mechanism, (arrow, *_) in _draw_arrows("planetary-gear-external-rim-velocities"):
+        assert arrow.radius < length(mechanism.points["D"] - mechanism.points["O"])
 
 
 def test_the_arrow_of_a_cam_stands_off_its_base_circle() -> None:

@@ -15,6 +15,7 @@ course = "Mechanics"
 [[questions]]
 template = "crossed-belt-drive"
 asks = { omega_II = 1, v_B = 2 }
+draw = { omega1 = [9] }
 """
 SENTENCES = {
     "en": "An open and a crossed belt were confused: the sense of rotation is reversed.",

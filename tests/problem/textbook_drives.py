@@ -11,8 +11,7 @@ from tests.problem.textbook import HOUR, METRE, MINUTE, Answers, Case, Given
 
 def turn_epicyclic_train(given: Given) -> Answers:
     """Arcs that roll off each other: on the annular gear at rest, and on C seen from the arm."""
-    tooth = given["l"] / 1000 / (given["z_A"] + given["z_C"])  # of the radius, by two
-    annular, sun = 2 * tooth * given["z_A"], 2 * tooth * given["z_C"]
+    annular, sun = (given["m"] / 1000 * given[teeth] / 2 for teeth in ("z_A", "z_C"))
     planet = (annular - sun) / 2
 
     def arm(t: mpf) -> mpf:
@@ -169,12 +168,12 @@ CASES: tuple[Case, ...] = (
     (
         "epicyclic-train-by-tooth-counts",
         turn_epicyclic_train,
-        {"z_A": 72, "z_C": 32, "l": 200, "phi": 60, "n": 18},
+        {"z_A": 72, "z_C": 32, "m": 8, "phi": 60, "n": 18},
     ),
     (
         "epicyclic-train-by-tooth-counts",
         turn_epicyclic_train,
-        {"z_A": 96, "z_C": 28, "l": 140, "phi": 135, "n": 42},
+        {"z_A": 96, "z_C": 28, "m": 5, "phi": 135, "n": 42},
     ),
     ("spool-pulled-by-cord", pull_spool, {"R": 50, "r": 30, "u": 25, "w": 10}),
     ("spool-pulled-by-cord", pull_spool, {"R": 40, "r": 12, "u": 35, "w": -20}),

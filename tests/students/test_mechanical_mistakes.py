@@ -24,7 +24,7 @@ def planetary() -> Mapping[str, Mapping[str, float]]:
     tangential ones are 0.6 * 4 = 2.4 and 0.2 * 12 = 2.4.
     """
     return mistaken(
-        "planetary-gear-external-rim-accelerations", l="0.6", r="0.2", phi=30, omega1=3, alpha1=4
+        "planetary-gear-external-rim-accelerations", R="0.4", r="0.2", phi=30, omega1=3, alpha1=4
     )
 
 

@@ -127,16 +127,16 @@ def test_a_wheel_that_its_pole_has_solved_is_checked_from_its_centre() -> None:
 def test_points_of_a_body_are_checked_by_the_projection_theorem() -> None:
     assert read_checks("crossed-belt-drive")[0] == Check(
         r"the projection theorem for $B$ and $A$, multiplied by $\overrightarrow{AB}$",
-        r"0.02071\,\unit{m} \cdot 0.1101\,\unit{m/s} + 0.07727\,\unit{m} \cdot 0.4881\,\unit{m/s}"
-        r" \approx 0.04\,\unit{m^2/s}",
-        r"0.08\,\unit{m} \cdot 0.5\,\unit{m/s} = 0.04\,\unit{m^2/s}",
+        r"0.06\,\unit{m} \cdot 0.1701\,\unit{m/s} + 0.1039\,\unit{m} \cdot 0.5946\,\unit{m/s}"
+        r" \approx 0.072\,\unit{m^2/s}",
+        r"0.12\,\unit{m} \cdot 0.6\,\unit{m/s} = 0.072\,\unit{m^2/s}",
     )
 
 
 def test_a_planet_is_checked_as_its_carrier_sees_it() -> None:
     assert read_checks("ring-gear-planet-relative-spin")[0] == Check(
         "the rim speeds of the planet gear and of the fixed circle, seen from the arm $O_{1}O_{2}$",
-        r"0.08\,\unit{m} \cdot (-2.75\,\unit{rad/s} - 1\,\unit{rad/s}) = -0.3\,\unit{m/s}",
+        r"0.11\,\unit{m} \cdot (-1.727\,\unit{rad/s} - 1\,\unit{rad/s}) \approx -0.3\,\unit{m/s}",
         r"0.3\,\unit{m} \cdot (-1\,\unit{rad/s}) = -0.3\,\unit{m/s}",
     )
 

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
 from math import pi
 
 from kinegrade.figure.joints.symbol import find_fixed_pin
 from kinegrade.figure.marks.imposed import find_imposed_sense
 from kinegrade.figure.marks.lengths.dimensions import find_extension_angles
+from kinegrade.figure.marks.tied_arrows import list_tied_arrows
 from kinegrade.figure.marks.turning_arrow import Company, TurningArrow
 from kinegrade.figure.marks.turning_radii import BEYOND, RADII, ROOMY, order_radii
 from kinegrade.figure.mechanism.layers import Drawing
@@ -31,6 +33,7 @@ _RELATIVE_ARCS = (9.0, 7.0, 5.5)
 _TWELFTHS = tuple(index * pi / 6 for index in range(12))
 # Demerit of each radian between the arrow and the body, or where the rim of a disc is nearest
 _ASTRAY, _AT_RIM = 1.2, 5.0
+_LOOSE = 20.0  # demerit of an arrow off the bar that turns, where another could show that
 # Millimetres about a pivot within which the arrow of a rotation keeps clear of letters
 _LETTERED = 12.0
 
@@ -132,7 +135,12 @@ def _list_absolute_arrows(
             )
     crank = _find_crank_direction(mechanism, hint.body, centre, drawing)
     radii = order_radii(mechanism, hint.body, centre, drawing)
-    return list_turning_arrows(hint, sense, centre, radii, crank, astray=_ASTRAY)
+    arrows = list_turning_arrows(hint, sense, centre, radii, crank, astray=_ASTRAY)
+    tied = list_tied_arrows(hint, centre, _ARCS[hint.level] * TURN[sense], drawing)
+    return [
+        *tied,
+        *(replace(arrow, demerit=arrow.demerit + _LOOSE * bool(tied)) for arrow in arrows),
+    ]
 
 
 def _list_relative_arrows(

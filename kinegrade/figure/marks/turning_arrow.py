@@ -19,7 +19,9 @@ from kinegrade.figure.symbols import HEADS, draw_curved_arrow
 from kinegrade.problem.template.hints import Turning
 
 _COARSE = 0.7  # radians of an arrow that count as straight when its way is looked at
-_FREE_END = 0.6  # millimetres to be kept free before the head of an arrow and behind its tail
+# Millimetres to be kept free before the head of an arrow and behind its tail, and of a tail on the
+# bar that turns
+_FREE_END, _ON_BAR = 0.6, 1.2
 # Millimetres between an arrow and the arc of an angle within it or along it, and the demerit of
 # less
 _APART, _ALONG, _MERGED = 3.0, 1.5, 4.0
@@ -74,12 +76,15 @@ class Company:
 
 @dataclass(frozen=True)
 class TurningArrow:
-    """A curved arrow along an arc."""
+    """A curved arrow along an arc; that of a bar among round bodies may be `tied` to it, its tail
+    on the bar.
+    """
 
     bow: Bow
     hint: Turning
     demerit: float
     shared: bool = False
+    tied: bool = False
 
     def among(self, company: Company) -> TurningArrow:
         """The arrow with its demerit in some company."""
@@ -91,8 +96,10 @@ class TurningArrow:
         from.
         """
         bow = self.bow
-        more = copysign(_FREE_END / bow.radius, bow.sweep)
-        return chords(replace(bow, start=bow.start - more, sweep=bow.sweep + 2 * more), _COARSE)
+        tail, tip = -_ON_BAR if self.tied else _FREE_END, _FREE_END
+        sense = copysign(1 / bow.radius, bow.sweep)
+        whole = replace(bow, start=bow.start - sense * tail, sweep=bow.sweep + sense * (tail + tip))
+        return chords(whole, _COARSE)
 
     def wish(self) -> Wish:
         """Along the arc."""
@@ -107,7 +114,7 @@ class TurningArrow:
         """The wish, where the symbol is nearest to its own arrow and no circle or bar parts them
         first.
         """
-        wish, own = widen(self.wish()), self.bow.path(_STATIONS)
+        wish, own = widen(self.wish()), self.bow.path(_STATIONS)[self.tied :]
         near = [at for other in others for at in other.bow.path(_STATIONS)]
         demerits = _MISTAKEN * rate_nearness(self.hint.symbol, wish.spots, own, near)
         for circle in circles:

@@ -13,15 +13,14 @@ from kinegrade.figure.mechanism.plates import Plate
 from kinegrade.figure.mechanism.stands import choose_upright
 from kinegrade.figure.mechanism.straight_parts import Bar, is_slender, list_ways
 from kinegrade.figure.plane import NEAR, length, unit
-from kinegrade.figure.scene import BOLD, FIRM, Disc, Outline, Primitive, Strokes
+from kinegrade.figure.scene import FIRM, Disc, Outline, Primitive
 from kinegrade.figure.symbols import DOT, draw_centre_mark, draw_dot, draw_half_pin, draw_pin
 from kinegrade.mechanics.vector import Vector
 
 _LOWER = Vector(0.01, -0.1)  # where a pin sits when nothing else decides: below, or to the right
 
 _DOT_IN_MESH = 0.5  # millimetres of radius: it fits on a tooth
-# Millimetres of radius among teeth on a bar that is not its body's, and of white about that
-_DOT_ON_BAR, _WHITE = 0.95, 0.45
+_DOT_ON_BAR = 0.95  # millimetres of radius among teeth on a bar that is not its body's
 # Millimetres: the radius of a motor, and half the width of its neck there
 _HOUSING, _NECK = 2.3, 1.9
 _SWIVEL = 1.25  # millimetres of radius: seen on both sides of a bar, and within a sleeve
@@ -97,19 +96,12 @@ def _find_pins(anatomy: Anatomy) -> set[str]:
 
 
 def _draw_marked_point(anatomy: Anatomy, at: Vector) -> Iterator[Primitive]:
-    """A dot, small among the teeth of two gears; where a bar passes over these, a larger one on the
-    bar, which it does not interrupt, with white in the teeth at its sides.
+    """A dot, small among the teeth of two gears, where a bar passes over these one that is seen on
+    the bar.
     """
     meshing = any(rim.kind == "gear" and length(rim.touch - at) < NEAR for rim in anatomy.rims)
-    over = [part for part in anatomy.parts if is_slender(part) and list_ways(part, at)]
-    if not meshing or not over:
-        yield from draw_dot(at, _DOT_IN_MESH if meshing else DOT)
-        return
-    yield Disc(at, _DOT_ON_BAR + _WHITE, None, "white")
-    for part in over:
-        along = unit(part.end - part.start) * (_DOT_ON_BAR + _WHITE)
-        yield Strokes(((at - along, at + along),), BOLD)
-    yield from draw_dot(at, _DOT_ON_BAR)
+    over = any(is_slender(part) and list_ways(part, at) for part in anatomy.parts)
+    yield from draw_dot(at, (_DOT_ON_BAR if over else _DOT_IN_MESH) if meshing else DOT)
 
 
 def _find_at_corners(anatomy: Anatomy) -> set[str]:

@@ -10,7 +10,7 @@ from kinegrade.figure import symbols
 from kinegrade.figure.joints.symbol import Rim, Symbol, find_fixed_pin
 from kinegrade.figure.mechanism.anatomy import Anatomy
 from kinegrade.figure.mechanism.round.cam import trace_cam_profile
-from kinegrade.figure.plane import NEAR, hull, length, polar
+from kinegrade.figure.plane import NEAR, angle_of, hull, length, polar
 from kinegrade.figure.scene import (
     FIRM,
     PITCH,
@@ -70,7 +70,7 @@ def _find_pivot(mechanism: Mechanism, joints: Sequence[Symbol], rim: Rim) -> Vec
 
 def _draw_rim(anatomy: Anatomy, rim: Rim) -> tuple[Primitive, ...]:
     if rim.body == GROUND:
-        return _draw_fixed_rim(rim)
+        return _draw_fixed_rim(anatomy, rim)
     match rim.kind:
         case "edge":
             return _draw_edge(anatomy, rim)
@@ -103,27 +103,31 @@ def trace_around(rims: Sequence[Rim]) -> tuple[Vector, ...]:
     return hull(rim.at + polar(turn, rim.radius) for rim in rims for turn in turns)
 
 
-def _draw_fixed_rim(rim: Rim) -> tuple[Primitive, ...]:
+def _draw_fixed_rim(anatomy: Anatomy, rim: Rim) -> tuple[Primitive, ...]:
     """A rim of the ground: hatched behind its edge or behind the teeth."""
     match rim.kind:
         case "edge":
             return (Disc(rim.at, rim.radius, FIRM),)
         case "gear":
-            return _draw_fixed_gear(rim)
+            return _draw_fixed_gear(anatomy, rim)
         case "wheel" | "slot" | "cam":
             return symbols.draw_round_ground(rim.at, rim.radius, rim.ring, rim.find_arc())
         case _:
             assert_never(rim.kind)
 
 
-def _draw_fixed_gear(rim: Rim) -> tuple[Primitive, ...]:
-    """The teeth on a band of material, whose other side is hatched."""
+def _draw_fixed_gear(anatomy: Anatomy, rim: Rim) -> tuple[Primitive, ...]:
+    """The teeth on a band of material, whose other side is hatched, except behind a point of
+    contact, whose letter may stand there.
+    """
+    named = any(length(at - rim.touch) < NEAR for at in anatomy.mechanism.points.values())
+    contact = angle_of(rim.touch - rim.at) if named else None
     if rim.ring:
         back = rim.radius + TOOTH_ROOT + _BAND
-        ground = symbols.draw_round_ground(rim.at, back, outward=True)
+        ground = symbols.draw_round_ground(rim.at, back, outward=True, open_at=contact)
         return (*ground, Disc(rim.at, back, FIRM, "grey"), *_draw_gear(rim, "white"))
     back = rim.radius - TOOTH_ROOT - min(_BAND, rim.radius / 3)
-    ground = symbols.draw_round_ground(rim.at, back, outward=False)
+    ground = symbols.draw_round_ground(rim.at, back, outward=False, open_at=contact)
     return (*_draw_gear(rim, "grey"), Disc(rim.at, back, FIRM, "white"), *ground)
 
 

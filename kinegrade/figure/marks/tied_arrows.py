@@ -1,0 +1,100 @@
+"""The arrow of a bar that turns among round bodies, which could own it as well: its tail on the
+bar, or within a ring ahead of the disc at the end of the bar, on the circle on which that is
+carried round.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
+from math import asin, copysign
+
+from kinegrade.figure.joints.symbol import Rim
+from kinegrade.figure.marks.turning_arrow import TurningArrow
+from kinegrade.figure.mechanism.layers import Drawing
+from kinegrade.figure.mechanism.straight_parts import Bar
+from kinegrade.figure.placing.obstacles import Obstacles
+from kinegrade.figure.plane import NEAR, angle_of, length, polar
+from kinegrade.figure.scene import THIN, Bow, Strokes
+from kinegrade.figure.teeth import TOOTH_TIP
+from kinegrade.mechanics.vector import Vector
+from kinegrade.problem.template.hints import Turning
+
+# Radii, and millimetres from a tail to the pin at the end of the bar
+_RADII, _SHORT_OF_PIN = tuple(5.0 + 1.5 * step for step in range(24)), 3.0
+_FARTHER_OUT = 0.1  # demerit of each millimetre farther out
+# Millimetres between an arrow and the disc of another body, and those from the disc at the end of
+# a bar to the tail of an arrow ahead of it
+_OFF_DISC, _AHEAD = 1.0, 2.0
+# Millimetres between the circle of that disc's centre and the arrow, and the demerit of each
+_SHIFTS, _SHIFTED = (0.0, 1.5, -1.5, 3.0, -3.0), 0.3
+# Demerit of an arrow whose tail is so many millimetres from where a line meets the bar, or less
+_MEETS, _AT_TAIL = 12.0, 2.0
+_STATIONS = 0.2  # radians between the points of an arrow that are looked at
+
+
+def list_tied_arrows(
+    hint: Turning, centre: Vector, shaft: float, drawing: Drawing
+) -> list[TurningArrow]:
+    """Arrows about a centre, so many millimetres long, positive counter-clockwise, that show which
+    bar turns; none where no other body is a circle about the centre.
+    """
+    others = [rim for rim in drawing.rims if rim.body != hint.body]
+    if not any(length(rim.at - centre) < NEAR for rim in others):
+        return []
+    bars = (part for part in drawing.parts if isinstance(part, Bar) and part.body == hint.body)
+    ends = (end for bar in bars for end in (bar.start, bar.end))
+    steps = [end - centre for end in ends if length(end - centre) > NEAR]
+    discs = [rim for rim in others if not rim.ring and length(rim.at - centre) > NEAR]
+    tied = _list_on_bars(hint, centre, shaft, steps)
+    within = [rim for rim in others if rim.ring and length(rim.at - centre) < NEAR]
+    ahead = _list_ahead(hint, centre, shaft, steps, discs) if within else ()
+    lines = (part for part in drawing.primitives if isinstance(part, Strokes) and part.pen == THIN)
+    thin = Obstacles.of(lines)
+    return [
+        replace(arrow, demerit=arrow.demerit + _rate_crossings(arrow, thin))
+        for arrow in (*tied, *ahead)
+        if not _touches(arrow.bow, discs)
+    ]
+
+
+def _rate_crossings(arrow: TurningArrow, thin: Obstacles) -> float:
+    """How much worse an arrow is for the thin lines, like those of belts, that it crosses, or that
+    meet its bar at its tail.
+    """
+    along = polar(arrow.bow.start)
+    tail = arrow.bow.centre + along * arrow.bow.radius
+    beside = ((tail - along * _AT_TAIL, tail + along * _AT_TAIL),)
+    meets = arrow.tied and thin.along(beside, shared=True) > 0
+    return thin.along(arrow.path(), arrow.shared) + _MEETS * meets
+
+
+def _list_on_bars(
+    hint: Turning, centre: Vector, shaft: float, steps: Iterable[Vector]
+) -> Iterator[TurningArrow]:
+    """Arrows with their tails on a bar."""
+    for step in steps:
+        for radius in _RADII:
+            if radius < length(step) - _SHORT_OF_PIN:
+                bow = Bow(centre, radius, angle_of(step), shaft / radius, THIN)
+                yield TurningArrow(bow, hint, _FARTHER_OUT * radius, tied=True)
+
+
+def _list_ahead(
+    hint: Turning, centre: Vector, shaft: float, steps: Iterable[Vector], discs: Sequence[Rim]
+) -> Iterator[TurningArrow]:
+    """Arrows ahead of the disc at the end of a bar, on the circle of its centre."""
+    for step in steps:
+        for disc in (disc for disc in discs if length(disc.at - centre - step) < NEAR):
+            gap = 2 * asin(min(1.0, (disc.radius + TOOTH_TIP + _AHEAD) / (2 * length(step))))
+            start = angle_of(step) + copysign(gap, shaft)
+            for shift in _SHIFTS:
+                radius = length(step) + shift
+                bow = Bow(centre, radius, start, shaft / radius, THIN)
+                yield TurningArrow(bow, hint, _SHIFTED * abs(shift))
+
+
+def _touches(bow: Bow, discs: Iterable[Rim]) -> bool:
+    """Whether an arrow is in a disc or close to it, as if that turned."""
+    points = bow.path(_STATIONS)
+    return any(length(at - disc.at) < disc.radius + _OFF_DISC for disc in discs for at in points)
