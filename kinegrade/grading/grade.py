@@ -29,7 +29,7 @@ from kinegrade.grading.other_papers import OtherPapers
 from kinegrade.grading.policy.accepted import alternatives
 from kinegrade.grading.policy.policy import Policy
 from kinegrade.grading.policy.reading import read_policy, stated_policy
-from kinegrade.grading.same_key import identify_exam, require_same_exam
+from kinegrade.grading.same_key import identify_exam, require_same_exam, require_unmerged
 from kinegrade.grading.sheets.class_sheet import class_sheet
 from kinegrade.grading.sheets.pool import read_pool
 from kinegrade.grading.totals import TotalTerms, work_out_totals
@@ -138,12 +138,14 @@ def _mark(
 
 
 def _require_same_exam(exam: ExamFolder, wishes: MarkingWishes, sources: HandSources) -> None:
-    """Raises TableError for an earlier marking, or one whose marks by hand would be carried over,
-    of another exam.
+    """Raises TableError for a marking before, that is replaced, or whose marks by hand would
+    be carried over, of another exam or of several.
     """
     for earlier in (wishes.before, wishes.never_lower):
         if earlier is not None:
             require_same_exam(exam, earlier)
+            require_unmerged(earlier)
+    require_unmerged(MarksFolder(sources.replaced))
     if sources.carried is not None:
         require_same_exam(exam, MarksFolder(sources.carried.parent))
 

@@ -30,6 +30,15 @@ def require_same_exam(exam: ExamFolder, marks: MarksFolder) -> None:
         raise TableError(Fault(str(marks.path), what, do=Message("exam.name-exam-of-marks")))
 
 
+def require_unmerged(marks: MarksFolder) -> None:
+    """Raises TableError for a folder put together of several exams, where that of one is meant:
+    marks by hand and totals of another would be taken over.
+    """
+    if marks.elsewhere:
+        what = Message("marks.merged", count=len(marks.elsewhere))
+        raise TableError(Fault(str(marks.path), what, do=Message("marks.name-unmerged")))
+
+
 def require_one_exam(first: MarksFolder, second: MarksFolder) -> None:
     """Raises TableError for markings of two exams, as far as both say of which one they are."""
     if first.exam and second.exam and first.exam != second.exam:

@@ -136,3 +136,30 @@ def test_forgotten_marks_still_go_with_their_exam_alone(term: Path, tmp_path: Pa
     assert taken.exit_code in (0, 1), taken.stderr
     refused = kinegrade("report", term / "EXAM", term / "LATER-MARKS", *page, "--force")
     assert "LATER-MARKS: these are marks of another exam than" in refused.stderr
+
+
+@pytest.mark.parametrize(
+    "options",
+    [
+        ("-o", "{out}", "--since", "{merged}", "--reason", "Appeals"),
+        ("-o", "{out}", "--never-lower", "{merged}"),
+        ("-o", "{merged}", "--force"),
+    ],
+    ids=" ".join,
+)
+def test_marks_that_a_make_up_gave_do_not_flow_into_those_of_the_exam(
+    term: Path, tmp_path: Path, options: tuple[str, ...]
+) -> None:
+    merged = tmp_path / "MERGED"
+    folders = term / "EXAM-MARKS", term / "LATER-MARKS"
+    assert kinegrade("merge", *folders, "-o", merged, "--prefer", "last").exit_code in (0, 1)
+    before = contents(merged)
+    command = ("grade", "{exam}", "{answers}", *options)
+    places = {"exam": term / "EXAM", "answers": term / "answers.csv", "merged": merged}
+    done = kinegrade(*(each.format_map({**places, "out": tmp_path / "out"}) for each in command))
+    assert done.exit_code == 2
+    assert (
+        f"error: {merged}: the marks of 4 students are those of another exam, put beside these by "
+        "merge - name the folder in which this exam was marked, and merge anew"
+    ) in done.stderr
+    assert contents(merged) == before
