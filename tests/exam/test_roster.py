@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 from kinegrade.errors import TableError
 from kinegrade.exam.roster.roster import Roster, parse_roster
 from kinegrade.exam.roster.students import Student, make_file_names
+from tests.said import all_said, said
 
 
 def roster(text: str) -> Roster:
@@ -30,6 +31,17 @@ def roster(text: str) -> Roster:
 def test_columns_are_known_by_their_usual_names(header: str) -> None:
     found = roster(f"{header}\n 007 ,王伟,w@x.cn\n")
     assert found == Roster((Student("007", "王伟", "w@x.cn", "007"),), ())
+
+
+def test_a_column_that_can_only_hold_ids_wins_over_a_running_number() -> None:
+    found = roster("ID,Matrikelnummer,Name\n1,007,Ann\n2,008,Ben\n")
+    assert [each.student for each in found.students] == ["007", "008"]
+    assert said(found.notes[-1]) == (
+        'roster.csv: ids are those of "Matrikelnummer", not of "ID"; --column student=HEADER takes '
+        "another column"
+    )
+    alike = roster("ID,Matrikelnummer,Name\n007,007,Ann\n008,008,Ben\n")
+    assert "ids are those of" not in "".join(all_said(alike.notes))
 
 
 def test_columns_stand_in_any_order_and_others_are_ignored(tmp_path: Path) -> None:

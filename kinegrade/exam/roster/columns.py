@@ -164,6 +164,24 @@ def _explain_wish(table: Table, column: Column, title: str) -> Fault:
     return Fault(table.file, what, do=do)
 
 
+def find_other_ids(table: Table, columns: Columns, wishes: Wishes) -> Iterator[Message]:
+    """That other columns are called as ids are called, too, and hold something else: a remark that
+    says which was taken.
+    """
+    if "student" in wishes or columns.system is not None:
+        return
+    taken, names = columns.places["student"], list_column_names("student")
+    others = [
+        Quoted(shorten(trim(title)))
+        for place, title in enumerate(table.header)
+        if make_column_key(title) in names
+        and any(trim(row.cell(place)) not in ("", trim(row.cell(taken))) for row in table.rows)
+    ]
+    if others:
+        title = Quoted(shorten(trim(table.header[taken])))
+        yield Message("roster.other-ids", taken=title, others=list_plainly(others))
+
+
 def list_unused(table: Table, columns: Columns) -> Iterator[str]:
     """The titles of the filled columns that are not used."""
     used = set(columns.places.values())

@@ -45,6 +45,8 @@ _ELSEWHERE: Mapping[Column, Sequence[str]] = {
     "extra-time": (),
     "format": (),
 }
+# What a running number or a name may be called as well
+_VAGUE = frozenset(("student", "id"))
 _UNIT = re.compile(r"\s*[(\[][^()\[\]]*[)\]]$")  # "extra time (min)"
 
 
@@ -86,13 +88,13 @@ SYSTEMS = (
 @cache
 def list_column_names(column: Column) -> tuple[str, ...]:
     """The names that a column may have, in small letters, the best first: those of English, then
-    those of all other languages.
+    those of all other languages, and last those that may mean something else.
 
-    >>> list_column_names("name")[:2]
-    ('name', 'full name')
+    >>> list_column_names("name")[:2], list_column_names("student")[-2:]
+    (('name', 'full name'), ('student', 'id'))
     """
     spellings = list_preferred_spellings(Message(f"roster.columns-{column}"))
-    return (*spellings, *_ELSEWHERE[column])
+    return tuple(sorted((*spellings, *_ELSEWHERE[column]), key=_VAGUE.__contains__))
 
 
 @cache

@@ -13,7 +13,14 @@ from kinegrade.exam.roster.cell_values import (
     read_paper_language,
     read_print_format,
 )
-from kinegrade.exam.roster.columns import NAMES, Columns, Wishes, find_columns, list_unused
+from kinegrade.exam.roster.columns import (
+    NAMES,
+    Columns,
+    Wishes,
+    find_columns,
+    find_other_ids,
+    list_unused,
+)
 from kinegrade.exam.roster.known_columns import Column
 from kinegrade.exam.roster.mended_ids import Identity, find_id_faults, find_short_ids, mend_ids
 from kinegrade.exam.roster.students import Student, make_file_names
@@ -66,7 +73,8 @@ def read_class(table: Table, wishes: Wishes, *, odd_ids: bool) -> ReadClass:
         *_find_partial(table, students, columns),
     )
     unused = tuple(list_unused(table, columns))
-    way = WayOfReading(table, columns, unused, tuple(others), tuple(remarks))
+    said = (*remarks, *find_other_ids(table, columns, wishes))
+    way = WayOfReading(table, columns, unused, tuple(others), said)
     return ReadClass(students, complaints, way)
 
 
