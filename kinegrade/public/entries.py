@@ -20,11 +20,13 @@ from kinegrade.language.message import Fault, Message
 from kinegrade.lms.responses import long
 from kinegrade.lms.responses.answer_table import DETECTED
 from kinegrade.lms.responses.class_files import read_class
-from kinegrade.lms.responses.sheet import read_answer_file
+from kinegrade.lms.responses.sheet import part_times, read_answer_file
 from kinegrade.public.opened import expect_opened
 from kinegrade.reports.double_entry import DoubleEntry, compare_parts
 
 _ASKED = re.compile(r"(?P<question>q[0-9]+[a-z]?)\.(?P<ask>\w+)(?:\s*[(\[](?P<unit>.*)[)\]])?")
+
+_NO_UNIT = "1"
 
 
 def compare_entries(
@@ -50,10 +52,11 @@ def compare_entries(
         files: Sequence[AnswerFile] = read_class(paths, exam, DETECTED).files
         sitting: Sitting = exam
     else:
-        files = [AnswerFile(_read_sheet(path)) for path in paths]
+        files = [part_times(_read_sheet(path)) for path in paths]
         sitting = _stand_in(files)
     one, other = (read_part(each, sitting) for each in files)
-    return compare_parts(one, other, sitting.asks, sitting.students)
+    titles = [ask.column if exam else _name_column(ask) for ask in sitting.asks]
+    return compare_parts(one, other, sitting, titles)
 
 
 def _read_sheet(path: Path) -> Table:
@@ -68,15 +71,21 @@ def _read_sheet(path: Path) -> Table:
 def _stand_in(files: Sequence[AnswerFile]) -> KeyedExam:
     """An exam of all students and asks that answer sheets have."""
     headers = dict.fromkeys(trim(cell) for each in files for cell in each.table.header)
-    found = (match for cell in headers if (match := _ASKED.fullmatch(cell)))
+    matches = (match for cell in headers if (match := _ASKED.fullmatch(cell)))
+    found = sorted(matches, key=lambda match: bool(match["unit"]))  # one that states it counts
     asks = {
         (each["question"], each["ask"]): Ask(
-            each["question"], each["ask"], each["unit"] or "1", Fraction(0)
+            each["question"], each["ask"], each["unit"] or _NO_UNIT, Fraction(0)
         )
         for each in found
     }
     students = dict.fromkeys(name for each in files for name in _list_students(each.table))
     return KeyedExam(tuple(asks.values()), tuple(Examinee(name, "", {}) for name in students))
+
+
+def _name_column(ask: Ask) -> str:
+    """The header of an ask, with the unit that the files state, which nothing else tells."""
+    return ask.column if ask.unit == _NO_UNIT else f"{ask.column} ({ask.unit})"
 
 
 def _list_students(table: Table) -> list[str]:

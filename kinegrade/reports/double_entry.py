@@ -9,7 +9,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
-from kinegrade.exam.folder.keys import Ask
+from kinegrade.deadlines.moment import parse_moment
+from kinegrade.exam.folder.keys import Ask, Sitting
 from kinegrade.files.cell_text import is_answered, shorten, trim
 from kinegrade.files.csv_writing import encode_for_people, write_csv_text
 from kinegrade.files.tables import Complaint
@@ -23,6 +24,7 @@ from kinegrade.language.terminal_lines import align
 
 _WHOLE = "*"  # in place of an ask: the student has no row
 _NO_ROW = "–"
+_SUBMITTED = "submitted"  # the column of times
 _BESIDE = " | "  # between the cells of a student's several rows
 
 
@@ -50,7 +52,8 @@ class EntryDifference:
 @dataclass(frozen=True)
 class DoubleEntry:
     """Two files compared: what differs, how many cells are filled and agree, and the agreed
-    answers, by student, in the order of `columns`.
+    answers, by student, in the order of `columns`. `submitted` says by student when they were
+    handed in, as far as the files do.
     """
 
     files: tuple[str, str]
@@ -58,25 +61,33 @@ class DoubleEntry:
     differences: tuple[EntryDifference, ...]
     agreed: int
     answers: Mapping[str, tuple[str, ...]]
+    submitted: Mapping[str, str]
     complaints: tuple[Complaint, ...]
 
 
 def compare_parts(
-    first: Part, second: Part, asks: Sequence[Ask], students: Sequence[str]
+    first: Part, second: Part, sitting: Sitting, titles: Sequence[str]
 ) -> DoubleEntry:
-    """Two files of the same exam, as far as its students have a row in either."""
+    """Two files of the same exam, as far as its students have a row in either; `titles` are the
+    headers of the agreed answers.
+    """
+    asks = sitting.asks
     styles = _find_style(first), _find_style(second)
-    comparer = _Comparer(asks, styles)
+    timed = all(map(_has_times, (first, second)))
+    comparer = _Comparer(asks, styles, timed=timed)
     differences: list[EntryDifference] = []
     answers: dict[str, tuple[str, ...]] = {}
     agreed = 0
-    for student in students:
+    submitted: dict[str, str] = {}
+    for student in sitting.students:
         one, other = first.entries.get(student, ()), second.entries.get(student, ())
         if not one and not other:
             continue
         found = list(comparer.find(student, one, other))
         differences += found
+        times = [each.submitted for each in (*one, *other) if trim(each.submitted)]
         if one and other:
+            submitted |= dict.fromkeys([student], times[0]) if times else {}
             cells = answers[student] = one[-1].responses
             differing = {each.ask for each in found}
             agreed += sum(
@@ -85,10 +96,11 @@ def compare_parts(
             )
     return DoubleEntry(
         (first.file, second.file),
-        tuple(ask.column for ask in asks),
+        tuple(titles),
         tuple(differences),
         agreed,
         answers,
+        submitted,
         (*first.complaints, *second.complaints),
     )
 
@@ -97,6 +109,7 @@ def compare_parts(
 class _Comparer:
     asks: Sequence[Ask]
     styles: tuple[FileStyle, FileStyle]
+    timed: bool  # where one file alone has times, nothing contradicts them
 
     def find(
         self, student: str, one: Sequence[Entry], other: Sequence[Entry]
@@ -112,6 +125,12 @@ class _Comparer:
             if not all(self._agree(number, (last, left), row) for row in rows):
                 typed = (tuple(_find_cell(each, number) for each in rows) for rows in (one, other))
                 yield EntryDifference(student, ask.column, *typed)
+        if self.timed and not all(_are_same_times(last, each) for each, _ in rows):
+            times = (
+                tuple(TypedCell(each.submitted, each.line) for each in several)
+                for several in (one, other)
+            )
+            yield EntryDifference(student, _SUBMITTED, *times)
 
     def _agree(
         self, number: int, one: tuple[Entry, FileStyle], other: tuple[Entry, FileStyle]
@@ -120,6 +139,17 @@ class _Comparer:
         cells = [row.responses[number] for row, _ in (one, other)]
         styles = [style.of_row(row.responses) for row, style in (one, other)]
         return are_same(cells[0], cells[1], self.asks[number].unit, (styles[0], styles[1]))
+
+
+def _has_times(part: Part) -> bool:
+    return any(trim(each.submitted) for entries in part.entries.values() for each in entries)
+
+
+def _are_same_times(one: Entry, other: Entry) -> bool:
+    """Whether two rows were handed in at one time, however that is written."""
+    times = trim(one.submitted), trim(other.submitted)
+    moments = [parse_moment(each) for each in times]
+    return times[0] == times[1] or moments[0] == moments[1] is not None
 
 
 def _find_cell(entry: Entry, number: int) -> TypedCell:
@@ -149,8 +179,13 @@ def write_double_entry_text(compared: DoubleEntry, words: Catalogue) -> str:
 
 def encode_agreed(compared: DoubleEntry) -> bytes:
     """The answers on which both files agree, as one answer sheet."""
-    rows = ((student, *cells) for student, cells in compared.answers.items())
-    return encode_for_people(write_csv_text(("student", *compared.columns), rows))
+    times = compared.submitted
+    header = ("student", *compared.columns, *((_SUBMITTED,) if times else ()))
+    rows = (
+        (student, *cells, *((times.get(student, ""),) if times else ()))
+        for student, cells in compared.answers.items()
+    )
+    return encode_for_people(write_csv_text(header, rows))
 
 
 def _show(cells: Sequence[TypedCell]) -> tuple[str, str]:

@@ -136,3 +136,48 @@ def test_equal_answers_in_two_files_are_no_conflict(exam_folder: Path, tmp_path:
     files = tmp_path / "a.csv", tmp_path / "b.csv"
     said = kinegrade("grade", exam_folder, *files, "-o", marks).stderr
     assert "here and" not in said
+
+
+TIMED = "student,q1.v_B,submitted\n"
+
+
+@pytest.mark.parametrize("with_exam", [True, False])
+def test_times_of_handing_in_are_compared_and_carried_over(
+    exam_folder: Path, tmp_path: Path, *, with_exam: bool
+) -> None:
+    exam = (exam_folder,) if with_exam else ()
+    first = f"{TIMED}007,1.5,2026-10-20 18:10\n0012,2,\n"
+    status, rows, summary = compare(
+        tmp_path, first, f"{TIMED}007,1.5,2026-10-21 18:10\n0012,2,\n", *exam
+    )
+    assert (status, rows) == (
+        1,
+        [["007", "submitted", "2026-10-20", "18:10", "2", "2026-10-21", "18:10", "2"]],
+    )
+    assert summary == "1 cell differs; 2 filled cells agree"
+    for second in (
+        f"{TIMED}007,1.50,2026-10-20T18:10\n0012,2,\n",
+        "student,q1.v_B\n007,1.5\n0012,2\n",
+    ):
+        assert compare(tmp_path, first, second, *exam)[0] == 0
+        files, agreed = (tmp_path / "a.csv", tmp_path / "b.csv"), tmp_path / "agreed.csv"
+        done = kinegrade("compare-entries", *files, *exam, "-o", agreed, "--force")
+        assert done.exit_code == 0, done.stderr
+        head, *lines = agreed.read_text(encoding="utf-8-sig").splitlines()
+        assert head.endswith(",submitted")
+        assert {line.split(",")[0]: line.split(",")[-1] for line in lines} == {
+            "007": "2026-10-20 18:10",
+            "0012": "",
+        }
+
+
+def test_headers_with_another_unit_are_another_content(exam_folder: Path, tmp_path: Path) -> None:
+    first, second = "student,q1.v_B (mm/s)\n007,1.5\n", "student,q1.v_B (m/s)\n007,1.5\n"
+    for exam in ((), (exam_folder,)):
+        status, rows, _ = compare(tmp_path, first, second, *exam)
+        assert (status, rows) == (1, [["007", "q1.v_B", "1.5", "mm/s", "2", "1.5", "2"]])
+    agreed = tmp_path / "agreed.csv"
+    assert compare(tmp_path, first, "student,q1.v_B\n007,1.5 mm/s\n")[0] == 0
+    (tmp_path / "b.csv").write_text(first, encoding="utf-8")
+    kinegrade("compare-entries", tmp_path / "a.csv", tmp_path / "b.csv", "-o", agreed)
+    assert agreed.read_text(encoding="utf-8-sig") == first

@@ -16,6 +16,7 @@ from kinegrade.exam.roster.known_columns import (
     list_column_names,
     list_key_columns,
 )
+from kinegrade.files.answer_file import AnswerFile
 from kinegrade.files.cell_text import make_header_key, trim
 from kinegrade.files.header_line import HeaderSign
 from kinegrade.files.spreadsheet import read_workbook
@@ -55,6 +56,18 @@ def read(table: Table, head: ExamHead, attempts: Attempts) -> TypedRows:
     return TypedRows(
         tuple(table.header[place] for place in others), frozenset(others), rows, (), named
     )
+
+
+def part_times(table: Table) -> AnswerFile:
+    """A sheet as it is, but for the column of times, which answers nothing."""
+    end = _places(table.header, [SUBMITTED])
+    if not end:
+        return AnswerFile(table)
+    others = [place for place in range(len(table.header)) if place not in end]
+    choose = choose_cells(others)
+    rows = tuple(Row(row.line, choose(row.cells)) for row in table.rows)
+    without = replace(table, header=choose(tuple(table.header)), rows=rows)
+    return AnswerFile(without, submitted={row.line: trim(row.cell(end[0])) for row in table.rows})
 
 
 def _places(header: Sequence[str], names: Sequence[str]) -> list[int]:
