@@ -18,6 +18,7 @@ from kinegrade.figure.marks.angles import (
     list_led_arcs,
     mark_angles,
 )
+from kinegrade.figure.marks.arrow_places import Site
 from kinegrade.figure.marks.body_names import add_body_names
 from kinegrade.figure.marks.frames import add_axes_aside, add_frames
 from kinegrade.figure.marks.imposed import drop_still
@@ -158,8 +159,9 @@ def _compose(begin: Callable[[float], _Begun], order: tuple[_Stage, ...], scale:
                 )
             case "motions":
                 moving = [given for given in hints.arrows if isinstance(given, Moving)]
+                site = Site(paper, drawing.rails, drawing.parts)
                 for _, together in groupby(moving, attrgetter("point")):
-                    layout = add_motions(layout, paper, list(together), drawing.rails, unwritten)
+                    layout = add_motions(layout, site, list(together), unwritten)
             case "lengths":
                 around = Around.of(begun.start.obstacles, drawing)
                 layout = _place_lengths(layout, paper, hints, around)
@@ -190,7 +192,7 @@ def _place_frames_and_angles(
     for points in hints.right_angles:
         layout = add_right_angle(layout, at, points, drawing)
     moving = [given for given in hints.arrows if isinstance(given, Moving)]
-    likely = list_likely_motions(paper, moving)
+    likely = list_likely_motions(Site(paper, drawing.rails), moving)
     sides = [find_sides(at, angle, drawing) for angle in hints.angles]
     legs = [draw_least_legs(at, *each) for each in zip(hints.angles, sides, strict=True)]
     usual = [choose_bow(at, *each) for each in zip(hints.angles, sides, strict=True)]

@@ -10,6 +10,7 @@ import numpy as np
 from kinegrade.figure.mechanism.rails import Rail
 from kinegrade.figure.placing.obstacles import Segment
 from kinegrade.figure.placing.place import (
+    Floats,
     Wish,
     list_spots_around,
     list_spots_beside,
@@ -29,16 +30,20 @@ _OPPOSED, _OVER = 8.0, 100.0
 # their heads meet
 _APART, _TIGHT = 2.5, 6.0
 _HEADS_APART, _HEADS_MEET = 1.5, 40.0
-_MISTAKEN = 3.0  # demerit of a symbol about as near to another arrow at the same point
+# Millimetres between two of one sense that leave room for a symbol, and the demerit of less
+_ROOM_FOR_SYMBOL, _IN_BETWEEN = 4.8, 4.0
+_MISTAKEN = 20.0  # demerit of a symbol about as near to another arrow at the same point
 _NEARER = 0.5  # millimetres by which a symbol is nearer to its own arrow than to another one
+_CLAIMED = 4.0  # millimetres past the tip of an arrow that are its own
 _PARTED = 4.0  # demerit of a symbol on the other side of the rail of the arrow's point
 _LEAST_OFFSET = 1.3  # millimetres from which on an arrow stands beside its point
 _ONE_LINE = 1.0  # millimetres within which two arrows lie on one line
 # Millimetres by which an arrow is longer than another one on whose line it is, and the demerit
-_LONGER, _ON_ONE_LINE = 8.5, 27.0
-_BEYOND_TIP = 1  # spots for the symbol there
+_LONGER, _ON_ONE_LINE = 8.5, 45.0
+# Spots for the symbol there, and about the tip of one of two arrows
+_BEYOND_TIP, _AROUND_TIP = 1, 6
 # Millimetres from a point within which an arrow may lie close to a bar, and sideways its block
-LEAVING, _BLOCK = 3.0, 2.0
+LEAVING, _BLOCK = 3.0, 2.4
 # Millimetres from the ground between which hatching is cleared, and on either side of a line there
 _HATCHING, _CLEARED = (0.3, 1.5), 0.9
 _OFF_PIN = 0.2  # millimetres between a pin and the line from it to a tail
@@ -50,7 +55,9 @@ _PAST_ARROW = 1.6  # millimetres from an arrow to the way past it
 class MovingArrow:
     """A straight arrow from `start` in the direction `toward`; `ground` is how far from its point
     the ground is that lies between them, 0 for none, and `leaving` from where on it keeps off bars.
-    Where a `short` one from the same point lies on it, that is the length of that one.
+    Where a `short` one from the same point lies on it, that is the length of that one; its symbol
+    stands from `lettered` on. One of two beside one another at their point has the other one on the
+    side that is not `outward`.
     """
 
     start: Vector
@@ -63,12 +70,16 @@ class MovingArrow:
     size: float = ARROW
     leaving: float = LEAVING
     short: float = 0.0
+    lettered: float = 3.0
+    outward: Vector | None = None
     shared: bool = False
 
     def among(self, others: Sequence[MovingArrow]) -> MovingArrow:
         """The arrow beside others at its point, past which is the way to it."""
         if not others:
             return self
+        if any(other.point != self.point and other.toward.dot(self.toward) > 0 for other in others):
+            return replace(self, demerit=self.demerit + _OVER)
         aside = self._find_aside(self.start)
         for other in others:
             apart = aside - self._find_aside(other.start)
@@ -89,10 +100,17 @@ class MovingArrow:
         away = (self.start + self._end()) / 2 - self.point
         aside = abs(self._find_aside(self.start))
         if self.is_ahead():
-            near = max(self.leaving - length(self.start - self.point), self.short)
+            near = max(self.leaving - (self.start - self.point).dot(self.toward), self.short)
             return ((self.start + self.toward * near, self._end()),)
         past, line = self.point + away * (self.past / aside), self._trace_line(self.past)
         return ((self.start, self._end()), (past, self.point + away), *([line] if line else []))
+
+    def list_unseen(self) -> tuple[Segment, ...]:
+        """The piece of an arrow past the parts at its point that may lie close to a bar."""
+        if not self.is_ahead() or self.leaving <= LEAVING:
+            return ()
+        level = self.start - self.toward * (self.start - self.point).dot(self.toward)
+        return ((level + self.toward * LEAVING, level + self.toward * self.leaving),)
 
     def head(self) -> Segment:
         """The piece under its arrowheads and just about them."""
@@ -101,7 +119,7 @@ class MovingArrow:
 
     def is_ahead(self) -> bool:
         """Whether it begins at its point, ahead of which it stands."""
-        return abs(self._find_aside(self.start)) < _LEAST_OFFSET
+        return self.outward is not None or abs(self._find_aside(self.start)) < _LEAST_OFFSET
 
     def is_level(self) -> bool:
         """Whether its tail is level with its point, or on its line of motion."""
@@ -115,10 +133,12 @@ class MovingArrow:
         """The demerit of an arrow too close beside another one at its point, or on one line with
         it: over it, or beside their point in opposite senses.
         """
+        alike = self.toward.dot(other.toward) >= 0
         if abs(apart) >= _ONE_LINE:
             tight = _HEADS_MEET if abs(apart) < _HEADS_APART else _TIGHT
-            return tight if abs(apart) < _APART else 0.0
-        if self.toward.dot(other.toward) >= 0:
+            level = _IN_BETWEEN if alike and abs(apart) < _ROOM_FOR_SYMBOL else 0.0
+            return tight if abs(apart) < _APART else level
+        if alike:
             return _OVER
         beside = abs(self._find_aside(self.start)) >= _LEAST_OFFSET
         return _OPPOSED if beside else 0.0
@@ -126,11 +146,21 @@ class MovingArrow:
     def wish(self) -> Wish:
         """Beside the arrow, beyond its tip, farther beside it, else around its tip."""
         symbol, end = self.hint.symbol, self._end()
-        shaft = list_spots_beside(symbol, self.start + self.toward * max(3.0, self.short), end)
+        shaft = list_spots_beside(
+            symbol, self.start + self.toward * max(self.lettered, self.short), end
+        )
         tip = list_spots_around(symbol, end, away=self.toward)[:_BEYOND_TIP]
         close = len(shaft) // 3
         spots = np.concatenate((shaft[:close], tip, shaft[close:]))
         return Wish(symbol, spots, end)
+
+    def _list_outer_spots(self, shaft: Floats) -> Floats:
+        """Beside the shaft away from the other arrow, then around the tip, that way first."""
+        away = self.toward + (self.outward or self.toward)
+        tip = list_spots_around(self.hint.symbol, self._end(), away=away)[:_AROUND_TIP]
+        outer = shaft[(shaft - np.array(self.start)) @ np.array(self.outward) > 0]
+        close = len(outer) // 3
+        return np.concatenate((outer[:close], tip, outer[close:]))
 
     def wish_apart(self, others: Sequence[MovingArrow], rails: Sequence[Rail] = ()) -> Wish:
         """The wish, where the symbol cannot be taken for that of another arrow first, and no rail
@@ -139,7 +169,7 @@ class MovingArrow:
         if not others and not rails:
             return self.wish()
         wish = widen(self.wish())
-        near = [at for arrow in others for at in arrow.list_stations()]
+        near = [at for arrow in others for at in arrow.list_claimed()]
         own = self.list_stations()
         mistaken = rate_nearness(self.hint.symbol, wish.spots, own, near, _NEARER)
         parted = np.zeros(len(wish.spots))
@@ -153,6 +183,11 @@ class MovingArrow:
         """Points along the arrow, a millimetre apart, past a short one that lies on it."""
         steps = range(round(self.short), int(self.size) + 1)
         return [self.start + self.toward * step for step in steps]
+
+    def list_claimed(self) -> list[Vector]:
+        """Those and places just past its tip, where the symbol of another one would seem its."""
+        beyond = range(int(self.size) + 1, int(self.size + _CLAIMED) + 1)
+        return [*self.list_stations(), *(self.start + self.toward * step for step in beyond)]
 
     def primitives(self) -> tuple[Primitive, ...]:
         """The shaft and its arrowhead; beside its point also the line from there to its tail."""

@@ -211,7 +211,7 @@ class Layout:
             marks=(*self.marks, mark),
             costs=(*self.costs, cost),
         )
-        return (layout._complaining(wish.symbol) if struck else layout), wish
+        return (layout.complaining(wish.symbol) if struck else layout), wish
 
     def captioned(self, wish: Wish, sparing: Sequence[Primitive] = ()) -> Layout:
         """The layout with the label of a mark, which has a fault only where something is under
@@ -229,7 +229,8 @@ class Layout:
         label = placed.label
         obstacles = self.obstacles.with_drawn((label,))
         layout = replace(self, labels=(*self.labels, label), obstacles=obstacles)
-        return layout._complaining(label.symbol) if placed.faulty else layout
+        return layout.complaining(label.symbol) if placed.faulty else layout
 
-    def _complaining(self, symbol: str) -> Layout:
+    def complaining(self, symbol: str) -> Layout:
+        """The layout with one more symbol that found no good place."""
         return replace(self, crowded=tuple(dict.fromkeys((*self.crowded, symbol))))

@@ -7,9 +7,9 @@ from itertools import product
 from math import pi
 
 from kinegrade.figure.joints.symbol import Rim
+from kinegrade.figure.marks.arrow_places import Site
 from kinegrade.figure.marks.imposed import find_imposed_sense
 from kinegrade.figure.marks.lengths.dimensions import find_measured_direction
-from kinegrade.figure.marks.motions import find_motion_direction
 from kinegrade.figure.marks.rotations import find_turning_centre
 from kinegrade.figure.placing.mark import direction
 from kinegrade.figure.plane import angle_of, length, polar, shorter_way, unit
@@ -130,7 +130,7 @@ def list_turning_ways(skeleton: Skeleton, given: Turning, cells: str) -> Iterato
 def list_moving_ways(skeleton: Skeleton, given: Moving, cells: str) -> Iterator[Way]:
     """Straight arrows ahead of a point or beside it; an acceleration has two heads."""
     mechanism = skeleton.anatomy.mechanism
-    toward = find_motion_direction(mechanism, given)
+    toward = Site(mechanism).find_direction(given)
     for aside in _ASIDE:
         ahead = PIN + CLEAR + MARK.width if aside == 0 else 0.0
         start = mechanism.points[given.point] + toward * ahead + toward.turned() * aside
