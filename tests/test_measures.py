@@ -54,9 +54,9 @@ def test_lines_of_code_are_lines_without_docstrings_comments_and_blanks(tmp_path
 # did when fairness came to be bounded (mistakes, follow-through, papers alike hard) and when
 # mechanisms came to move (cycles)
 FAR = {
-    "syntax nodes": 730_700,
-    "lines of code": 75_700,
-    "syntax nodes a line": 9.66,
+    "syntax nodes": 733_400,
+    "lines of code": 75_900,
+    "syntax nodes a line": 9.67,
     "modules of more than 250 lines": 24,
 }
 COPIED = """

@@ -18,18 +18,22 @@ from kinegrade.figure.marks.angles import (
     list_led_arcs,
     mark_angles,
 )
-from kinegrade.figure.marks.arrow_places import Site
 from kinegrade.figure.marks.body_names import add_body_names
 from kinegrade.figure.marks.frames import add_axes_aside, add_frames
 from kinegrade.figure.marks.imposed import drop_still
 from kinegrade.figure.marks.lengths.dimensions import add_length
 from kinegrade.figure.marks.lengths.extension_gaps import Around
-from kinegrade.figure.marks.motions import add_motions, draw_likely_motions, list_likely_motions
 from kinegrade.figure.marks.names import keep_from_arrows, label_points
 from kinegrade.figure.marks.radii import add_radii
 from kinegrade.figure.marks.right_angles import add_right_angle
 from kinegrade.figure.marks.rotations import add_rotations
 from kinegrade.figure.marks.sides import find_sides, hide_sides
+from kinegrade.figure.marks.straight.arrow_places import Site
+from kinegrade.figure.marks.straight.motions import (
+    add_motions,
+    draw_likely_motions,
+    list_likely_motions,
+)
 from kinegrade.figure.mechanism.fitting import HEIGHT, WIDTH, fit_scene, measure_span
 from kinegrade.figure.mechanism.layers import Drawing, draw
 from kinegrade.figure.mechanism.paper import scale_to_paper

@@ -9,8 +9,8 @@ import pytest
 
 from kinegrade.figure.marks.lengths.dimension_lines import DimensionLine
 from kinegrade.figure.marks.lengths.length_leaders import list_leaders
-from kinegrade.figure.marks.moving_arrow import MovingArrow
 from kinegrade.figure.marks.names import keep_from_arrows
+from kinegrade.figure.marks.straight.moving_arrow import MovingArrow
 from kinegrade.figure.placing.aligned import list_thin_lines, runs_on
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.placing.letters import trace_leader

@@ -8,8 +8,12 @@ from math import degrees, hypot, radians
 import numpy as np
 import pytest
 
-from kinegrade.figure.marks.arrow_places import Site
-from kinegrade.figure.marks.motions import add_motions, draw_likely_motions, list_likely_motions
+from kinegrade.figure.marks.straight.arrow_places import Site
+from kinegrade.figure.marks.straight.motions import (
+    add_motions,
+    draw_likely_motions,
+    list_likely_motions,
+)
 from kinegrade.figure.mechanism.paper import scale_to_paper
 from kinegrade.figure.mechanism.rails import Rail
 from kinegrade.figure.placing.layout import Layout

@@ -7,8 +7,8 @@ from math import hypot
 
 import pytest
 
-from kinegrade.figure.marks.arrow_places import Site
-from kinegrade.figure.marks.motions import add_motions, list_likely_motions
+from kinegrade.figure.marks.straight.arrow_places import Site
+from kinegrade.figure.marks.straight.motions import add_motions, list_likely_motions
 from kinegrade.figure.mechanism.block_sizes import BlockSize
 from kinegrade.figure.mechanism.rails import Rail
 from kinegrade.figure.mechanism.straight_parts import Rod
@@ -77,7 +77,8 @@ def test_an_arrow_along_a_rod_starts_at_its_free_end() -> None:
     mechanism = replace(
         mechanism, bodies=tuple(replace(each, points=("B",)) for each in mechanism.bodies)
     )
-    layout = Layout.of([Strokes(((at, end),), BOLD)])
+    beside = [(at + UP * level, end + UP * level) for level in (3.6, -3.6, 5.8, -5.8)]
+    layout = Layout.of([Strokes(((at, end), *beside), BOLD)])
     layout = add_motions(layout, Site(mechanism, (), (rod,)), BOTH[:1])
     _, (start, tip) = [part.lines[0] for part in layout.lines if isinstance(part, Strokes)]
     assert (start.y, tip.y) == (at.y, at.y)

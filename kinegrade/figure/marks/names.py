@@ -12,7 +12,7 @@ from math import pi
 import numpy as np
 
 from kinegrade.figure.joints.symbol import Rim
-from kinegrade.figure.marks.moving_arrow import MovingArrow
+from kinegrade.figure.marks.straight.moving_arrow import MovingArrow
 from kinegrade.figure.mechanism.layers import Drawing
 from kinegrade.figure.mechanism.straight_parts import Bar, Rod
 from kinegrade.figure.placing.mark import Mark, direction

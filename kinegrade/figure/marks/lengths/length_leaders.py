@@ -7,7 +7,7 @@ from dataclasses import replace
 from math import cos, pi
 
 from kinegrade.figure.marks.lengths.dimension_lines import Leader
-from kinegrade.figure.marks.motions import list_arrows
+from kinegrade.figure.marks.straight.motions import list_arrows
 from kinegrade.figure.placing.aligned import list_thin_lines, runs_on
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.placing.obstacles import Obstacles, Segment

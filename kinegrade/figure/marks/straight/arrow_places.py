@@ -7,8 +7,8 @@ from dataclasses import dataclass, replace
 from functools import partial
 
 from kinegrade.figure.marks.imposed import find_imposed_direction
-from kinegrade.figure.marks.moving_arrow import ARROW, LEAVING, MovingArrow
-from kinegrade.figure.marks.twin_arrows import list_twins
+from kinegrade.figure.marks.straight.moving_arrow import ARROW, LEAVING, MovingArrow
+from kinegrade.figure.marks.straight.twin_arrows import list_twins
 from kinegrade.figure.mechanism.rails import Rail
 from kinegrade.figure.mechanism.straight_parts import Part, Rod
 from kinegrade.figure.placing.mark import direction
@@ -36,7 +36,7 @@ _OFFSETS = {3.6: 1.0, -3.6: 1.3, 2.8: 1.6, -2.8: 1.9, 5.0: 2.0, -5.0: 2.3, 6.6: 
 _SHIFTS = {0.0: 0.0, 2.5: 6.0, 4.0: 9.0}
 _FREER = 3.0  # millimetres by which the mechanism lies on one side for the other to be the free one
 # Millimetres from the free end of a rod to the tail of an arrow there, and the demerit
-_AT_END, _FROM_END = 0.9, 0.8
+_AT_END, _FROM_END = 0.9, 6.0
 _PAIR = 2  # motions of one point that may be twins
 _SAME = 1e-3  # between two unit vectors of one direction
 

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from functools import partial
 
-from kinegrade.figure.marks.arrow_places import AT_PIN, Site, Ways
-from kinegrade.figure.marks.arrow_surroundings import Surroundings
-from kinegrade.figure.marks.moving_arrow import ARROW, LEAVING, MovingArrow
+from kinegrade.figure.marks.straight.arrow_places import AT_PIN, Site, Ways
+from kinegrade.figure.marks.straight.arrow_surroundings import Surroundings
+from kinegrade.figure.marks.straight.moving_arrow import ARROW, LEAVING, MovingArrow
+from kinegrade.figure.marks.straight.twin_arrows import LONG, list_lanes
 from kinegrade.figure.marks.turning_arrow import TurningArrow
-from kinegrade.figure.marks.twin_arrows import LONG, list_lanes
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.placing.letters import trace_leader
 from kinegrade.figure.placing.mark import Mark

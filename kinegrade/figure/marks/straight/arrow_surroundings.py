@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from math import hypot
 
-from kinegrade.figure.marks.moving_arrow import MovingArrow
+from kinegrade.figure.marks.straight.moving_arrow import MovingArrow
 from kinegrade.figure.mechanism.rails import Rail
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.placing.obstacles import COST_LABEL, Obstacles

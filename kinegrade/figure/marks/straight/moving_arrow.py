@@ -10,7 +10,6 @@ import numpy as np
 from kinegrade.figure.mechanism.rails import Rail
 from kinegrade.figure.placing.obstacles import Segment
 from kinegrade.figure.placing.place import (
-    Floats,
     Wish,
     list_spots_around,
     list_spots_beside,
@@ -144,23 +143,19 @@ class MovingArrow:
         return _OPPOSED if beside else 0.0
 
     def wish(self) -> Wish:
-        """Beside the arrow, beyond its tip, farther beside it, else around its tip."""
-        symbol, end = self.hint.symbol, self._end()
-        shaft = list_spots_beside(
-            symbol, self.start + self.toward * max(self.lettered, self.short), end
-        )
-        tip = list_spots_around(symbol, end, away=self.toward)[:_BEYOND_TIP]
+        """Beside the arrow, away from one beside it, beyond its tip, farther beside it, else around
+        its tip.
+        """
+        symbol, end, outward = self.hint.symbol, self._end(), self.outward
+        lettered = self.start + self.toward * max(self.lettered, self.short)
+        shaft = list_spots_beside(symbol, lettered, end)
+        away, count = self.toward, _BEYOND_TIP
+        if outward:
+            shaft = shaft[(shaft - np.array(self.start)) @ np.array(outward) > 0]
+            away, count = away + outward, _AROUND_TIP
+        tip = list_spots_around(symbol, end, away=away)[:count]
         close = len(shaft) // 3
-        spots = np.concatenate((shaft[:close], tip, shaft[close:]))
-        return Wish(symbol, spots, end)
-
-    def _list_outer_spots(self, shaft: Floats) -> Floats:
-        """Beside the shaft away from the other arrow, then around the tip, that way first."""
-        away = self.toward + (self.outward or self.toward)
-        tip = list_spots_around(self.hint.symbol, self._end(), away=away)[:_AROUND_TIP]
-        outer = shaft[(shaft - np.array(self.start)) @ np.array(self.outward) > 0]
-        close = len(outer) // 3
-        return np.concatenate((outer[:close], tip, outer[close:]))
+        return Wish(symbol, np.concatenate((shaft[:close], tip, shaft[close:])), end)
 
     def wish_apart(self, others: Sequence[MovingArrow], rails: Sequence[Rail] = ()) -> Wish:
         """The wish, where the symbol cannot be taken for that of another arrow first, and no rail

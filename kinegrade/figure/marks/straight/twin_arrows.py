@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
-from kinegrade.figure.marks.moving_arrow import ARROW, LEAVING, MovingArrow
+from kinegrade.figure.marks.straight.moving_arrow import ARROW, LEAVING, MovingArrow
 from kinegrade.mechanics.vector import Vector
 
 # Millimetres between the two, and from the point to their tails, which touch its pin
