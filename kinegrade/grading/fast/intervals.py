@@ -46,12 +46,21 @@ class Intervals:
 
     def fit(self, answers: Numbers) -> Flags:
         """Which answers are right on which papers: a row for each answer."""
-        away = answers[:, None] - self.value
+        return self._hold(answers[:, None] - self.value)
+
+    def fit_beside(self, answers: Numbers, papers: Places) -> Flags:
+        """Which answers are right on the paper beside each."""
+        own = self.at(papers)
+        return own._hold(answers - own.value)
+
+    def _hold(self, away: Numbers) -> Flags:
+        """Which of these distances from the values are within the intervals."""
         if self.period:
             away = (away + self.period / 2) % self.period - self.period / 2
         ends = self.low - self.value, self.high - self.value
         slack = _SLACK * np.abs(self.value)
-        return (away >= np.minimum(*ends) - slack) & (away <= np.maximum(*ends) + slack)
+        held: Flags = (away >= np.minimum(*ends) - slack) & (away <= np.maximum(*ends) + slack)
+        return held
 
     def may_fit(self, answers: Numbers, places: Places, papers: Places) -> Flags:
         """False where the answer at a place is certainly wrong on the paper beside it, full turns
