@@ -193,12 +193,12 @@ def archive(exam: Path, *, marks: Path | None, output: Path, force: bool) -> Non
     from kinegrade.exam.archiving.archive import PRIVATE, write_archive
     from kinegrade.exam.archiving.page import print_archive_page
     from kinegrade.files.output import output_file
-    from kinegrade.grading.same_key import require_same_exam
+    from kinegrade.grading.same_key import require_same_key
 
     folder = kinegrade.open_exam(exam)
     marked = None if marks is None else kinegrade.open_marks(marks)
     if marked is not None:
-        require_same_exam(folder, marked)
+        require_same_key(folder, marked)
     page = output.with_name(f"{output.stem}-page.pdf")
     with output_file(page, force=force) as partial:
         archived = write_archive(

@@ -53,6 +53,7 @@ def term(
 ) -> None:
     """Put several MARKS together, by weights and the best of some, in one table with grades."""
     from kinegrade.grade_scale.kinds import make_scale
+    from kinegrade.grading.exams_beside import find_later_keys
     from kinegrade.marks_folder.open_questions import describe_unmarked
     from kinegrade.reports.term.excuses import require_excusable
     from kinegrade.reports.term.naming import name_folders, require_different_exams
@@ -75,9 +76,12 @@ def term(
         say(note)
     finish_with_complaints(
         [
-            missing
-            for name, folder in folders.items()
-            for missing in describe_unmarked(name, folder.open, folder.lacking)
+            *(
+                missing
+                for name, folder in folders.items()
+                for missing in describe_unmarked(name, folder.open, folder.lacking)
+            ),
+            *find_later_keys(folders.values()),
         ]
     )
 

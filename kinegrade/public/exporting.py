@@ -13,6 +13,7 @@ from kinegrade.errors import OptionError, Problem
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.files.endings import Kind
 from kinegrade.files.output import write_file
+from kinegrade.grading.exams_beside import find_later_keys
 from kinegrade.grading.same_key import require_same_key
 from kinegrade.language.message import Fault, Message, Part, Quoted, Text, list_plainly
 from kinegrade.lms.grades.dialect import ExportOptions
@@ -57,7 +58,7 @@ def export(
     expect_own_place(place)
     _require_possible(to, options)
     if to == WORKBOOK and options.into is None:
-        return _export_workbook(marks, place, force=force)
+        return _export_workbook(marks, place, exam, force=force)
     grades = read_grades(marks, exam)
     _require_sense(options, grades)
     options = replace(options, title=options.title.strip())
@@ -66,8 +67,7 @@ def export(
     remarks = *_list_above(grades, options), *_mention_scale(to, grades, options)
     notes = *made.notes, _tell(made, place, grades, options), *remarks
     untold = _list_untold(grades, place) if options.per_question else ()
-    unmarked = describe_unmarked(str(place), marks.open, marks.lacking)
-    return Outcome(place, notes, (*made.complaints, *untold, *unmarked))
+    return Outcome(place, notes, (*made.complaints, *untold, *_list_wanting(marks, place, exam)))
 
 
 def _require_possible(to: str, options: ExportOptions) -> None:
@@ -85,12 +85,23 @@ def _require_possible(to: str, options: ExportOptions) -> None:
         raise OptionError(Message("terminal.no-of-scale"))
 
 
-def _export_workbook(marks: MarksFolder, place: Path, *, force: bool) -> Outcome:
+def _list_wanting(marks: MarksFolder, place: Path, exam: ExamFolder | None) -> Iterator[Fault]:
+    """What the marks themselves lack: points by hand, and the key as it is now, where the exam is
+    not named.
+    """
+    yield from describe_unmarked(str(place), marks.open, marks.lacking)
+    if exam is None:
+        yield from find_later_keys([marks])
+
+
+def _export_workbook(
+    marks: MarksFolder, place: Path, exam: ExamFolder | None, *, force: bool
+) -> Outcome:
     """One spreadsheet with everything, which is no file of another system."""
     from kinegrade.lms.workbook import workbook
 
     write_file(place, workbook(marks), "xlsx", force=force)
-    return Outcome(place, (), tuple(describe_unmarked(str(place), marks.open, marks.lacking)))
+    return Outcome(place, (), tuple(_list_wanting(marks, place, exam)))
 
 
 def _list_untold(grades: ClassGrades, place: Path) -> Iterator[Fault]:

@@ -140,9 +140,32 @@ def test_marks_given_before_a_correction_of_the_key_are_not_used(exam: Path) -> 
         assert kinegrade(command, exam, folder / "NEW", *options).exit_code in (0, 1), command
     filled = ("--to", "moodle", "--exam", exam, "-o", folder / "moodle.csv")
     assert kinegrade("export", folder / "OLD", *filled).stderr.splitlines() == [said]
+    kept = kinegrade("archive", exam, "--marks", folder / "OLD", "-o", folder / "kept.zip")
+    assert (kept.exit_code, kept.stderr.splitlines()) == (2, [said])
+    assert not (folder / "kept.zip").exists()
     (folder / "NEW" / "corrections.csv").write_text("corrections\nmany\n", encoding="utf-8")
     damaged = kinegrade("report", exam, folder / "NEW", "-o", folder / "again.html").stderr
     assert 'NEW/corrections.csv:2: corrections is "many" - expected a whole number' in damaged
+
+
+def test_an_exam_beside_marks_tells_that_its_key_was_corrected(exam: Path) -> None:
+    folder = exam.parent
+    (folder / "answers.csv").write_text("student,q2.v_y\n007,4\n", encoding="utf-8")
+    kinegrade("grade", exam, folder / "answers.csv", "-o", folder / "OLD")
+    correct(exam, OTHER_ANSWER, options=("--accept-changes",))
+    kinegrade("grade", exam, folder / "answers.csv", "-o", folder / "NEW")
+    said = (
+        f"complaint: {folder}/OLD: the key of {exam} was corrected after these marks - mark all "
+        "answers again with kinegrade grade"
+    )
+    for name, expected in (("OLD", [said]), ("NEW", [])):
+        for command in (
+            ("export", folder / name, "--to", "moodle", "-o", folder / "moodle.csv", "--force"),
+            ("export", folder / name, "--to", "xlsx", "-o", folder / "all.xlsx", "--force"),
+            ("term", folder / name, "-o", folder / "term.csv", "--force"),
+        ):
+            lines = kinegrade(*command).stderr.splitlines()
+            assert [each for each in lines if "corrected after" in each] == expected, command
 
 
 def test_a_given_of_another_unit_is_refused(exam: Path) -> None:

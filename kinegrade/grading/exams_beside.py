@@ -1,0 +1,33 @@
+"""Marks whose key was corrected later, where no exam is named to compare them with: it most often
+stands in the folder around them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from contextlib import suppress
+
+from kinegrade.errors import KinegradeError
+from kinegrade.exam.folder.contents import HEAD
+from kinegrade.exam.folder.exam_folder import ExamFolder, open_exam
+from kinegrade.grading.same_key import identify_exam
+from kinegrade.language.message import Fault, Message
+from kinegrade.marks_folder.folder import MarksFolder
+
+
+def find_later_keys(folders: Iterable[MarksFolder]) -> Iterator[Fault]:
+    """A complaint for each folder of marks beside which their exam stands, corrected since."""
+    for marks in folders:
+        later = [each for each in _list_beside(marks) if each.head.corrections > marks.corrections]
+        if later:
+            what = Message("marks.another-key-beside", exam=str(later[0].path))
+            yield Fault(str(marks.path), what, do=Message("exam.mark-again"))
+
+
+def _list_beside(marks: MarksFolder) -> Iterator[ExamFolder]:
+    """The folders of the exam of these marks; what is damaged there is not theirs to say."""
+    for file in sorted(marks.path.resolve().parent.glob(f"*/{HEAD}")) if marks.exam else ():
+        with suppress(KinegradeError):
+            exam = open_exam(file.parent)
+            if identify_exam(exam.head) == marks.exam:
+                yield exam
