@@ -157,8 +157,7 @@ def grade(
     read = read_class([Path(file) for file in _list_files(answers)], exam, options.reading)
     for assumption in read.assumed:
         options.assuming(assumption)
-    # Before they are replaced
-    lapsed = tuple(describe_lapsed(_list_earlier(place, options), options.policy))
+    lapsed = tuple(_describe_lapsed(place, options))  # before they are replaced
     grades = mark_class(exam, read.files, place, options.marking(exam), force=force)
     marks = MarksFolder(place)  # was checked before it was put there
     written = [
@@ -185,10 +184,10 @@ def _require_kept_log(place: Path, options: GradeOptions) -> None:
         raise OptionError(Fault(str(place / CHANGES.name), what, do=do))
 
 
-def _list_earlier(place: Path, options: GradeOptions) -> Iterator[Path]:
-    """The marks folders whose policy might be meant to hold still."""
-    yield place
-    yield from (each.path for each in (options.since, options.never_lower) if each is not None)
+def _describe_lapsed(place: Path, options: GradeOptions) -> Iterator[Message]:
+    """Which rules of the markings before, that are replaced or followed, hold no longer."""
+    earlier = (each.path for each in (options.since, options.never_lower) if each is not None)
+    return describe_lapsed((place, *earlier), options.policy)
 
 
 def _list_files(

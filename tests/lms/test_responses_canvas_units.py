@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 from kinegrade.exam.quiz.document import Language
-from kinegrade.grading.typed.assumed_unit import in_unit
+from kinegrade.files.assumed_unit import in_unit
 from kinegrade.language.html_text import write_unit_html
 from kinegrade.lms.responses.asked_units import asked_unit, on_the_line
 from kinegrade.students.rounding.kept_decimals import list_finer_units

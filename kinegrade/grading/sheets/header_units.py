@@ -8,10 +8,10 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from kinegrade.exam.folder.keys import Ask
+from kinegrade.files.assumed_unit import in_unit
 from kinegrade.files.tables import Complaint, Table
 from kinegrade.grading.sheets.columns import Columns, find_unit
 from kinegrade.grading.typed.answers import read
-from kinegrade.grading.typed.assumed_unit import in_unit
 from kinegrade.language.message import Message, Quoted
 
 Choice = Callable[[tuple[str, ...]], tuple[str, ...]]  # the responses among the cells of a row
