@@ -1,10 +1,10 @@
-"""Points beyond the ends that words give to a slot: a block on the line CB of a bar CB is thought
-of between C and B.
+"""Points beyond the ends of a bar: a block that slides on a bar CB is thought of between C and B,
+and so is a point that is placed on the bar from C toward B.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 from kinegrade.expressions.tree import Call, Name
@@ -13,51 +13,86 @@ from kinegrade.mechanics.ground import GROUND
 from kinegrade.problem.solution import Solution
 from kinegrade.problem.template.template import Template
 
-_BEYOND = 1e-9  # of the slot's length: less is what doubles leave of an end
+_BEYOND = 1e-9  # of the bar's length: less is what doubles leave of an end
+_ENDS = 2
 
 
 @dataclass(frozen=True)
-class _Slot:
-    """A point that slides on the line through two points of a body."""
+class _Bar:
+    """A point on the line through two points of a body; `between` says that it is beyond the
+    others there by mistake even where it always is.
+    """
 
     point: str
     body: str
-    start: str
-    end: str
+    line: tuple[str, str]
+    others: Sequence[str]
+    between: bool
+
+    def find_ends(self, solution: Solution) -> tuple[str, str] | None:
+        """The outermost of the others on the line, if the point lies beyond them."""
+        at = solution.doubles.points
+        first, last = (at[name] for name in self.line)
+        along = last - first
+        places = {
+            name: (at[name] - first).dot(along) / along.dot(along)
+            for name in self.others
+            if abs(along.cross(at[name] - first)) <= _BEYOND * along.dot(along)
+        }
+        if len(places) < _ENDS:
+            return None
+        least, most = min(places.values()), max(places.values())
+        room, share = (
+            _BEYOND * (most - least),
+            (at[self.point] - first).dot(along) / along.dot(along),
+        )
+        if least - room <= share <= most + room or most == least:
+            return None
+        start, *_, end = (name for name, place in places.items() if place in {least, most})
+        return start, end
 
 
 def note_points_beyond_ends(template: Template, examples: Iterable[Solution]) -> Iterator[Message]:
     """A remark for each point that lies beyond the ends of its bar in some instances."""
     instances = tuple(examples)
-    for slot in _find_slots(template):
-        beyond = sum(_lies_beyond(slot, each) for each in instances)
-        if beyond:
+    for bar in (*_find_slots(template), *_find_marks(template)):
+        beyond = [ends for each in instances if (ends := bar.find_ends(each)) is not None]
+        if beyond and (bar.between or len(beyond) < len(instances)):
+            start, end = beyond[0]
             yield Message(
                 "template.beyond-its-bar",
-                point=slot.point,
-                start=slot.start,
-                end=slot.end,
-                body=slot.body,
-                number=beyond,
+                point=bar.point,
+                start=start,
+                end=end,
+                body=bar.body,
+                number=len(beyond),
                 examined=len(instances),
             )
 
 
-def _find_slots(template: Template) -> Iterator[_Slot]:
-    """The slots of moving bodies that are named by the first and the last of their points."""
-    ends = {body.name: {body.points[0], body.points[-1]} for body in template.scheme.bodies}
+def _find_slots(template: Template) -> Iterator[_Bar]:
+    """The points that slide on lines of moving bodies through two of their points."""
+    points = {body.name: body.points for body in template.scheme.bodies}
     for joint in template.scheme.joints:
         match joint.on:
             case Call(function="line", arguments=(Name(start), Name(end))) if joint.point:
-                if joint.of != GROUND and ends[joint.of] == {start, end}:
-                    yield _Slot(joint.point, joint.of, start, end)
+                if joint.of != GROUND:
+                    others = [name for name in points[joint.of] if name != joint.point]
+                    yield _Bar(joint.point, joint.of, (start, end), others, between=True)
             case _:
                 continue  # a line by its direction has no ends
 
 
-def _lies_beyond(slot: _Slot, solution: Solution) -> bool:
-    """Whether the point lies on the line produced, not between the ends."""
-    points = solution.doubles.points
-    along, to = points[slot.end] - points[slot.start], points[slot.point] - points[slot.start]
-    share = to.dot(along) / along.dot(along)
-    return not -_BEYOND <= share <= 1 + _BEYOND
+def _find_marks(template: Template) -> Iterator[_Bar]:
+    """The points of bodies that are placed from one toward another of their points."""
+    for body in template.scheme.bodies:
+        for name in body.points:
+            match template.scheme.points.get(name):
+                case Call(function="toward", arguments=(Name(start), Name(end), _)):
+                    if {start, end} <= set(body.points):
+                        others = [point for point in body.points if point in {start, end}]
+                        first, last = map(body.points.index, others)
+                        between = first < body.points.index(name) < last
+                        yield _Bar(name, body.name, (start, end), others, between)
+                case _:
+                    continue  # nothing says where it ought to lie

@@ -62,3 +62,41 @@ def test_no_template_that_is_shipped_has_such_a_point_at_its_own_values(name: st
     template = load_template(name)
     solution = solve_template(template, {}, ())
     assert list(note_points_beyond_ends(template, [solution])) == []
+
+
+@pytest.mark.parametrize("line", ["line(C, A)", "line(A, C)", "line(A, B)", "line(B, C)"])
+def test_it_is_noted_however_the_line_of_the_slot_is_spelled(line: str) -> None:
+    text = rocker("b").file.text
+    assert text.count("line(C, B)") == 1
+    spelled = read_template("rocker", text.replace("line(C, B)", line))
+    assert note(spelled, "-30", "30", "60") == note(rocker("b"), "-30", "30", "60")
+
+
+def crank_with_mark(place: str, points: str) -> Template:
+    """The starter with a point M of its crank."""
+    text = write_starter_text()
+    assert 'OA = "O A"' in text
+    placed = text.replace("[bodies]", f'M = "{place}"\n[bodies]')
+    return read_template("rocker", placed.replace('OA = "O A"', f'OA = "{points}"'))
+
+
+@pytest.mark.parametrize(
+    ("place", "points", "noted"),
+    [
+        ("toward(O, A, 2*r)", "O M A", True),
+        ("toward(A, O, -r)", "O M A", True),
+        ("toward(O, A, r/2)", "O M A", False),
+        ("toward(O, A, 2*r)", "O A M", False),  # said to lie beyond
+    ],
+)
+def test_a_point_placed_beyond_the_end_of_its_bar_is_noted(
+    place: str, points: str, noted: bool
+) -> None:
+    remarks = note(crank_with_mark(place, points), "30", "60")
+    said = "M lies beyond the ends of OA, the line of the body OA, in 2 of 2 instances"
+    assert [each.split(":")[0] for each in remarks] == [said] * noted
+
+
+def test_a_point_that_is_beyond_the_end_at_some_values_alone_is_noted() -> None:
+    template = crank_with_mark("toward(O, A, r*phi)", "O A M")
+    assert "in 1 of 2 instances" in "".join(note(template, "30", "60"))
