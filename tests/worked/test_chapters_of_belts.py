@@ -68,7 +68,7 @@ def test_an_open_belt_between_fixed_pulleys() -> None:
     chapter = read_chapter("# Velocities", solution)
     assert chapter.partition(f"{title}\n")[2] == as_read(
         r"""
-        Relative to the ground both rims always move with the speed of the belt, an open one, so in
+        Both rims always move with the speed of the belt, an open one, so in
             the same sense:
         1\,\unit{m} \cdot \omega &= 3\,\unit{m} \cdot \omega_{O}
         \omega &= \frac{3\,\unit{m}}{1\,\unit{m}} \cdot \omega_{O} =
@@ -77,7 +77,7 @@ def test_an_open_belt_between_fixed_pulleys() -> None:
     )
     assert read_chapter("# Accelerations", solution).partition(f"{title}\n")[2] == as_read(
         r"""
-        Relative to the ground both rims always have the speed of the open belt; differentiated
+        Both rims always have the speed of the open belt; differentiated
             with respect to time:
         1\,\unit{m} \cdot \alpha &= 3\,\unit{m} \cdot \alpha_{O}
         \alpha &= \frac{3\,\unit{m}}{1\,\unit{m}} \cdot \alpha_{O} = \frac{3\,\unit{m}}{1\,\unit{m}} \cdot

@@ -47,8 +47,7 @@ def test_every_solution_says_what_is_sought_before_all_else(name: str) -> None:
         (
             "base-point",
             "$A$ and $B$ are points of $AB$; the velocity of $A$ can be found and that of $B$ has "
-            "a known direction. So $A$ is taken as base point, and only two magnitudes are "
-            "unknown.",
+            "a known direction. With $A$ as base point only two magnitudes are unknown.",
         ),
         (
             "projection",

@@ -69,3 +69,18 @@ def test_a_reason_is_translated_beside(tmp_path: Path) -> None:
         "取半",
         "sie ist halbiert",
     ]
+
+
+@pytest.mark.parametrize(
+    ("name", "length"),
+    [
+        ("roller-rolling-on-rotating-bar", "OB"),
+        ("rod-ground-incline-fixed-centrode", "OB"),
+        ("tangent-cam-with-roller", "OC"),
+    ],
+)
+def test_a_length_that_a_triangle_gives_is_told_with_its_reason(name: str, length: str) -> None:
+    # these stood in coordinates, or as a distance, out of the air
+    told = list(lines(kept(name), boxes=False))
+    place = next(place for place, line in enumerate(told) if line.startswith(f"    {length} &= "))
+    assert told[place - 1] == f"{load_template(name).words.reasons[length].in_language('en')}:"

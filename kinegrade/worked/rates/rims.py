@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from kinegrade.language.message import Message
+from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.laws import EqualBeltSpeed, EqualPitchSpeed, EqualRimSpeed
 from kinegrade.mechanics.vector_equation import Level
 from kinegrade.worked.case import Case
@@ -28,7 +29,7 @@ def state_meshing(mesh: EqualPitchSpeed, case: Case, level: Level) -> Statement:
     body, other = case.naming.body(mesh.body), case.naming.body(mesh.of)
     return Statement(
         Message("solution.title-mesh", body=body, other=other),
-        Message(f"solution.mesh-{level}", carrier=case.naming.body(mesh.carrier)),
+        say_of_carrier(f"solution.mesh-{level}", mesh.carrier, case),
         _equate_rim_speeds(mesh, case, level),
     )
 
@@ -39,9 +40,18 @@ def state_belt(belt: EqualBeltSpeed, case: Case, level: Level) -> Statement:
     shape = "crossed" if belt.crossed else "open"
     return Statement(
         Message("solution.title-belt", body=body, other=other),
-        Message(f"solution.belt-{shape}-{level}", carrier=case.naming.body(belt.carrier)),
+        say_of_carrier(f"solution.belt-{shape}-{level}", belt.carrier, case),
         _equate_rim_speeds(belt, case, level),
     )
+
+
+def say_of_carrier(text: str, carrier: str, case: Case) -> Message:
+    """A sentence on rims as they are seen from their carrier, which is not named where it is the
+    ground.
+    """
+    if carrier == GROUND:
+        return Message(f"{text}-on-ground")
+    return Message(text, carrier=case.naming.body(carrier))
 
 
 def solve_rims(law: EqualRimSpeed, result: Equation, case: Case, level: Level) -> Equation | None:

@@ -28,6 +28,7 @@ from kinegrade.problem.template.template import Ask
 from kinegrade.worked.case import Case
 from kinegrade.worked.document import Block, Heading
 from kinegrade.worked.rates.driven import is_assumed
+from kinegrade.worked.rates.rims import say_of_carrier
 from kinegrade.worked.steps.couplers import Coupler, choose_method, find_coupler
 from kinegrade.worked.steps.rigid import explain_choice, find_rigid_triangle
 from kinegrade.worked.steps.titles import find_rotations, select_scalars
@@ -121,7 +122,7 @@ def _explain_link(law: Law | None, case: Case) -> Iterator[Message]:
     if roll is not None:
         yield _explain_roll(roll, case)
     if rims is not None:
-        yield Message("solution.idea-rims", carrier=case.naming.body(rims.carrier))
+        yield say_of_carrier("solution.idea-rims", rims.carrier, case)
 
 
 def _explain_roll(roll: NoSlip, case: Case) -> Message:
@@ -142,7 +143,12 @@ def _explain_choice(coupler: Coupler, case: Case) -> Message:
     match choose_method(coupler, case):
         case "base-point":
             return Message(
-                "solution.choice-base-point", body=body, base=base, point=point, known=known
+                "solution.choice-base-point",
+                body=body,
+                base=base,
+                point=point,
+                known=known,
+                chosen=case.naming.point(coupler.rotation.base),
             )
         case "projection":
             return Message(

@@ -110,8 +110,12 @@ def _state_found_speed(coupler: Coupler, how: tuple[Link, ...], case: Case) -> I
     links = (*how, *state_number(length(sought.value, case.arithmetic), "m/s"))
     yield Equation(speed, links, _state_way_of(sought, term, case))
     if term.kind == "rotation":
-        ratio = speed / name_length(sought.base, sought.point, case)
-        signed = equate(-ratio if negative else ratio)
+        arm = length(term.vector, case.arithmetic)
+        sides = (
+            speed / name_length(sought.base, sought.point, case),
+            measure(length(sought.value, case.arithmetic), "m/s") / measure(arm, "m"),
+        )
+        signed = equate(*(side.signed(-1 if negative else 1) for side in sides))
         yield state_rotation_result(term.rate, case, "velocity", signed)
 
 

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from functools import reduce
 from typing import assert_never
 
 from kinegrade.language.math.tree import Row
 from kinegrade.language.message import Listing, Message, Text, list_all
+from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.plan import Step
 from kinegrade.mechanics.relations import Relation, Term
 from kinegrade.mechanics.vector_equation import Part, VectorEquation
@@ -22,6 +24,7 @@ from kinegrade.worked.vectors.vectors import (
     name_by_role,
     name_coriolis,
     name_part,
+    name_point_vector,
     number_composition,
     vanishes,
 )
@@ -199,12 +202,29 @@ def _index_absolute(equation: VectorEquation, number: Row) -> Row:
     return () if alone or equation.among == 1 else number
 
 
+def _find_rolling_centre(equation: VectorEquation, case: Case) -> Part | None:
+    """The absolute motion of a composition that is the centre's of a body which rolls on a track:
+    the relation of this one calls it by the letter of the point.
+    """
+    sources = (relation.source for relation in case.motion.frames.relations)
+    rolls = [roll for source in sources if source and (roll := source.find_rolling())]
+    centres = {roll.circle.centre for roll in rolls if roll.of == GROUND}
+    absolute = [part for part in equation.parts if part.role == "absolute" and not part.part]
+    known = len(absolute) == 1 and absolute[0].point in centres
+    return absolute[0] if known and is_composed(equation, absolute[0]) else None
+
+
 def describe_meanings(equation: VectorEquation, case: Case) -> Iterator[str]:
     """What the absolute and the transport vector of a composition consist of, where they are not
     single parts.
     """
     if len(equation.compositions) != 1:
         return
+    centre = _find_rolling_centre(equation, case)
+    if centre is not None:
+        symbol = name_part(equation, centre, case, bold=True)
+        called = replace(name_point_vector(centre.point, equation.level, case), bold=True)
+        yield case.tell(Equation(symbol, equate(called)))
     relative = equation.compositions[0]
     side, other = (
         (equation.left, equation.right)

@@ -1,0 +1,52 @@
+"""What reading solutions line by line has found: sentences that were not so, symbols and numbers
+that were missing, and phrases that nobody says.
+"""
+
+from __future__ import annotations
+
+import pytest
+
+from kinegrade.language import Language
+from tests.worked.draws import kept
+from tests.worked.telling import displayed, proses
+
+
+def _read(name: str, language: Language = "en") -> str:
+    return "\n".join(proses(kept(name, 0, None, language)))
+
+
+def test_the_idea_names_the_base_point_that_the_step_takes() -> None:
+    # the velocity of C is given, and the step went by base point B all the same
+    told = _read("rack-steering")
+    assert "With $B$ as base point only two magnitudes are unknown." in told
+    assert "that of the base point $B$ plus" in told
+
+
+@pytest.mark.parametrize("name", ["bar-pushing-rolling-disc", "spool-pulled-by-cord"])
+def test_an_absolute_velocity_that_rolling_calls_by_its_point_is_said_to_be_the_same(
+    name: str,
+) -> None:
+    told = _read(name)
+    assert r"Here $\boldsymbol{v}_{\mathrm{a}} = \boldsymbol{v}_{C}$" in told
+    assert r"Here $\boldsymbol{a}_{\mathrm{a}} = \boldsymbol{a}_{C}$" in told
+
+
+@pytest.mark.parametrize("name", ["hoist-with-gears", "two-stage-belt-drive"])
+def test_wheels_about_fixed_axes_are_not_seen_from_the_ground(name: str) -> None:
+    told = _read(name)
+    assert "rims that drive each other have equal speeds" in told.replace("Rims", "rims")
+    assert "the ground" not in told
+
+
+def test_a_pole_gives_the_rotation_of_a_rocker_in_numbers_too() -> None:
+    (turning,) = [
+        line for line in displayed(kept("stone-crusher")) if line.startswith(r"\omega_{AB} &=")
+    ]
+    assert turning.count(r"\frac") >= 2
+    assert r"\unit{m/s}}{" in turning
+
+
+def test_chinese_has_no_preposition_twice() -> None:
+    told = _read("oscillating-flat-faced-follower", "zh")
+    assert "在从动件上观察" in told
+    assert "从从" not in told
