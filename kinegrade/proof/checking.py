@@ -61,14 +61,8 @@ def check(template: Template, sample: int = 200, secret: str = SECRET) -> Report
     report = Report(template, secret, asks.sound)
     report.faults += find_statement_faults(template)
     report.faults += find_unfinished_translations(template)
-    report.remarks += note_unknown_points(template)
-    report.remarks += note_renamed_points(template)
-    report.remarks += (
-        Message("template.idle-given", given=name) for name in find_idle_givens(template)
-    )
+    report.remarks += _list_remarks(template)
     _weigh_texts(report, sample)
-    if not template.published:
-        report.remarks.append(Message("template.no-published"))
     report.faults += asks.faults()
     if asks.stuck and not asks.solved:
         report.faults.append(Message("template.no-drawn-solved", reason=asks.stuck))
@@ -90,6 +84,16 @@ def check(template: Template, sample: int = 200, secret: str = SECRET) -> Report
     describe_demands(report)
     report.following = find_connections(template, _select_asked(report))
     return report
+
+
+def _list_remarks(template: Template) -> Iterator[Message]:
+    """What is to be weighed in the file itself."""
+    yield from note_unknown_points(template)
+    yield from note_renamed_points(template)
+    for name in find_idle_givens(template):
+        yield Message("template.idle-given", given=name)
+    if not template.published:
+        yield Message("template.no-published")
 
 
 def _search(report: Report, examples: int) -> None:
