@@ -30,7 +30,7 @@ from kinegrade.mechanics.vector_equation import Level
 PIN = 0.85  # radius of a pin's circle
 _HALF_PIN = 1.15
 DOT = 0.75  # radius of the dot of a marked point
-_HATCH = 1.5  # depth of ground hatching
+HATCHING = 1.5  # depth of ground hatching
 _OPEN = (4.2, 3.0)  # millimetres before and after an angle without hatching, whose strokes lean
 BLOCK_LENGTH, BLOCK_WIDTH = 5.0, 3.0
 SLOT_WIDTH, BAR_WIDTH, SLEEVE_WIDTH = 1.9, 3.5, 3.2
@@ -132,7 +132,7 @@ def draw_ground(
     along, size = unit(end - start), length(end - start)
     count = max(3, ceil(size / (1.25 * share)))
     steps = [start + along * (size * (index + 0.5) / count) for index in range(count)]
-    stroke = (side - along) * (_HATCH * 0.75 * share)
+    stroke = (side - along) * (HATCHING * 0.75 * share)
     hatching = tuple((step, step + stroke) for step in steps)
     return (Strokes(hatching, THIN), Strokes(((start, end),), FIRM))
 
@@ -149,7 +149,7 @@ def draw_round_ground(
     """
     first, sweep = arc or (0.0, 2 * pi)
     count = max(12, ceil(sweep * radius / 1.5))
-    depth = _HATCH if outward else -min(_HATCH, radius / 3)
+    depth = HATCHING if outward else -min(HATCHING, radius / 3)
     lines = []
     for index in range(count):
         (x, y), angle = centre, first + sweep * index / count

@@ -26,13 +26,15 @@ _CLEAR = 0.3  # millimetres between a rail and a bar
 _HALF_STAND = 4.2  # millimetres along a rail between a pin and the end of the rail
 _LEVEL_OF_STANDS = 6.0  # millimetres between a guide and a pin whose stand may be in its way
 _CORNER = 4.5  # millimetres from a block to a corner at least
-_Leaving = tuple[Vector, float]  # the unit vector of a bar that leaves a point, and half its width
+OPENING = 0.8  # millimetres of the ground that are open on either side of a bar through it
+Leaving = tuple[Vector, float]  # the unit vector of a bar that leaves a point, and half its width
 
 
 @dataclass(frozen=True)
 class Rail:
     """The ground along a guide: `at` is the block or bare end on it, `start` and `end` its ends,
-    `side` the side of the guide on which it is, and `level` how far from the guide.
+    `side` the side of the guide on which it is, and `level` how far from the guide; `crossed` are
+    the bars that pass through it, for which it is open.
     """
 
     at: Vector
@@ -42,6 +44,7 @@ class Rail:
     end: Vector
     level: float
     block: BlockSize | None
+    crossed: tuple[Leaving, ...] = ()
 
     @property
     def bare(self) -> bool:
@@ -83,9 +86,9 @@ def _lay_under_rack(guide: Guide, rack: Bar) -> Rail:
 
 
 def _lay_rail(anatomy: Anatomy, name: str, along: Vector, pinned: bool) -> Rail:
-    """Below its block, so that a guide looks alike in all postures, and in one piece behind a bar
-    that passes through; on the other side where a bar leaves downward. A wall is on the side away
-    from the mechanism.
+    """Below its block, so that a guide looks alike in all postures, and open for a bar that passes
+    through, at which it ends unless that leaves steeply; on the other side where a bar leaves
+    downward. A wall is on the side away from the mechanism.
     """
     at = anatomy.mechanism.points[name]
     block = choose_block_size(at, anatomy.parts) if pinned else None
@@ -99,9 +102,14 @@ def _lay_rail(anatomy: Anatomy, name: str, along: Vector, pinned: bool) -> Rail:
     usual = 1 if narrowest[1] >= half > narrowest[0] else 0
     passing = all(reach != most for reach in reaches)
     back, ahead = (max(each, half + _SEEN) for each in (most if passing else reaches[usual]))
-    ground = at + sides[usual] * level
+    ground, side = at + sides[usual] * level, sides[usual]
+    crossed = tuple(each for each in leaving if passing and each[0].dot(side) > NEAR)
+    for way, _ in crossed:
+        opening = level * way.dot(along) / way.dot(side)
+        back = min(back, -opening) if opening < -half / 2 else back
+        ahead = min(ahead, opening) if opening > half / 2 else ahead
     start, end = ground - along * back, ground + along * ahead
-    return Rail(at, along, sides[usual], start, end, level, block)
+    return Rail(at, along, side, start, end, level, block, crossed)
 
 
 def _order_sides(mechanism: Mechanism, at: Vector, along: Vector) -> tuple[Vector, Vector]:
@@ -113,7 +121,7 @@ def _order_sides(mechanism: Mechanism, at: Vector, along: Vector) -> tuple[Vecto
     return (-across, across) if away < 0 else (across, -across)
 
 
-def _list_leaving(anatomy: Anatomy, name: str) -> Iterator[_Leaving]:
+def _list_leaving(anatomy: Anatomy, name: str) -> Iterator[Leaving]:
     """The bars of a point's bodies that leave it; of a plate, the directions to its points."""
     points = anatomy.mechanism.points
     at = points[name]
@@ -144,7 +152,7 @@ def _find_room_between_stands(anatomy: Anatomy, name: str, along: Vector) -> tup
 def _find_reaches(
     along: Vector,
     side: Vector,
-    leaving: Sequence[_Leaving],
+    leaving: Sequence[Leaving],
     level: float,
     most: tuple[float, float],
 ) -> tuple[float, float]:

@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from kinegrade.figure.mechanism.anatomy import Anatomy
-from kinegrade.figure.mechanism.rails import Rail
-from kinegrade.figure.scene import Primitive
+from kinegrade.figure.mechanism.rails import OPENING, Leaving, Rail
+from kinegrade.figure.scene import FIRM, Outline, Primitive
 from kinegrade.figure.symbols import (
     BLOCK_LENGTH,
+    HATCHING,
     SLOT_WIDTH,
     draw_block,
     draw_ground,
@@ -34,5 +35,15 @@ def draw_ground_sliders(rails: Iterable[Rail]) -> Iterator[Primitive]:
     """The blocks on ground guides; a rod needs none in its guide, nor an end that is bare."""
     for rail in rails:
         yield from draw_ground(rail.start, rail.end, rail.side)
+        yield from (_open_ground(rail, each) for each in rail.crossed)
         if rail.block:
             yield draw_block(rail.at, rail.along, rail.block.length, rail.block.width)
+
+
+def _open_ground(rail: Rail, bar: Leaving) -> Outline:
+    """White about a bar through the ground and its hatching."""
+    way, half = bar
+    beside = way.turned() * (half + OPENING)
+    depths = rail.level - FIRM.width, rail.level + HATCHING
+    near, far = (rail.at + way * (depth / way.dot(rail.side)) for depth in depths)
+    return Outline((near - beside, far - beside, far + beside, near + beside), None, "white")
