@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from kinegrade.problem.template.given_marks import mark_givens
 from kinegrade.problem.template.hints import Angle, Axes, FigureHints, Length, Moving, Turning
+from kinegrade.problem.template.translated import Translated
 from tests.problem.crank import crank
 
 FASTER = ('velocity = "omega"', 'velocity = "-omega", acceleration = "h"')
@@ -73,6 +74,13 @@ def test_components_have_a_small_frame_and_coordinates_axes_at_the_origin() -> N
     assert axes_for(HEIGHT, asked=["v_y"]) == "origin"
     assert axes_for(HEIGHT) == "aside"  # asked only where a bank names it
     assert axes_for(SPEED, ('gives = { v_x = "-omega*h" }', 'gives = { v_x = "omega*r" }')) is None
+
+
+def test_an_x_axis_that_the_statement_names_is_drawn_and_lettered() -> None:
+    still = SPEED, ('gives = { v_x = "-omega*h" }', 'gives = { v_x = "omega*r" }')
+    assert axes_for(*still) is None
+    named = replace(crank(*still).words, statement=Translated(plain="The $x$ axis points right."))
+    assert mark_givens(replace(crank(*still), words=named)).axes == "aside"
 
 
 def test_the_author_may_want_axes_at_the_origin_or_aside() -> None:

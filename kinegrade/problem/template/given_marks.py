@@ -19,6 +19,8 @@ from kinegrade.problem.template.sentences import DriverSentence
 from kinegrade.problem.template.template import Parameter, Template
 from kinegrade.sign_conventions import ALONG_AXES
 
+_X_AXIS = "$x$"  # as a statement names the axis from which an angle is measured
+
 
 def mark_givens(
     template: Template, printed: Set[str] | None = None, asked: Collection[str] | None = None
@@ -57,7 +59,7 @@ def _place_axes(
     template: Template, printed: Set[str] | None, asked: Collection[str]
 ) -> Axes | None:
     """At the origin for coordinates that are given or asked and where the author wants them, aside
-    for components of vectors.
+    for components of vectors and where the statement names the x axis.
     """
     givens = template.parameters.items()
     along_axes = [ask for name in asked if (ask := template.asks[name]).sign in ALONG_AXES]
@@ -67,7 +69,8 @@ def _place_axes(
         if printed is None or name in printed
     ):
         return "origin"
-    return template.figure.axes or ("aside" if along_axes else None)
+    named = any(_X_AXIS in text for text in template.words.statement.texts)
+    return template.figure.axes or ("aside" if along_axes or named else None)
 
 
 def _list_hidden_symbols(template: Template, printed: Set[str] | None) -> Set[Row]:
