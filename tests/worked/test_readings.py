@@ -50,3 +50,11 @@ def test_chinese_has_no_preposition_twice() -> None:
     told = _read("oscillating-flat-faced-follower", "zh")
     assert "在从动件上观察" in told
     assert "从从" not in told
+
+
+def test_a_sum_of_angles_is_worked_out_before_a_point_is_placed_by_it() -> None:
+    # the cosine took 86.53 degrees, which stood nowhere
+    told = displayed(kept("watt-linkage"))
+    (place,) = [place for place, line in enumerate(told) if line.startswith("x_{C} &=")]
+    assert told[place - 1].endswith(r"= 17.82^\circ + 68.71^\circ \approx 86.53^\circ")
+    assert r"\cos 86.53^\circ" in told[place]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Literal, assert_never
 
@@ -11,8 +12,10 @@ from kinegrade.language.math.tree import Row
 from kinegrade.language.message import Message
 from kinegrade.worked.document import Block, Display
 from kinegrade.worked.findings import Seen
-from kinegrade.worked.formulas.atoms import Symbol
-from kinegrade.worked.formulas.formula import Function
+from kinegrade.worked.formulas.atoms import Symbol, add_terms
+from kinegrade.worked.formulas.equation import approximate, equate
+from kinegrade.worked.formulas.formula import Formula, Function
+from kinegrade.worked.formulas.numbers import state_quantity
 from kinegrade.worked.formulas.symbols import name_corner
 from kinegrade.worked.positions.algebra import (
     TWO,
@@ -62,6 +65,7 @@ def explain_circles(
         Display(
             (
                 *_find_direction(side, opened),
+                *_work_out_sum(turned, opened),
                 *opened.coordinate_lines(point, opened.axes.pair(placed) or _NOTHING),
             )
         ),
@@ -102,6 +106,38 @@ def _find_direction(side: _Side, instance: Instance) -> tuple[Row, ...]:
     angle = instance.formula(side.direction)
     slope = () if x == ZERO else instance.equation(Function("tan", angle), over(y, x), PURE)
     return (*slope, *instance.equation(angle, side.direction, DEGREE))
+
+
+def _work_out_sum(direction: Expression, instance: Instance) -> tuple[Row, ...]:
+    """What the angle comes to whose sine and cosine follow, where it is a sum."""
+    _, rest, _ = split_right_angles(direction)
+    angle = make_positive(rest, instance.sign(rest))
+    terms = tuple(_list_terms(angle))
+    if len(terms) == 1:
+        return ()
+    numbers = (_state_angle(term, instance).signed(sign) for sign, term in terms)
+    value = _state_angle(angle, instance)
+    links = (*equate(add_terms(numbers)), *approximate(value))
+    return instance.lines(instance.formula(angle, True), links)
+
+
+def _list_terms(angle: Expression) -> Iterator[tuple[int, Expression]]:
+    """The terms of a sum with their signs."""
+    match angle:
+        case Operation(sign="+" | "-" as sign, left=left, right=right):
+            yield from _list_terms(left)
+            turned = -1 if sign == "-" else 1
+            yield from ((turned * one, term) for one, term in _list_terms(right))
+        case Operation() | Call() | Name() | Number():
+            yield 1, angle
+        case _:
+            assert_never(angle)
+
+
+def _state_angle(angle: Expression, instance: Instance) -> Formula:
+    """An angle in degrees, rounded."""
+    *_, rounded = state_quantity(instance.quantity(instance.value(angle), DEGREE))
+    return rounded.right
 
 
 def _find_given_side(start: Expression, end: Expression, instance: Instance) -> _Side | None:
