@@ -15,8 +15,12 @@ from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.message import Message
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from kinegrade.errors import Problem
     from kinegrade.files.tables import Table
     from kinegrade.language import Language
+    from kinegrade.marks_folder.folder import MarksFolder
     from kinegrade.reports.term.plan import Plan
 
 
@@ -53,8 +57,6 @@ def term(
 ) -> None:
     """Put several MARKS together, by weights and the best of some, in one table with grades."""
     from kinegrade.grade_scale.kinds import make_scale
-    from kinegrade.grading.exams_beside import find_later_keys
-    from kinegrade.marks_folder.open_questions import describe_unmarked
     from kinegrade.reports.term.excuses import require_excusable
     from kinegrade.reports.term.naming import name_folders, require_different_exams
     from kinegrade.reports.term.results import work_out_results
@@ -74,16 +76,20 @@ def term(
     _write(table, output, force=force)
     for note in describe_results(results, exams, scale):
         say(note)
-    finish_with_complaints(
-        [
-            *(
-                missing
-                for name, folder in folders.items()
-                for missing in describe_unmarked(name, folder.open, folder.lacking)
-            ),
-            *find_later_keys(folders.values()),
-        ]
-    )
+    finish_with_complaints(_list_complaints(folders))
+
+
+def _list_complaints(folders: Mapping[str, MarksFolder]) -> list[Problem]:
+    """Who is not marked to the end, and which marks are by an earlier key."""
+    from kinegrade.grading.exams_beside import find_later_keys
+    from kinegrade.marks_folder.open_questions import describe_unmarked
+
+    unmarked = [
+        missing
+        for name, folder in folders.items()
+        for missing in describe_unmarked(name, folder.open, folder.lacking)
+    ]
+    return [*unmarked, *find_later_keys(folders.values())]
 
 
 def _choose_plan(plan: Path | None, weights: tuple[str, ...], names: tuple[str, ...]) -> Plan:

@@ -13,7 +13,6 @@ from kinegrade.draws.draw_filter import DrawFilter
 from kinegrade.draws.examining import Examined, Refused
 from kinegrade.errors import TemplateError
 from kinegrade.language.message import Fault, Message
-from kinegrade.numbers.tolerance import ONE_PER_CENT, USUAL_CARRY
 from kinegrade.problem.holding import choose_wording, condition_holds
 from kinegrade.problem.needs import find_idle_givens
 from kinegrade.problem.quantity import Quantity
@@ -37,16 +36,15 @@ from kinegrade.proof.report import SECRET, Report
 from kinegrade.proof.searching import find_breaking_values
 from kinegrade.proof.solutions import prove_solutions
 from kinegrade.proof.spread import Copied, Spread
+from kinegrade.proof.weighing import weigh_sample
 from kinegrade.students.following.connections import find_connections
 from kinegrade.students.near_mistakes import find_near_mistakes
-from kinegrade.students.rounding.accuracy import USUALLY, WIDEST, find_usual_share
+from kinegrade.students.rounding.accuracy import WIDEST
 
-_FEWEST = 500  # distinct instances: fewer, and a large class finds out the pattern behind the draws
 _TEXTS_TRIED = 1000  # draws at which the texts that depend on values are tried
 _SEARCHED = 300  # instances that the search for breaking values tries
 _RIGHT_ANGLE = 90
 _EXAMPLES = 10  # instances that are put together in other ways, some milliseconds each
-_FEW = 0.02  # a share of draws, or of all others, that chance may leave unlike the rest
 _BEYOND = 2 * WIDEST  # stands for more than any tolerance may give
 
 
@@ -74,7 +72,7 @@ def check(template: Template, sample: int = 200, secret: str = SECRET) -> Report
     except TemplateError as error:  # its figure marks what is not there
         report.faults += error.faults
         return report
-    _weigh(report)
+    weigh_sample(report)
     note_assemblies(report)
     report.faults += find_wrong_marks(template, report.examples)
     report.remarks += note_points_beyond_ends(template, report.examples)
@@ -162,66 +160,6 @@ def _draw(report: Report, draws: Sequence[Combination]) -> None:
             case _:
                 assert_never(found)
     report.seconds = (perf_counter() - start) / max(report.instances, 1)
-
-
-def _weigh(report: Report) -> None:
-    """Too few instances are a fault, and answers with points that need not be worked out."""
-    _weigh_number(report)
-    for name, spread in report.spreads.items():
-        if spread.constant:
-            report.faults.append(Message("template.same-answer", ask=name))
-        elif spread.copied is not None:
-            report.faults.append(
-                Message(f"template.equals-{spread.copied.kind}", ask=name, other=spread.copied.name)
-            )
-    report.remarks += _find_uneven_remarks(report)
-    report.remarks += _find_rounding_remarks(report)
-
-
-def _weigh_number(report: Report) -> None:
-    """Too few instances are a fault; a remark where the sample is too small to tell."""
-    if report.distinct >= _FEWEST:
-        return
-    if report.possible >= _FEWEST:
-        numbers = {"accepted": report.instances, "examined": report.examined, "least": _FEWEST}
-        needed = report.count_needed(_FEWEST)
-        report.remarks.append(Message("template.sample-too-small", needed=needed, **numbers))
-    elif report.instances:
-        report.faults.append(
-            Message("template.too-few-instances", number=report.distinct, least=_FEWEST)
-        )
-    else:
-        report.faults.append(Message("template.no-acceptable-instance"))
-
-
-def _find_uneven_remarks(report: Report) -> Iterator[Message]:
-    """The givens that make some draws easier than others."""
-    for name, count in report.special.items():
-        share = count / report.instances
-        if _FEW <= share <= 1 - _FEW:
-            yield Message("template.easier-in-some", given=name, share=f"{share:.0%}")
-
-
-def _find_rounding_remarks(report: Report) -> Iterator[Message]:
-    """The asks for which 1 % is often not enough, with the tolerance that is."""
-    for ask, shares in report.shares.items():
-        kept = sum(share <= ONE_PER_CENT.relative for share in shares)
-        if kept > USUALLY * len(shares):
-            continue
-        enough = find_usual_share(shares)
-        advice = (
-            Message("template.tolerance-enough", share=enough * 100)
-            if enough <= WIDEST
-            else Message("template.no-tolerance-enough")
-        )
-        yield Message(
-            "template.often-astray",
-            ask=ask,
-            figures=USUAL_CARRY,
-            number=kept,
-            examined=len(shares),
-            advice=advice,
-        )
 
 
 def choose_drawable(template: Template, sample: int, secret: str = SECRET) -> list[Combination]:
