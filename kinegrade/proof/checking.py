@@ -25,11 +25,7 @@ from kinegrade.proof.assemblies import note_assemblies
 from kinegrade.proof.causes import find_causes, write_causes
 from kinegrade.proof.demanding import describe_demands
 from kinegrade.proof.ends import note_points_beyond_ends
-from kinegrade.proof.letters import (
-    note_points_without_letter,
-    note_renamed_points,
-    note_unknown_points,
-)
+from kinegrade.proof.letters import note_letters, note_points_without_letter
 from kinegrade.proof.marked_values import find_wrong_marks
 from kinegrade.proof.published import prove_published
 from kinegrade.proof.report import SECRET, Report
@@ -86,8 +82,7 @@ def check(template: Template, sample: int = 200, secret: str = SECRET) -> Report
 
 def _list_remarks(template: Template) -> Iterator[Message]:
     """What is to be weighed in the file itself."""
-    yield from note_unknown_points(template)
-    yield from note_renamed_points(template)
+    yield from note_letters(template)
     for name in find_idle_givens(template):
         yield Message("template.idle-given", given=name)
     if not template.published:

@@ -23,6 +23,10 @@ def describe_demands(report: Report) -> None:
     report.demands = Message(
         "choosing.shown-difficulty", difficulty=difficulty, most=LEVELS, count=minutes
     )
+    family = report.template.about.family
+    if family != family.lower():
+        names = {"family": Quoted(family), "small": Quoted(family.lower())}
+        report.remarks.append(Message("template.family-capitals", **names))
     report.remarks += map(_describe_misspelt, find_misspelt_tags(report.template))
     tags = suggest_tags(report.template, demands)
     if tags:

@@ -14,10 +14,19 @@ from kinegrade.problem.solution import Solution
 from kinegrade.problem.template.hints import FigureHints
 from kinegrade.problem.template.notation import write_point_symbol
 from kinegrade.problem.template.template import Template
+from kinegrade.proof.symbols import note_shared_symbols, note_unexplained_letters
 
 _FORMULA = re.compile(r"\$([^$\n]+)\$")
 _LETTER = re.compile(r"[A-Z](?:_\d+)?'*", re.ASCII)  # A, O_1, B'
 _LETTERS = re.compile(rf"(?:\\(?:angle|triangle)\s*)?((?:{_LETTER.pattern})+)", re.ASCII)
+
+
+def note_letters(template: Template) -> Iterator[Message]:
+    """A remark for each letter of the statement and of the figure that cannot be what it seems."""
+    yield from note_unknown_points(template)
+    yield from note_renamed_points(template)
+    yield from note_shared_symbols(template)
+    yield from note_unexplained_letters(template, _list_formulas(template))
 
 
 def note_unknown_points(template: Template) -> Iterator[Message]:

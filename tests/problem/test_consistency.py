@@ -416,3 +416,40 @@ def test_one_misspelt_table_does_not_make_every_name_unknown() -> None:
     assert faults(("[parameters]", "[parameter]")) == [
         'crank.toml:13: parameter: unknown table or key - did you mean "parameters"?'
     ]
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "said"),
+    [
+        (
+            'OA = "O A"',
+            'OA = "O A O"',
+            'crank.toml:24: bodies.OA: "O" stands twice in the body - list each point once',
+        ),
+        (
+            "[asks]",
+            '[figure]\nlengths = [{ symbol = "r", from = "A", to = "A" }]\n[asks]',
+            'crank.toml:27: figure.lengths[1].to: a mark from "A" to itself - expected another point',
+        ),
+        (
+            "[asks]",
+            '[figure]\nangles = [{ symbol = "r", at = "O", from = "A", to = "A" }]\n[asks]',
+            'crank.toml:27: figure.angles[1].from: a mark from "A" to itself - expected another point',
+        ),
+        (
+            "[asks]",
+            '[figure]\nangles = [{ symbol = "r", at = "O", from = "right", to = "O" }]\n[asks]',
+            'crank.toml:27: figure.angles[1].to: a mark from "O" to itself - expected another point',
+        ),
+        (
+            "[asks]",
+            '[figure]\nframes = [{ x = "x", y = "y", at = "A", to = "A" }]\n[asks]',
+            'crank.toml:27: figure.frames[1].to: a mark from "A" to itself - expected another point',
+        ),
+    ],
+)
+def test_a_point_stands_once_in_a_body_and_at_one_end_of_a_mark(
+    old: str, new: str, said: str
+) -> None:
+    assert faults((old, new)) == [said]
+    crank((old, new), kept=True)  # no later rule closes an exam

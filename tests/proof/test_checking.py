@@ -76,6 +76,14 @@ def test_a_magnitude_that_is_negative_is_a_fault_with_its_values() -> None:
     )
 
 
+def test_a_family_in_capitals_is_remarked_on() -> None:
+    report = check(read_template("crank", crank_text(('family = "crank"', 'family = "Crank"'))))
+    assert (
+        'family: families are in small letters, and "Crank" is another one than "crank" to lists '
+        'and banks - did you mean "crank"?' in all_said(report.remarks)
+    )
+
+
 def test_a_figure_that_marks_what_is_not_there_is_a_fault() -> None:
     radius = '[figure]\nradii = [{ symbol = "R", centre = "O" }]'
     [fault] = all_said(checked("[figure]", radius).faults)

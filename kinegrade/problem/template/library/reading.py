@@ -30,6 +30,7 @@ from kinegrade.problem.template.sections.opening import (
 )
 from kinegrade.problem.template.sections.parameters import read_parameters
 from kinegrade.problem.template.sections.published import read_published
+from kinegrade.problem.template.sections.repeated import note_repeated
 from kinegrade.problem.template.sections.scheme import (
     read_bodies,
     read_conditions,
@@ -82,6 +83,7 @@ def _read_whole(name: str, opened: Opened, *, kept: bool) -> Template | None:
         check_uses(draft, opened.table.faults)
         if not kept:
             note_inconsistencies(draft, opened.table.faults)
+            note_repeated(draft, opened.table.faults)
     return draft.template(name, opened.file)
 
 
