@@ -1,0 +1,118 @@
+"""`check` says where the statement contradicts the mechanism: a length, a midpoint, a sense."""
+
+from __future__ import annotations
+
+import pytest
+
+from kinegrade.problem.solving import solve_template
+from kinegrade.problem.template.library.library import find_template_names, load_template
+from kinegrade.problem.template.library.reading import read_template
+from kinegrade.problem.template.template import Template
+from kinegrade.proof.checking import check
+from kinegrade.proof.claims import find_false_claims
+from tests.problem.turning_crank import CRANK
+from tests.said import all_said
+
+
+def crank(statement: str) -> Template:
+    """The crank OA of length r with the point M at 0.5 m, and N in the middle."""
+    text = CRANK.replace('en = "{{ r }} ', f"en = '''{statement} ").replace(
+        '{{ omega }}", zh = "{{ r }}', "{{ omega }}''', zh = \"{{ r }}", 1
+    )
+    given = 'half = { unit = "m", draw = ["1/2"], means = { en = "a", zh = "a" } }'
+    text = text.replace("[parameters]", f"[parameters]\n{given}").replace('half = "r/2"\n', "")
+    text = text.replace("[bodies]", 'N = "midpoint(O, A)"\n[bodies]')
+    return read_template("crank", text.replace('"O A M"', '"O A M N"'))
+
+
+def find(statement: str, **values: str) -> list[str]:
+    """What is contradicted at r = 1 and phi = 60, or at other values."""
+    template = crank(statement)
+    solution = solve_template(template, {"r": "1", **values}, ())
+    return all_said(find_false_claims(template, [solution]))
+
+
+@pytest.mark.parametrize(
+    "statement",
+    [
+        "The crank $OA$ of length {{ half }}",
+        "The crank $OA$, of length {{ half }}",
+        "$OA$ = {{ half.value }}",
+        "Die Kurbel $OA$ der Länge {{ half }}",
+        "曲柄 $OA$ 长 {{ half }}",
+    ],
+)
+def test_a_length_beside_two_points_at_another_distance_is_a_fault(statement: str) -> None:
+    assert find(statement) == [
+        "statement: it says that OA is half, and OA is 1 m where half is 0.5 m"
+    ]
+    assert find(statement.replace("half", "r")) == []
+
+
+@pytest.mark.parametrize(
+    "statement",
+    [
+        "The crank $OA$ of length {{ phi }}",  # no length
+        "The crank $OX$ of length {{ half }}",  # no such point
+        "$A$ at the distance {{ half }}",
+        "The end of the crank $OA$. A rod of length {{ half }}",
+    ],
+)
+def test_what_says_nothing_of_two_points_is_no_claim(statement: str) -> None:
+    assert find(statement) == []
+
+
+@pytest.mark.parametrize(
+    "statement",
+    [
+        "the midpoint $%s$ of $OA$",
+        "the midpoint $%s$ of the crank $OA$",
+        "$%s$ is the midpoint of $OA$",
+        "der Mittelpunkt $%s$ von $OA$",
+        "$OA$ 的中点 $%s$",
+    ],
+)
+def test_a_midpoint_that_is_none_is_a_fault(statement: str) -> None:
+    said = "statement: it says that M is the midpoint of OA, and it lies elsewhere"
+    assert find(statement % "M", half="3/4") == [said]
+    assert find(statement % "N", half="3/4") == []
+
+
+@pytest.mark.parametrize(
+    ("statement", "right"),
+    [
+        ("The crank turns clockwise at the rate {{ omega }}", False),
+        ("The crank turns counter-clockwise at {{ omega }}", True),
+        ("Die Kurbel dreht sich im Uhrzeigersinn mit {{ omega }}", False),
+        ("曲柄以 {{ omega }} 顺时针转动", False),
+        ("The wheel turns clockwise. The rate is {{ omega }}", True),
+    ],
+)
+def test_a_sense_that_no_instance_has_is_a_fault(statement: str, right: bool) -> None:
+    said = (
+        "statement: it says clockwise beside omega, which turns counter-clockwise in all instances"
+    )
+    assert find(statement) == [said] * (not right)
+
+
+def test_the_other_sense() -> None:
+    template = read_template(
+        "crank",
+        CRANK.replace('velocity = "omega"', 'velocity = "-omega"').replace(
+            'en = "{{ r }}', 'en = "It turns counterclockwise with {{ omega }}, {{ r }}'
+        ),
+    )
+    assert all_said(find_false_claims(template, [solve_template(template, {}, ())])) == [
+        "statement: it says counter-clockwise beside omega, which turns clockwise in all instances"
+    ]
+
+
+def test_it_is_a_fault_of_the_check() -> None:
+    faults = all_said(check(crank("The crank $OA$ of length {{ half }}"), sample=4).faults)
+    assert any("it says that OA is half" in fault for fault in faults)
+
+
+@pytest.mark.parametrize("name", find_template_names())
+def test_no_template_that_is_shipped_makes_such_a_claim(name: str) -> None:
+    template = load_template(name)
+    assert all_said(find_false_claims(template, [solve_template(template, {}, ())])) == []
