@@ -185,6 +185,19 @@ def read_unit(text: str) -> Unit:
     return unit
 
 
+def is_unit(word: str) -> bool:
+    """Whether a word is a unit, as it is written here or as people write some.
+
+    >>> is_unit("rad/s"), is_unit("m/s²"), is_unit("degrees"), is_unit("with")
+    (True, True, True, False)
+    """
+    try:
+        read_unit(word.replace("²", "^2"))
+    except ExpressionError:
+        return word in _WRITTEN_OTHERWISE
+    return True
+
+
 def _is_rate(unit: Unit) -> bool:
     """Whether a unit is one of angular velocities or accelerations."""
     return (unit.length, unit.angle) == (0, 1) and unit.time in (-1, -2)

@@ -8,7 +8,11 @@ from kinegrade.language import Language
 from kinegrade.language.message import Fault, Message
 from kinegrade.problem.statement import list_statement_languages, list_written_texts
 from kinegrade.problem.template.driven import find_driven
-from kinegrade.problem.template.slots import find_slots, find_slots_in_formulas
+from kinegrade.problem.template.slots import (
+    find_slots,
+    find_slots_in_formulas,
+    find_units_behind,
+)
 from kinegrade.problem.template.template import Template
 
 
@@ -25,6 +29,7 @@ def find_statement_faults(template: Template) -> list[Fault]:
     for language in list_statement_languages(template):
         faults += _find_left_out(template, language)
         faults += _find_cutting_slots(template, language)
+        faults += _find_second_units(template, language)
     return faults
 
 
@@ -51,6 +56,18 @@ def _find_cutting_slots(template: Template, language: Language) -> list[Fault]:
         _make_fault(template, key_path(where), Message("template.in-formula", name=slot.name))
         for where, text in list_written_texts(template, language)
         for slot in find_slots_in_formulas(text)
+    ]
+
+
+def _find_second_units(template: Template, language: Language) -> list[Fault]:
+    """The units that are typed behind givens, which are printed with theirs."""
+    return [
+        _make_fault(
+            template, key_path(where), Message("template.unit-behind", name=slot.name, unit=unit)
+        )
+        for where, text in list_written_texts(template, language)
+        for slot, unit in find_units_behind(text)
+        if slot.name in template.parameters
     ]
 
 

@@ -28,11 +28,12 @@ from kinegrade.problem.kinds.kinds import (
 )
 from kinegrade.problem.kinds.signatures import CONSTRUCTIONS, ELEMENTARY
 from kinegrade.problem.quantities.functions import QUANTITIES, make_quantities
+from kinegrade.problem.statement_faults import find_statement_faults
 from kinegrade.problem.template.library.reading import read_template
 from kinegrade.problem.template.meaning.meaning import Scope
 from kinegrade.problem.template.meaning.radians import require_no_radians
 from tests.problem.crank import crank, crank_text
-from tests.said import said
+from tests.said import all_said, said
 from tests.small_class import kinegrade
 
 PUBLISHED = 'gives = { v_x = "-omega*h" }'
@@ -453,3 +454,55 @@ def test_a_point_stands_once_in_a_body_and_at_one_end_of_a_mark(
 ) -> None:
     assert faults((old, new)) == [said]
     crank((old, new), kept=True)  # no later rule closes an exam
+
+
+@pytest.mark.parametrize(
+    ("quantity", "number"),
+    [
+        ("magnitude(velocity(A)) + 3", "3"),
+        ("3 + magnitude(velocity(A))", "3"),
+        ("abs(x(velocity(A)) - 1/2)", "1/2"),
+    ],
+)
+def test_a_number_added_to_what_has_a_dimension_is_refused(quantity: str, number: str) -> None:
+    asked = ON_REQUEST % (quantity, "m/s")
+    assert faults(("\n[asks]\n", asked)) == [
+        f"crank.toml:27: asks.w.quantity: {number} is added to a velocity (m/s) - add a given with a "
+        "unit, or nothing"
+    ]
+
+
+@pytest.mark.parametrize(
+    ("quantity", "unit"),
+    [
+        ("-magnitude(velocity(A))", "m/s"),
+        ("magnitude(velocity(A)) + 0", "m/s"),
+        ("direction(O, A) - 2*pi", "rad"),
+        ("r/h + 3", "1"),
+        ("2*magnitude(velocity(A))", "m/s"),
+    ],
+)
+def test_a_number_may_be_added_to_a_number(quantity: str, unit: str) -> None:
+    assert "w" in crank(("\n[asks]\n", ON_REQUEST % (quantity, unit))).asks
+
+
+@pytest.mark.parametrize(
+    ("behind", "unit"),
+    [
+        (" rad/s", "rad/s"),
+        ("m.", "m"),
+        (" m/s², and", "m/s²"),
+        (" degrees", "degrees"),
+        ("°", "°"),
+        (" in the slot", ""),
+        (" above", ""),
+        (" $m$", ""),
+    ],
+)
+def test_a_unit_typed_behind_a_given_is_a_fault(behind: str, unit: str) -> None:
+    template = crank(("{{ h.value }} above", f"{{{{ h.value }}}}{behind} above"))
+    said = (
+        f"crank.toml: statement.en: {{{{ h }}}} is printed with its unit, and {unit} stands behind "
+        "it: leave that out, and print another unit by that of the parameter"
+    )
+    assert all_said(find_statement_faults(template)) == [said] * bool(unit)

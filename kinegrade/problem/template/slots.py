@@ -9,20 +9,25 @@ from __future__ import annotations
 import re
 from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Literal, assert_never, get_args
 
 from kinegrade.errors import suggest
 from kinegrade.language.message import Message, Text
+from kinegrade.numbers.units import is_unit
 from kinegrade.problem.template.driven import Drives
 
 _BRACES = re.compile(r"\{\{(?P<inside>.*?)\}\}|(?P<other>\{\{|\{%|\{#)", re.DOTALL)
 _NAMED = re.compile(r"\s*(?P<name>[A-Za-z_]\w*)(?:\s*\.\s*(?P<part>[a-z]+))?\s*", re.ASCII)
 _LONGEST_SHOWN = 40
+_WORD = re.compile(r"\s*([a-z°][^\s,.;:)，。；：]*)")
+_OTHER_WORDS = ("in", "turn")  # units that prose has for other things
 _DOLLARS = re.compile(r"(?<!\\)\$\$?")
 _ALLOWED = Message("template.slots-allowed")
 
 
 Part = Literal["", "value", "size", "turning", "moving"]
+_VALUES: tuple[Part, ...] = ("", "value", "size")
 _PARTS: Mapping[str, Part] = {part: part for part in get_args(Part)}
 
 
@@ -113,6 +118,21 @@ def find_slots_in_formulas(text: str) -> tuple[Slot, ...]:
             for mark in _DOLLARS.findall(piece):
                 opened = _find_open_formula(opened, mark)
     return tuple(found)
+
+
+def find_units_behind(text: str) -> Iterator[tuple[Slot, str]]:
+    """The units that are typed behind slots of values, which print their own.
+
+    >>> [unit for _, unit in find_units_behind("at {{ n.value }} rad/s with {{ r }} in a slot")]
+    ['rad/s']
+    """
+    pieces = split_slots(text)
+    for slot, behind in pairwise(pieces):
+        word = _WORD.match(behind) if isinstance(behind, str) else None
+        if not isinstance(slot, Slot) or slot.part not in _VALUES or word is None:
+            continue
+        if word[1] not in _OTHER_WORDS and is_unit(word[1]):
+            yield slot, word[1]
 
 
 def _find_open_formula(opened: str, mark: str) -> str:

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from typing import Any, Literal
 
 from kinegrade.errors import ExpressionError, FieldError
-from kinegrade.expressions.tree import Expression, Name, find_names
+from kinegrade.expressions.tree import SUMS, Expression, Name, Operation, find_names, walk
 from kinegrade.files.fields.faults import Faults
 from kinegrade.files.fields.place import Place, key_path
 from kinegrade.language.message import Listing, Message, Quoted, list_choices
@@ -45,7 +45,7 @@ from kinegrade.problem.kinds.signatures import CONSTRUCTIONS, ELEMENTARY, Signat
 from kinegrade.problem.quantities.functions import QUANTITIES
 from kinegrade.problem.template.draft import Draft
 from kinegrade.problem.template.meaning.meaning import Scope
-from kinegrade.problem.template.meaning.radians import require_no_radians
+from kinegrade.problem.template.meaning.radians import evaluate_literals, require_no_radians
 from kinegrade.problem.template.meaning.senses import require_fitting_sign
 from kinegrade.problem.template.sentences import DriverSentence, JointSentence
 from kinegrade.problem.template.template import Ask, Condition, Published, Wording
@@ -225,6 +225,10 @@ class _Consistency:
                 describe_kind(kind), Message("template.a-number"), Message("template.of-a-vector")
             )
         _require_unit(kind, ask)
+        for part in walk(ask.quantity):
+            if isinstance(part, Operation) and part.sign in SUMS:
+                _require_no_number(scope, part.left, part.right)
+                _require_no_number(scope, part.right, part.left)
 
     def published(self, number: int, result: Published) -> Iterator[_Inconsistency]:
         """Published results, of the dimension of what they are results of.
@@ -299,6 +303,17 @@ def _require_unit(kind: Kind, ask: Ask) -> None:
             ),
             do=Message("template.write-unit", units=_list_units(found)),
         )
+
+
+def _require_no_number(scope: Scope, one: Expression, other: Expression) -> None:
+    """Raises FieldError for a number other than zero that is added to what has a dimension."""
+    number, kind = evaluate_literals(one), scope.kind(other)
+    found = kind.dimension if isinstance(kind, Scalar) else None
+    if number and found not in (None, NUMBER):
+        what = Message(
+            "template.added-number", number=str(number), dimension=describe_dimension(found)
+        )
+        raise FieldError(what, do=Message("template.added-with-unit"))
 
 
 def _list_units(found: Dimension) -> Listing:

@@ -16,7 +16,7 @@ def require_no_radians(tree: Expression) -> None:
 
     An angle of so many radians can be had as a parameter whose unit is rad.
     """
-    value = _evaluate_literals(tree)
+    value = evaluate_literals(tree)
     if value is None or value == 0:
         return
     count = abs(int(value)) if value.q == 1 else 0
@@ -27,7 +27,7 @@ def require_no_radians(tree: Expression) -> None:
     )
 
 
-def _evaluate_literals(tree: Expression) -> Any:
+def evaluate_literals(tree: Expression) -> Any:
     """The rational that literals alone make; None for anything else."""
     match tree:
         case Number(value):
@@ -35,7 +35,7 @@ def _evaluate_literals(tree: Expression) -> Any:
         case Name() | Call():
             return None
         case Operation(sign, left, right):
-            return _apply_sign(sign, _evaluate_literals(left), _evaluate_literals(right))
+            return _apply_sign(sign, evaluate_literals(left), evaluate_literals(right))
         case _:
             assert_never(tree)
 
