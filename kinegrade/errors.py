@@ -20,7 +20,7 @@ from kinegrade.language.message import (
     Quoted,
     Text,
     list_choices,
-    list_plainly,
+    list_first,
 )
 
 _SUGGESTIONS = 3  # names that a hint suggests for a wrong one
@@ -177,10 +177,7 @@ def suggest(word: str, choices: Iterable[str]) -> Message:
 def _list_names(known: Sequence[str]) -> Part:
     if not known:
         return Message("grammar.no-names")
-    if len(known) <= _LISTED:
-        return list_plainly(known)
-    first = list_plainly(known[:_SUGGESTIONS])
-    return Message("grammar.names-and-more", names=first, count=len(known) - _SUGGESTIONS)
+    return list_first(known, _LISTED if len(known) <= _LISTED else _SUGGESTIONS)
 
 
 def find_nearest(word: str, choices: Iterable[str]) -> list[str]:

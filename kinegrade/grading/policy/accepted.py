@@ -24,7 +24,7 @@ from kinegrade.grading.policy.policy import Accepted, Policy
 from kinegrade.grading.typed.amount import PRECISION, Amount, convert, make_rational_amount
 from kinegrade.grading.typed.number_text import Unreadable
 from kinegrade.grading.typed.unit_spelling import WrittenUnit, read_unit
-from kinegrade.language.message import Fault, Message, Part, Quoted
+from kinegrade.language.message import Fault, Message, Part, Quoted, list_first
 from kinegrade.numbers.angle import Angle
 from kinegrade.numbers.balls import Balls, Undecided
 from kinegrade.numbers.field import Field
@@ -124,21 +124,16 @@ def _find_used(accepted: Accepted) -> set[str]:
 
 def _explain(ask: Ask, accepted: Accepted, failing: Sequence[tuple[str, _Failure]]) -> Fault:
     """One line however many papers are affected: a fault in an expression shows on most of them."""
-    student, fault = failing[0]
+    _, fault = failing[0]
     problem = Message(
         "policy.no-value",
         number=accepted.number,
         text=Quoted(accepted.text),
-        students=_name_students(student, len(failing) - 1),
+        students=list_first([Quoted(student) for student, _ in failing], 1),
         reason=_find_reason(fault),
     )
     where = Message("policy.place", ask=ask.column)
     return Fault(where, problem, Message("policy.one-number"), Message("policy.fix-it"))
-
-
-def _name_students(student: str, more: int) -> Part:
-    first = Quoted(student)
-    return Message("grammar.names-and-more", names=first, count=more) if more else first
 
 
 def _find_reason(fault: _Failure) -> Part:
