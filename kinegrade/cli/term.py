@@ -80,16 +80,18 @@ def term(
 
 
 def _list_complaints(folders: Mapping[str, MarksFolder]) -> list[Problem]:
-    """Who is not marked to the end, and which marks are by an earlier key."""
+    """Who is not marked to the end, which marks are by an earlier key, and who has two lines."""
     from kinegrade.grading.exams_beside import find_later_keys
     from kinegrade.marks_folder.open_questions import describe_unmarked
+    from kinegrade.reports.term.split_students import find_split_students
 
     unmarked = [
         missing
         for name, folder in folders.items()
         for missing in describe_unmarked(name, folder.open, folder.lacking)
     ]
-    return [*unmarked, *find_later_keys(folders.values())]
+    exams = {name: folder.totals for name, folder in folders.items()}
+    return [*unmarked, *find_later_keys(folders.values()), *find_split_students(exams)]
 
 
 def _choose_plan(plan: Path | None, weights: tuple[str, ...], names: tuple[str, ...]) -> Plan:

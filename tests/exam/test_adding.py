@@ -496,3 +496,21 @@ def test_an_exam_of_format_1_grows_and_grows(folder: Path) -> None:
             for found in (line["questions"][question] for line in lines)
         ]
         assert len(set(values)) == 20
+
+
+def test_a_late_id_that_an_exam_has_but_for_zeros_is_refused_unless_it_is_wanted(
+    tmp_path: Path,
+) -> None:
+    folder = write(tmp_path, students={"03100111": "Ann"})
+    (folder / "late.csv").write_text(roster({"3100111": "Ann"}), encoding="utf-8")
+    files = folder / "bank.toml", folder / "roster.csv", "-o", folder / "EXAM"
+    assert kinegrade("generate", *files).exit_code == 0
+    late = "--add", folder / "late.csv"
+    refused = kinegrade("generate", *files, *late)
+    assert refused.exit_code == 2
+    assert refused.stderr.splitlines() == [
+        'error: late.csv:2: student "03100111" has a paper already, and "3100111" differs from that '
+        "id by zeros in front alone - use one id for one person, or add --allow-odd-ids if they are "
+        "several people"
+    ]
+    assert kinegrade("generate", *files, *late, "--allow-odd-ids").exit_code == 0

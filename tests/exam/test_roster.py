@@ -47,11 +47,11 @@ def test_a_column_that_can_only_hold_ids_wins_over_a_running_number() -> None:
 def test_columns_stand_in_any_order_and_others_are_ignored(tmp_path: Path) -> None:
     path = tmp_path / "roster.csv"
     path.write_text(
-        'Section;Name;Student\nA;"Müller; Jürgen";0012\nA;Ann   Lee;12\n', encoding="utf-8"
+        'Section;Name;Student\nA;"Müller; Jürgen";0012\nA;Ann   Lee;13\n', encoding="utf-8"
     )
     assert [(each.student, each.name, each.email) for each in Roster.read(path).students] == [
         ("0012", "Müller; Jürgen", ""),
-        ("12", "Ann Lee", ""),
+        ("13", "Ann Lee", ""),
     ]
 
 
@@ -148,6 +148,18 @@ def test_an_id_that_a_spreadsheet_would_run_is_refused(student: str) -> None:
     assert problem.endswith("correct it, or add --allow-odd-ids")
     allowed = parse_roster(text.encode(), "roster.csv", odd_ids=True)
     assert [each.student for each in allowed.students] == ["1", student]
+
+
+def test_ids_that_differ_by_zeros_alone_are_refused_unless_they_are_wanted() -> None:
+    text = "student,name\n03100037,Ann\n5,Bob\n3100037,Ann\n"
+    with pytest.raises(TableError) as caught:
+        roster(text)
+    assert caught.value.problems == (
+        'roster.csv: student ids "03100037" and "3100037" on lines 2 and 4 differ by zeros in front '
+        "alone, which spreadsheets drop - use one id for one person, or add --allow-odd-ids if they "
+        "are several people",
+    )
+    assert len(parse_roster(text.encode(), "roster.csv", odd_ids=True).students) == 3
 
 
 def test_odd_ids_are_refused_with_all_other_faults() -> None:

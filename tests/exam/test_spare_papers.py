@@ -130,6 +130,11 @@ def test_spare_and_assigned_papers_outlive_a_class_that_grows_or_is_set_again(
     [
         ("XXXX-XXXX", "0099", 'no spare paper has the code "XXXX-XXXX" - the codes of spare'),
         ("CODE", "0012", '"0012" has a paper already - expected students without one'),
+        (
+            "CODE",
+            "12",
+            'student "0012" has a paper already, and "12" differs from that id by zeros',
+        ),
         ("CODE", " ", "EXAM/exam.json: "),
         ("OF 0012", "0099", 'is that of "0012" already'),
     ],

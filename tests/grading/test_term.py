@@ -18,7 +18,9 @@ from kinegrade.grade_scale.scale import Scale, Step
 from kinegrade.marks_folder.rows import ClassTotals, StudentTotal
 from kinegrade.reports.term.plan import Part, Plan, plan_evenly
 from kinegrade.reports.term.results import TermResult, work_out_results
+from kinegrade.reports.term.split_students import find_split_students
 from tests.grading.marked_folder import RIGHT, mark_class
+from tests.said import all_said
 from tests.small_class import kinegrade, table
 
 SCALE = Scale((Step("pass", Fraction(1, 2), passes=True), Step("fail", Fraction(0), passes=False)))
@@ -350,3 +352,15 @@ def test_two_hundred_students_take_under_two_seconds(tmp_path: Path) -> None:
     begin = process_time()
     assert kinegrade("term", *folders, "-o", tmp_path / "term.xlsx").exit_code == 0
     assert process_time() - begin < 2
+
+
+def test_an_id_without_its_zeros_in_another_exam_is_named() -> None:
+    lost = exams(HW1={"0031": "5", "0032": "4"}, HW2={"31": "5", "0032": "4"}, HW3={"0031": "1"})
+    (found,) = all_said(find_split_students(lost))
+    assert found == (
+        '0031: "0031" (in HW1, HW3) and "31" (in HW2) differ by zeros in front alone, which '
+        "spreadsheets drop - each has a line; if they are one person, neither line has all of the "
+        "exams"
+    )
+    both = exams(HW1={"0031": "5", "31": "4"}, HW2={"31": "5"})
+    assert not list(find_split_students(both))

@@ -17,7 +17,7 @@ from kinegrade.exam.folder.exam_folder import ExamFolder, open_exam
 from kinegrade.exam.folder.records import Candidate, ExamHead
 from kinegrade.exam.folder.writing import encode_line
 from kinegrade.exam.generating.adding import write_rest
-from kinegrade.exam.generating.grown_class import find_stem
+from kinegrade.exam.generating.grown_class import find_stem, list_twins
 from kinegrade.exam.generating.grown_folder import copy_exam, open_grown_folder
 from kinegrade.exam.generating.key_books import list_spare_ids, write_spare_key
 from kinegrade.exam.printing.key_pages import make_kept_keys
@@ -53,8 +53,8 @@ def assign_paper(path: Path, code: str, student: Student) -> Assigned:
     """Give the spare paper of that code to a student who has none; printed again, it carries the
     name.
 
-    Raises ExamError where there is no such spare paper, or the student has a paper, OutputError;
-    then nothing is written.
+    Raises ExamError where there is no such spare paper, or the student has a paper, perhaps under
+    an id with other zeros in front; OutputError. Then nothing is written.
     """
     exam = open_exam(path)
     spare = _find_spare(exam, code)
@@ -96,6 +96,10 @@ def _make_owner(exam: ExamFolder, spare: Candidate, student: Student) -> Candida
         shown = Quoted(student.student)
         what = Message("exam.has-own-paper", student=shown) if key else Message("exam.empty-id")
         raise ExamError(Fault(str(exam.head_file), what, Message("exam.students-without")))
+    do = Message("exam.other-person-late")
+    twins = tuple(list_twins(exam, student.student, str(exam.head_file), do))
+    if twins:
+        raise ExamError(*twins)
     return structs.replace(
         spare,
         student=student.student,

@@ -16,6 +16,7 @@ from kinegrade.exam.generating.exam_files import source_files, translation_files
 from kinegrade.exam.generating.paper_changes import compare_students
 from kinegrade.exam.printing.reprint import find_kinds
 from kinegrade.exam.roster.roster import Roster
+from kinegrade.exam.roster.student_ids import find_zero_twins
 from kinegrade.exam.roster.students import Student, choose_places, make_file_names, make_student_key
 from kinegrade.exam.setting.kept_exam import student_of
 from kinegrade.language.message import Fault, Message, Quoted
@@ -137,6 +138,17 @@ def _known_faults(exam: ExamFolder, known: Mapping[str, Student], late: Roster) 
             )
             expected, do = Message("exam.students-without"), Message("exam.delete-line")
             yield Fault(_place(late, student), what, expected, do)
+        elif not late.odd_ids:
+            where, do = _place(late, student), Message("roster.one-person")
+            yield from list_twins(exam, student.student, where, do)
+
+
+def list_twins(exam: ExamFolder, student: str, where: str, do: Message) -> Iterator[Fault]:
+    """That a student of the exam has this id but for zeros in front."""
+    for twins in find_zero_twins((student, *exam.students)):
+        if make_student_key(student) == twins[0]:
+            what = Message("exam.zero-twin", student=Quoted(student), other=Quoted(twins[1]))
+            yield Fault(where, what, do=do)
 
 
 def _require_names_kept(earlier: Sequence[Student], late: Roster) -> None:

@@ -13,6 +13,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from kinegrade.errors import Problem
+from kinegrade.exam.roster.student_ids import find_zero_twins
 from kinegrade.exam.roster.students import make_student_key
 from kinegrade.files.cell_text import shorten, trim
 from kinegrade.files.tables import Complaint, Table
@@ -67,6 +68,7 @@ def find_id_faults(
     yield from _find_repeated(table, people)
     if not odd_ids:
         yield from _find_formulas(table, people)
+        yield from _find_twins(table, people)
     for each in people:
         if each.line in lost or _SHORTENED.fullmatch(each.student):
             what = Message("roster.lost-digits", student=Quoted(shorten(each.student)))
@@ -113,6 +115,15 @@ def _find_repeated(table: Table, people: Sequence[Identity]) -> Iterator[Fault]:
             shown = Quoted(shorten(student))
             what = Message("roster.repeated-id", student=shown, lines=list_all(places))
             yield Fault(table.file, what)
+
+
+def _find_twins(table: Table, people: Sequence[Identity]) -> Iterator[Fault]:
+    lines = {make_student_key(each.student): each.line for each in people}
+    for twins in find_zero_twins(lines):
+        students = list_all(map(Quoted, twins))
+        places = list_all([lines[each] for each in twins])
+        what = Message("roster.zero-twins", students=students, lines=places)
+        yield Fault(table.file, what, do=Message("roster.one-person"))
 
 
 def _find_formulas(table: Table, people: Sequence[Identity]) -> Iterator[Fault]:

@@ -32,13 +32,14 @@ _LAST = (10**9, "")
 @dataclass(frozen=True, slots=True)
 class Roster:
     """The students in the order of the file, and complaints for a person to look at; `file` is its
-    name in messages, `way` says how it was read.
+    name in messages, `way` says how it was read, `odd_ids` that odd ids are wanted.
     """
 
     students: tuple[Student, ...]
     complaints: tuple[Complaint, ...]
     file: str = field(default="roster", compare=False)
     way: WayOfReading | None = field(default=None, compare=False, repr=False)
+    odd_ids: bool = field(default=False, compare=False, repr=False)
 
     @classmethod
     def read(
@@ -51,9 +52,9 @@ class Roster:
         """Reads a roster file; raises TableError with all its faults at once.
 
         `columns` names the titles of columns that are not known by them, and by "" columns that are
-        not to be used. Ids that a spreadsheet would take for a formula are a fault too, unless
-        `odd_ids` are wanted: they are keys, so they stand as they are in every table that is
-        written.
+        not to be used. Ids that a spreadsheet would take for a formula are a fault too, and ids
+        that differ by zeros in front alone, unless `odd_ids` are wanted: they are keys, so they
+        stand as they are in every table that is written.
 
         >>> [student.name for student in Roster.read("roster.csv").students]
         ['Ann', 'Ben']
@@ -107,7 +108,7 @@ def complain_of_unprintable_id(file: str, student: Student, characters: Iterable
 
 def _make_roster(table: Table, wishes: Wishes, *, odd_ids: bool) -> Roster:
     read = read_class(table, wishes, odd_ids=odd_ids)
-    return Roster(read.students, read.complaints, table.file, read.way)
+    return Roster(read.students, read.complaints, table.file, read.way, odd_ids)
 
 
 def find_seat(student: Student) -> tuple[tuple[tuple[int, str], ...], ...]:

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import re
 from collections import defaultdict
-from collections.abc import Collection, Iterable, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from functools import cached_property
 
 from kinegrade.exam.roster.students import make_student_key
@@ -103,6 +103,19 @@ class StudentIds:
             if len({make_student_key(spelling) for spelling in spellings}) == 1:
                 found |= dict.fromkeys(sorted(spellings), student)
         return found
+
+
+def find_zero_twins(students: Iterable[str]) -> Iterator[tuple[str, ...]]:
+    """Ids that differ by zeros in front alone, as where a spreadsheet dropped them in one place.
+
+    >>> list(find_zero_twins(["0012", "S9", "12", "7"]))
+    [('0012', '12')]
+    """
+    alike: dict[str, dict[str, None]] = defaultdict(dict)
+    for key in map(make_student_key, students):
+        if key.isdecimal():
+            alike[key.lstrip("0")][key] = None
+    yield from (tuple(found) for found in alike.values() if len(found) > 1)
 
 
 def describe_restoration(restored: Mapping[str, str]) -> tuple[Message, Message]:
