@@ -15,10 +15,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from kinegrade.exam.folder.keys import Ask, Sitting
+from kinegrade.exam.folder.keys import Ask
 from kinegrade.files.tables import Complaint
+from kinegrade.grading.fast.another_paper import PapersAnswered
 from kinegrade.grading.fast.bounds import Flags, Numbers, Places
-from kinegrade.grading.fast.intervals import Intervals, list_intervals
+from kinegrade.grading.fast.intervals import Intervals
 from kinegrade.grading.marks import MarkedBlock
 from kinegrade.grading.sheets.sheet import Place
 from kinegrade.language.message import Message
@@ -60,7 +61,9 @@ class DisplacedColumns:
             yield block
             del block, judged  # so that the next takes its place
 
-    def list_complaints(self, exam: Sitting, columns: Sequence[str]) -> Iterator[Complaint]:
+    def list_complaints(
+        self, papers: PapersAnswered, columns: Sequence[str]
+    ) -> Iterator[Complaint]:
         """A complaint for each column that was sorted or slipped, after all blocks have been
         watched. Raises ExamError where the papers cannot be read.
         """
@@ -70,14 +73,12 @@ class DisplacedColumns:
             return
         numbers = np.concatenate(self.numbers)[order]
         wrong = ~np.concatenate(self.right)[order] & ~np.isnan(numbers)
-        intervals: list[Intervals] = []
         for ask, title in enumerate(columns):
             own, amiss = numbers[:, ask], wrong[:, ask]
             if _is_sorted(own, amiss):
                 yield self._complain_of_order(order, title, own, amiss)
             elif amiss.sum() >= _LEAST_MOVED:
-                intervals = intervals or list_intervals(exam)
-                run = _Column(intervals[ask], own, amiss, order).find_run(len(columns))
+                run = _Column(papers.intervals[ask], own, amiss, order).find_run(len(columns))
                 if run is not None:
                     yield self._complain_of_run(order, title, run)
 

@@ -22,6 +22,7 @@ from kinegrade.grading.by_hand.gathering import HandSources, gather_hand_marks
 from kinegrade.grading.by_hand.markable import find_markable
 from kinegrade.grading.by_hand.settling import HandMarking, Settled
 from kinegrade.grading.displaced_columns import DisplacedColumns
+from kinegrade.grading.fast.another_paper import PapersAnswered
 from kinegrade.grading.judging.follow import Follows
 from kinegrade.grading.lateness.submissions import check_times
 from kinegrade.grading.marking import MarkingTerms, mark_blocks
@@ -116,7 +117,7 @@ def _mark(
     sheet, rules = class_sheet(files, exam), _choose_policy(exam, wishes.policy)
     untimed = check_times(sheet, rules.penalties.late)
     pool, others = read_pool(exam, sheet), OtherPapers(exam.asks)
-    displaced = DisplacedColumns(exam.asks)
+    papers, displaced = PapersAnswered(exam), DisplacedColumns(exam.asks)
     accepted = alternatives(exam, rules, exam, pool.put_together(exam, sheet), pool.papers)
     orders = exam.printed_orders()
     hands = gather_hand_marks(sources, find_markable(exam, rules, orders))
@@ -124,12 +125,12 @@ def _mark(
         rules, accepted, wishes.decimal, wishes.follows, pool, hands.by_hand, wishes.own_papers
     )
     by_hand = HandMarking(hands.by_hand, exam.head, rules.given_to_all)
-    watched = displaced.watched(others.watched(mark_blocks(exam, sheet, terms)))
+    watched = displaced.watched(others.watched(mark_blocks(papers, sheet, terms)))
     blocks = by_hand.watched(watched)
     grades = collect_grades(exam, sheet, write_marks(folder, blocks))
     if not wishes.own_papers:
-        others.refuse(exam, ", ".join(each.table.file for each in files))
-        moved = tuple(displaced.list_complaints(exam, sheet.columns))
+        others.refuse(papers, ", ".join(each.table.file for each in files))
+        moved = tuple(displaced.list_complaints(papers, sheet.columns))
         grades = replace(grades, complaints=(*moved, *grades.complaints))
     settled = by_hand.settle(_leave_out_names(grades) if wishes.pseudonymous else grades)
     scale = None if settled.still_open else _make_scale(rules, exam.language)

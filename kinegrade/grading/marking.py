@@ -67,19 +67,20 @@ _BY_THE_PAPERS = MarkingTerms()
 
 def mark(exam: Sitting, sheet: Sheet, terms: MarkingTerms = _BY_THE_PAPERS) -> Marks:
     """Marks a class. Raises nothing itself: what cannot be read gets no points and a complaint."""
-    blocks = list(mark_blocks(exam, sheet, terms))
+    blocks = list(mark_blocks(PapersAnswered(exam), sheet, terms))
     found = collect_grades(exam, sheet, blocks)
     marks = chain.from_iterable(block.marks() for block in blocks)
     return Marks(found.questions, found.grades, found.complaints, tuple(marks))
 
 
-def mark_blocks(exam: Sitting, sheet: Sheet, terms: MarkingTerms) -> Iterator[MarkedBlock]:
+def mark_blocks(papers: PapersAnswered, sheet: Sheet, terms: MarkingTerms) -> Iterator[MarkedBlock]:
     """The same in blocks, in the order of the roster. Raises ExamError where the papers cannot be
     read.
     """
+    exam = papers.sitting
     last = (entries[-1].responses for entries in sheet.entries.values())
     styles, policy = find_file_style(last, terms.decimal), terms.policy
-    judge = BlockJudge(PapersAnswered(exam), policy, terms.alternatives, styles, terms.follows)
+    judge = BlockJudge(papers, policy, terms.alternatives, styles, terms.follows)
     asks = tuple(policy.ruling(ask.column).ask(ask) for ask in exam.asks)
     submissions = Submissions(policy.penalties)
     marker = _Marker(sheet, judge, asks, add_counted(asks), terms, submissions)

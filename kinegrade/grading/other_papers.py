@@ -20,11 +20,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinegrade.errors import ExamError
-from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.keys import Ask
-from kinegrade.grading.fast.another_paper import group_places
+from kinegrade.grading.fast.another_paper import PapersAnswered
 from kinegrade.grading.fast.bounds import Flags, Numbers
-from kinegrade.grading.fast.intervals import Intervals, list_intervals
+from kinegrade.grading.fast.intervals import Intervals
 from kinegrade.grading.judging.judge import Kind
 from kinegrade.grading.marks import MarkedBlock
 from kinegrade.language.message import Fault, Message
@@ -62,7 +61,7 @@ class OtherPapers:
             yield block
             del block, judged, is_number, right  # so that the next takes its place
 
-    def refuse(self, exam: ExamFolder, file: str) -> None:
+    def refuse(self, papers: PapersAnswered, file: str) -> None:
         """Raises ExamError where most answers fit papers other than those by which they are
         marked.
         """
@@ -72,8 +71,7 @@ class OtherPapers:
         step = max(1, len(rows) // _LOOKED_AT)
         places = np.arange(0, len(rows), step)
         answers = _Answers(rows[places], right[places], places)
-        bounds = list_intervals(exam)
-        questions = group_places(self.asks)
+        bounds, questions = papers.intervals, papers.questions
         found = answers.foreign(bounds, questions)
         chance = _expect_by_chance(lambda moved: answers.foreign(moved, questions), bounds)
         swapped = answers.swapped(bounds)

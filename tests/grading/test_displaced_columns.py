@@ -11,6 +11,7 @@ import pytest
 
 from kinegrade.files.tables import parse_table
 from kinegrade.grading.displaced_columns import DisplacedColumns
+from kinegrade.grading.fast.another_paper import PapersAnswered
 from kinegrade.grading.marking import MarkingTerms, mark_blocks
 from kinegrade.grading.sheets.class_sheet import read_sheet
 from tests.grading.sitting_class import FACTORS, SittingClass, sitting_class
@@ -40,8 +41,9 @@ def find(sitting: SittingClass, rows: Rows) -> list[tuple[str, str]]:
     lines = [",".join(row) for row in [["student", *COLUMNS], *rows]]
     sheet = read_sheet(parse_table("\n".join(lines).encode(), "answers.csv"), sitting.exam)
     displaced = DisplacedColumns(sitting.exam.asks)
-    list(displaced.watched(mark_blocks(sitting.exam, sheet, MarkingTerms())))
-    complaints = displaced.list_complaints(sitting.exam, sheet.columns)
+    papers = PapersAnswered(sitting.exam)
+    list(displaced.watched(mark_blocks(papers, sheet, MarkingTerms())))
+    complaints = displaced.list_complaints(papers, sheet.columns)
     return [(each.column, said(each.problem)) for each in complaints]
 
 

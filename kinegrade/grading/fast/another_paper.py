@@ -57,13 +57,16 @@ class PapersAnswered:
         return group_places(self.sitting.asks)
 
     @cached_property
-    def _intervals(self) -> list[Intervals]:
+    def intervals(self) -> list[Intervals]:
+        """Those of each ask, on the papers of the students and of a pool. Raises ExamError where
+        the papers cannot be read.
+        """
         return list_intervals(self.sitting)
 
     @cached_property
     def _different(self) -> Places:
         """The first student of each lot that has the same paper, as where there are versions."""
-        values = [each.value[: len(self.sitting.students)] for each in self._intervals]
+        values = [each.value[: len(self.sitting.students)] for each in self.intervals]
         first: Places = np.unique(np.column_stack(values), axis=0, return_index=True)[1]
         first.sort()
         return first
@@ -71,7 +74,7 @@ class PapersAnswered:
     @cached_property
     def _students(self) -> list[Intervals]:
         """The intervals on the different papers of students."""
-        return [each.at(self._different) for each in self._intervals]
+        return [each.at(self._different) for each in self.intervals]
 
     @cached_property
     def _sorted(self) -> list[SortedIntervals]:
@@ -162,11 +165,11 @@ class PapersAnswered:
             yield float(max(found, around)) / len(intervals.value)
 
     def _fitting(self, question: range, own: Numbers, numbers: Numbers, wrong: Flags) -> _Fitting:
-        differ = [self._intervals[ask].differ(own[[ask]])[0] for ask in question]
+        differ = [self.intervals[ask].differ(own[[ask]])[0] for ask in question]
         fits: Flags = np.any(differ, axis=0)
         for ask in question:
             if not np.isnan(numbers[ask]):
-                fits &= self._intervals[ask].fit(numbers[[ask]])[0]
+                fits &= self.intervals[ask].fit(numbers[[ask]])[0]
         together = max(1, int(fits.sum())) / len(fits)
         return _Fitting(question, fits, min([together, *self._shares(question, numbers, wrong)]))
 
@@ -176,7 +179,7 @@ class PapersAnswered:
         """
         for ask in question:
             if wrong[ask]:
-                intervals, answer = self._intervals[ask], numbers[[ask]]
+                intervals, answer = self.intervals[ask], numbers[[ask]]
                 around = intervals.widened(_WIDENED).fit(answer).mean() / _WIDENED
                 yield max(intervals.fit(answer).mean(), around)
 
