@@ -19,6 +19,7 @@ from kinegrade.lms.grades.systems.moodle import MOODLE
 from kinegrade.marks_folder.folder import MarksFolder
 from tests.golden_files import Hold
 from tests.lms.marked_folder import changed, filled, fresh, write_marks
+from tests.said import all_said
 
 GRADES = '''student,name,q1,q2,total,out_of,percent
 0012345,王伟,4,3,7,10,70
@@ -258,3 +259,15 @@ def test_a_damaged_folder_is_refused(tmp_path: Path) -> None:
         match='marks.csv:6: out_of is "x" - expected a number of zero or more - grade again',
     ):
         export(MarksFolder(folder(tmp_path, marks=MARKS.replace("0,4,", "0,x,"))))
+
+
+def test_other_grades_that_stood_in_a_download_are_named(tmp_path: Path) -> None:
+    text = "ID number,Assignment: Quiz (Real)\n0012345,3\n0012346,4.00\n0012348,-\n"
+    result = filled(tmp_path, MOODLE, text, ExportOptions(columns={"": "Assignment: Quiz (Real)"}))
+    assert all_said(result.notes)[-1] == (
+        'download.csv: "Assignment: Quiz (Real)": 1 grade that stood there is replaced by another: '
+        '"0012345" (3, now 8.25)'
+    )
+    path = tmp_path / "filled.csv"
+    again = filled(tmp_path, MOODLE, path.read_bytes(), ExportOptions())
+    assert not [note for note in all_said(again.notes) if "stood there" in note]

@@ -34,6 +34,7 @@ from kinegrade.lms.grades.key_column import KeyColumn
 from kinegrade.lms.grades.key_columns import exam_hint, key_columns
 from kinegrade.lms.grades.matching import match
 from kinegrade.lms.grades.maximum import maximum_faults
+from kinegrade.lms.grades.replaced_cells import find_replaced
 
 
 @dataclass(frozen=True, slots=True)
@@ -71,7 +72,7 @@ def fill_in(dialect: Dialect, grades: ClassGrades, into: Path, options: ExportOp
         hint = exam_hint(table, grades.students)
         nothing = Message("grades.no-student-fits", hint=hint)
         raise TableError(Fault(table.file, nothing), *(each.fault for each in complaints[:20]))
-    notes = tuple(_list_notes(task, keys))
+    notes = (*_list_notes(task, keys), *find_replaced(task, rows, matching, changes))
     return Filled(_write_content(task, changes), _count(rows, changes), complaints, notes)
 
 
