@@ -105,7 +105,9 @@ kinegrade.open_exam
 print("superfluous:", sorted({
     "kinegrade.marks_folder.folder", "kinegrade.students.mistaking.mistakes",
     "kinegrade.students.separation", "kinegrade.worked.case", "kinegrade.description.subject",
-    "sympy", "openpyxl", "pikepdf", "hypothesis"} & set(sys.modules)))
+    "sympy", "openpyxl", "pikepdf", "hypothesis", "kinegrade.files.tables",
+    "kinegrade.problem.template.library.stepwise",
+    "kinegrade.problem.template.meaning.consistency"} & set(sys.modules)))
 """
     path = {**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)}
     ran = subprocess.run(

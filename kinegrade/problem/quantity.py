@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Any
 
 from flint import arb, fmpq
 
-from kinegrade.language.math.latex import MATHJAX, write_latex_math
 from kinegrade.numbers.angle import Angle
 from kinegrade.numbers.pi_multiple import multiply_by_pi
 from kinegrade.numbers.text import LATEX, write_angle, write_decimal, write_exact
@@ -83,6 +82,9 @@ class Quantity:
 
     def _repr_latex_(self) -> str:
         """What a notebook shows: a number that fits a line, with its unit."""
+        # Only notebooks show numbers so
+        from kinegrade.language.math.latex import MATHJAX, write_latex_math  # noqa: PLC0415
+
         number = self.closed_form or rf"\approx {self.decimal(10)}"
         unit = "" if self.at_infinity or self.unit == "1" else rf"\,\unit{{{self.unit}}}"
         return f"${write_latex_math(number + unit, self.name, MATHJAX)}$"

@@ -26,7 +26,6 @@ from kinegrade.files.fields.values import found
 from kinegrade.language.message import Message, Quoted
 from kinegrade.problem.statement_faults import find_statement_faults
 from kinegrade.problem.template.library.library import load_kept_template
-from kinegrade.problem.template.library.stepwise import read_stepwise
 from kinegrade.problem.template.sections.stepwise_keys import STEPWISE
 from kinegrade.problem.template.template import Template, TemplateFile
 from kinegrade.students.mistaking.mistake_names import MISTAKE_NAMES
@@ -55,6 +54,9 @@ def read_own_question(
         return OwnQuestion(load_kept_template(name, kept), asks)
     content = {key: _select_stated(key, entry.content[key]) for key in STEPWISE if key in entry}
     inside = Table(entry.faults.inside(entry.place), (), content, entry.excused)
+    # Few banks have questions of their own
+    from kinegrade.problem.template.library.stepwise import read_stepwise  # noqa: PLC0415
+
     template = read_stepwise(name or "", inside, _NO_FILE)
     _refuse_known_mistakes(entry)
     if name is None or template is None or entry.faults.within(entry.place):

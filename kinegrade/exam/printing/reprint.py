@@ -21,8 +21,7 @@ from kinegrade.exam.folder.faults import describe_damage, explain_broken
 from kinegrade.exam.folder.records import Candidate
 from kinegrade.exam.printing.pages import lay_out_paper
 from kinegrade.exam.printing.printing import Extras, PressOrder, PrintRun
-from kinegrade.exam.roster.complaints import roster_complaints
-from kinegrade.exam.roster.roster import Roster
+from kinegrade.exam.roster.complaints import find_unprintable
 from kinegrade.exam.roster.student_ids import StudentIds
 from kinegrade.exam.roster.students import make_student_key, read_place
 from kinegrade.exam.setting.kept_exam import KeptExam
@@ -74,7 +73,7 @@ class Reprint:
 
     def complaints(self) -> tuple[Problem, ...]:
         """What a person should look at before it is handed out."""
-        return roster_complaints(Roster((self.paper.student,), (), self.file), self._press)
+        return tuple(find_unprintable((self.paper.student,), self.file, self._press))
 
     @property
     def _name(self) -> str:

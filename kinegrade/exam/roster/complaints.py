@@ -2,21 +2,41 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Iterator
+from typing import TYPE_CHECKING
+
 from kinegrade.errors import Problem
-from kinegrade.exam.roster.roster import Roster, complain_of_unprintable_id
-from kinegrade.language.message import Fault, Message
+from kinegrade.exam.roster.students import Student
+from kinegrade.language.message import Fault, Message, list_plainly
 from kinegrade.press.protocol import Press
+
+if TYPE_CHECKING:  # it loads all that reads a roster, which a single paper does not need
+    from kinegrade.exam.roster.roster import Roster
 
 
 def roster_complaints(roster: Roster, press: Press) -> tuple[Problem, ...]:
     """The roster's oddities, and characters of names and ids that no font has."""
-    owners = (text for student in roster.students for text in (student.name, student.student))
-    missing = press.unprintable(owners)
-    said: list[Problem] = [each.fault for each in roster.complaints]
-    for student in roster.students:
+    odd = (each.fault for each in roster.complaints)
+    return (*odd, *find_unprintable(roster.students, roster.file, press))
+
+
+def find_unprintable(students: Iterable[Student], file: str, press: Press) -> Iterator[Problem]:
+    """The characters of names and ids that no font has; `file` is that of the roster."""
+    listed = list(students)
+    missing = press.unprintable(text for each in listed for text in (each.name, each.student))
+    for student in listed:
         if missing & set(student.name):
-            said.append(Fault(student.student, Message("roster.unprintable-name")))
+            yield Fault(student.student, Message("roster.unprintable-name"))
         odd = {each for each in student.student if each in missing or not each.isprintable()}
         if odd:
-            said.append(complain_of_unprintable_id(roster.file, student, odd).fault)
-    return tuple(said)
+            yield _explain_unprintable_id(file, student, odd)
+
+
+def _explain_unprintable_id(file: str, student: Student, characters: Iterable[str]) -> Fault:
+    """Characters of an id that do not print: it cannot be typed as it stands on the paper."""
+    codes = list_plainly(f"U+{ord(character):04X}" for character in sorted(set(characters)))
+    whose = student.name or Message("roster.nameless")
+    problem = Message("roster.unprintable-id", whose=whose, codes=codes)
+    place = f"{file}:{student.line}" if student.line else file
+    where = ": ".join((place, "student"))
+    return Fault(where, problem, do=Message("roster.unprintable-id-done"))

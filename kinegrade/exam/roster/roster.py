@@ -8,7 +8,6 @@ Ids are texts: leading zeros and case are kept.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
 from os import PathLike
 from pathlib import Path
@@ -21,8 +20,7 @@ from kinegrade.exam.roster.way_of_reading import WayOfReading
 from kinegrade.files.spreadsheet import read_workbook
 from kinegrade.files.tables import Complaint, Table, parse_table, read_table
 from kinegrade.files.workbook_inspection import is_workbook
-from kinegrade.language.lines import show_in_one_line
-from kinegrade.language.message import Message, list_plainly
+from kinegrade.language.message import Message
 
 _AS_TITLED: Wishes = MappingProxyType({})
 _DIGITS = re.compile(r"([0-9]+)")
@@ -91,19 +89,6 @@ def parse_roster(content: bytes, file: str, *, odd_ids: bool = False) -> Roster:
     """
     table = parse_table(content, file, None, make_header_sign(_AS_TITLED))
     return _make_roster(table, _AS_TITLED, odd_ids=odd_ids)
-
-
-def complain_of_unprintable_id(file: str, student: Student, characters: Iterable[str]) -> Complaint:
-    """The complaint about characters of an id that do not print: it cannot be typed as it stands on
-    the paper.
-    """
-    codes = list_plainly(f"U+{ord(character):04X}" for character in sorted(set(characters)))
-    whose = student.name or Message("roster.nameless")
-    problem = Message("roster.unprintable-id", whose=whose, codes=codes)
-    done = Message("roster.unprintable-id-done")
-    return Complaint(
-        file, student.line or None, "student", show_in_one_line(student.student), problem, done
-    )
 
 
 def _make_roster(table: Table, wishes: Wishes, *, odd_ids: bool) -> Roster:

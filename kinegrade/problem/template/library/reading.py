@@ -15,8 +15,6 @@ from kinegrade.language.message import Message
 from kinegrade.problem.template.beside import Translations
 from kinegrade.problem.template.draft import Draft
 from kinegrade.problem.template.hints import FigureHints
-from kinegrade.problem.template.library.stepwise import read_stepwise
-from kinegrade.problem.template.meaning.consistency import note_inconsistencies
 from kinegrade.problem.template.sections.about import read_about
 from kinegrade.problem.template.sections.asks import read_asks
 from kinegrade.problem.template.sections.figure import Names, read_figure
@@ -58,12 +56,15 @@ def read_template(
 
     `name` is the file's name without `.toml`: letters, digits and hyphens. `mechanisms` gives the
     mechanism that the template shares with others, `translations` the texts of the files that
-    translate it. A template that is `kept` with an
-    exam is read without a look at dimensions, so that no later rule closes an exam's folder.
+    translate it. A template that is `kept` with an exam is read without a look at dimensions, so
+    that no later rule closes an exam's folder.
     """
     opened = open_template(name, text, mechanisms, translations)
     table = opened.table
     if "steps" in table:
+        # Loads the reading of expressions, and most templates have a mechanism
+        from kinegrade.problem.template.library.stepwise import read_stepwise  # noqa: PLC0415
+
         if not kept:
             do = Message("template.steps-into-bank")
             table.fault("steps", Message("template.steps-in-file"), do=do)
@@ -82,6 +83,11 @@ def _read_whole(name: str, opened: Opened, *, kept: bool) -> Template | None:
     if _has_names(opened.table):
         check_uses(draft, opened.table.faults)
         if not kept:
+            # Loads the meanings of expressions, which an exam does not look at again
+            from kinegrade.problem.template.meaning.consistency import (  # noqa: PLC0415
+                note_inconsistencies,
+            )
+
             note_inconsistencies(draft, opened.table.faults)
             note_repeated(draft, opened.table.faults)
     return draft.template(name, opened.file)
