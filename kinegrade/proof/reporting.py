@@ -12,17 +12,18 @@ from kinegrade.proof.report import Report
 from kinegrade.students.near_mistakes import Shares
 
 
-def write_verdict(report: Report) -> Message:
-    """Whether the template is sound, and proved by a published result; undecided where no draw was
-    accepted.
+def write_verdict(report: Report, name: str = "") -> Message:
+    """Whether the template is sound, and proved by a published result, under its name or another;
+    undecided where no draw was accepted.
     """
+    name = name or report.template.name
     if report.faults:
-        return Message("template.report-faulty", name=report.template.name)
+        return Message("template.report-faulty", name=name)
     if not report.is_sound:
-        return Message("template.report-undecided", name=report.template.name)
+        return Message("template.report-undecided", name=name)
     if not report.template.published:
-        return Message("template.report-unproved", name=report.template.name)
-    return Message("template.report-sound", name=report.template.name)
+        return Message("template.report-unproved", name=name)
+    return Message("template.report-sound", name=name)
 
 
 def write_findings(report: Report) -> Iterator[Message]:

@@ -128,6 +128,33 @@ def test_a_template_is_found_by_words(words: str, like: str) -> None:
     assert find_alike(words) == like
 
 
+def test_words_that_the_nearest_template_has_nothing_of_are_named(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert kinegrade("new", "x", "--from", "slotted unicorn rocker").stderr.startswith(
+        "rolling-wheel-pin-slotted-rocker is the nearest; it has nothing of: unicorn\nx.toml: written"
+    )
+    assert "nearest" not in kinegrade("new", "y", "--from", "slotted rocker").stderr
+
+
+def test_check_tells_files_of_one_name_apart_and_from_a_shipped_template(tmp_path: Path) -> None:
+    text = load_template("slider-crank").file.text
+    paths = [tmp_path / folder / "slider-crank.toml" for folder in "ab"]
+    for path, added in zip(paths, ("", "# mine\n"), strict=True):
+        path.parent.mkdir()
+        path.write_text(text + added, encoding="utf-8")
+    said = kinegrade("check", *map(str, paths), "--sample", "20").stdout
+    assert f"{paths[0]}: sound\n" in said
+    assert f"{paths[1]}: sound\n" in said
+    assert said.count("a shipped template has this name") == 1
+    assert (
+        'a bank gets this file by template = "slider-crank.toml", and the shipped one by '
+        '"slider-crank"' in said
+    )
+    assert kinegrade("check", str(paths[0]), "--sample", "20").stdout.startswith("slider-crank: ")
+
+
 def test_words_that_no_template_has_and_names_that_there_are_not_are_refused() -> None:
     assert refusal("x", "--from", "qwertz") == (
         'error: no shipped template has any of the words "qwertz" - choose one by: kinegrade list'

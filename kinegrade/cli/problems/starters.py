@@ -9,7 +9,7 @@ import click
 from kinegrade.cli.help import command
 from kinegrade.cli.options import FORCE, OPTIONAL_OUTPUT, refusing
 from kinegrade.cli.terminal import refuse_usage, say
-from kinegrade.language.message import Message
+from kinegrade.language.message import Message, list_plainly
 
 
 @command()
@@ -58,10 +58,17 @@ def _write_plainly(kind: str, package: str, name: str, output: Path | None, forc
 
 
 def _write_template(name: str, like: str, words: str, output: Path | None, force: bool) -> None:
-    from kinegrade.problem.template.library.starter import find_alike, write_starter
+    from kinegrade.problem.template.library.starter import (
+        find_alike,
+        find_unmatched,
+        write_starter,
+    )
 
     model = find_alike(words) if words else like
     path = write_starter(name, output, like=model, force=force)
+    unmatched = find_unmatched(words, model) if words else []
+    if unmatched:
+        say(Message("terminal.not-alike", name=model, words=list_plainly(unmatched)))
     if model:
         say(Message("terminal.written-like", path=str(path), name=model))
     else:

@@ -68,6 +68,16 @@ def find_alike(words: str) -> str:
     return best
 
 
+def find_unmatched(words: str, name: str) -> list[str]:
+    """Those of the words that a shipped template has nothing of.
+
+    >>> find_unmatched("slotted unicorn", "rolling-wheel-pin-slotted-rocker")
+    ['unicorn']
+    """
+    text = _list_words(load_template(name))
+    return [word for word in words.split() if word.casefold() not in text]
+
+
 def _list_words(template: Template) -> str:
     """What a template is called and tagged, in all its languages."""
     title = template.about.title
