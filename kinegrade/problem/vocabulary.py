@@ -71,7 +71,7 @@ def list_sections(group: Group) -> tuple[Section, ...]:
     """The words of a group."""
     match group:
         case "template":
-            optional = (*keys.OPTIONAL, *keys.SHARING)
+            optional = (*keys.OPTIONAL, *keys.SHARING, *keys.STATED)
             return _keys("needed", "template", keys.NEEDED), _keys("optional", "template", optional)
         case "parameters":
             return (_keys("keys", "parameter", keys.PARAMETER),)

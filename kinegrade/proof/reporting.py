@@ -7,7 +7,11 @@ from collections.abc import Iterator, Mapping
 from kinegrade.draws.deal import count_reasons
 from kinegrade.language.message import Message, list_plainly
 from kinegrade.problem.template.template import Template
-from kinegrade.problem.template.texts import find_languages, is_language_named
+from kinegrade.problem.template.texts import (
+    find_languages,
+    find_unstated_texts,
+    is_language_named,
+)
 from kinegrade.proof.report import Report
 from kinegrade.students.near_mistakes import Shares
 
@@ -61,6 +65,9 @@ def write_findings(report: Report) -> Iterator[Message]:
 def _write_languages(template: Template) -> Message:
     if not is_language_named(template):
         return Message("template.report-one-language")
+    unstated = find_unstated_texts(template)
+    if unstated:
+        return Message("template.unstated-language", names=list_plainly(unstated))
     languages = find_languages(template)
     complete = list_plainly(languages) if languages else Message("template.no-language")
     return Message("template.report-languages", languages=complete)

@@ -89,7 +89,8 @@ def test_a_plain_text_in_another_script_is_noted(title: str, language: str, note
     template = crank(('{ en = "A crank", zh = "曲柄" }', f'"{title}"'))
     words = open_catalogue(ENGLISH)
     notes = [words.write(each) for each in note_other_scripts(template, Language(language))]
-    assert [f"these texts ({noted}) are written once" in note for note in notes] == [True] * bool(
+    scripts = [note for note in notes if "not in the script" in note]
+    assert [f"these texts ({noted}) are written once" in note for note in scripts] == [True] * bool(
         noted
     )
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pytest
@@ -9,10 +10,20 @@ import pytest
 from kinegrade.errors import TemplateError
 from kinegrade.language import ENGLISH, Language
 from kinegrade.problem.template.library.library import list_names, load_template
-from kinegrade.problem.template.texts import find_languages
+from kinegrade.problem.template.library.reading import read_template
+from kinegrade.problem.template.texts import (
+    find_language_faults,
+    find_languages,
+    find_unstated_texts,
+    note_other_scripts,
+)
+from kinegrade.proof.checking import check
+from kinegrade.proof.reporting import write_findings
 from tests.problem.crank import crank_text
 from tests.problem.test_languages import ONLY_ENGLISH
 from tests.problem.test_shared_mechanism import MECHANISM, OWN
+from tests.problem.turning_crank import CRANK
+from tests.said import said
 from tests.small_class import kinegrade
 
 CHINESE = Language("zh")
@@ -149,3 +160,42 @@ def test_a_shared_mechanism_has_translations_beside_it(tmp_path: Path) -> None:
         "known here: parameters.h, parameters.r",
         'mechanisms/arm.zh.toml:3: parameters.r: "" - expected a text in quotation marks, "..."',
     ]
+
+
+ONCE = CRANK.replace('{ en = "Crank", zh = "曲柄" }', '"Kurbel"')
+
+
+def test_a_file_may_say_in_which_language_it_has_its_texts() -> None:
+    text = ONCE.replace("family", 'language = "de"\nfamily', 1)
+    template = read_template("crank", text)
+    assert template.about.title.languages == ("de",)
+    assert said(next(write_findings(check(template, 2)))) == "complete in: no language"
+    plain = re.sub(r'\{ en = ("[^"]*"), zh = "[^"]*" \}', r"\1", text)
+    whole = read_template("crank", plain)
+    assert find_languages(whole) == ("de",)
+    assert len(find_language_faults([whole], Language("en"))) == 1
+    assert said(next(write_findings(check(whole, 2)))) == "complete in: de"
+
+
+def test_a_language_that_there_is_not_is_refused() -> None:
+    text = ONCE.replace("family", 'language = "dee"\nfamily', 1)
+    with pytest.raises(TemplateError, match="language") as refusal:
+        read_template("crank", text)
+    assert refusal.value.problems == (
+        'crank.toml:2: language: unknown: "dee" - expected a language with a catalogue - did you '
+        'mean "de"? (known here: de, en, zh)',
+    )
+
+
+def test_texts_written_once_among_others_by_language_are_named() -> None:
+    template = read_template("crank", ONCE)
+    assert find_unstated_texts(template) == ("title",)
+    assert said(next(write_findings(check(template, 2)))).startswith(
+        "written once, while other texts are by language: title - papers in each language print "
+        "them as they stand"
+    )
+    (note,) = note_other_scripts(template, Language("en"))
+    assert said(note).startswith(
+        "crank: these texts (title) are written once, in no stated language"
+    )
+    assert list(note_other_scripts(read_template("crank", CRANK), Language("en"))) == []

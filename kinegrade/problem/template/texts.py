@@ -62,9 +62,21 @@ def find_missing_texts(template: Template, language: Language) -> tuple[str, ...
     return tuple(key_path(place) for place, text in _list_texts(template) if not text.has(language))
 
 
+def find_unstated_texts(template: Template) -> tuple[str, ...]:
+    """The places of the texts with words that are in no stated language, where others name one."""
+    if not is_language_named(template):
+        return ()
+    return tuple(
+        key_path(place)
+        for place, text in _list_texts(template)
+        if text.plain is not None and _has_words(text.plain)
+    )
+
+
 def note_other_scripts(template: Template, language: Language) -> Iterator[Message]:
     """A note where texts that are written once for all languages are not in the script of this
-    one: a Chinese paper prints an English sentence as it stands.
+    one: a Chinese paper prints an English sentence as it stands. Or where they may not be in this
+    language, for others name theirs.
     """
     chinese = open_catalogue(language).text("language.page.script") == "chinese"
     found = [
@@ -76,6 +88,9 @@ def note_other_scripts(template: Template, language: Language) -> Iterator[Messa
         listed = list_first(found, _NAMED)
         name = template.name
         yield Message("texts.in-another-script", template=name, language=language, names=listed)
+    elif unstated := find_unstated_texts(template):
+        names = {"template": template.name, "names": list_first(unstated, _NAMED)}
+        yield Message("texts.in-no-stated-language", language=language, **names)
 
 
 def _is_in_another_script(text: str, chinese: bool) -> bool:
@@ -83,6 +98,12 @@ def _is_in_another_script(text: str, chinese: bool) -> bool:
     words = _FORMULA.sub("", text)
     written_in_chinese = _CHINESE.search(words) is not None
     return not written_in_chinese and bool(_LATIN.search(words)) if chinese else written_in_chinese
+
+
+def _has_words(text: str) -> bool:
+    """Whether there is more to a text than formulas."""
+    words = _FORMULA.sub("", text)
+    return bool(_CHINESE.search(words) or _LATIN.search(words))
 
 
 def find_unfinished_translations(template: Template) -> list[Fault]:

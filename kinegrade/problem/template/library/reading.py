@@ -11,6 +11,7 @@ from dataclasses import replace
 
 from kinegrade.errors import TemplateError
 from kinegrade.files.fields.table import Table
+from kinegrade.language.known import read_language
 from kinegrade.language.message import Message
 from kinegrade.problem.template.beside import Translations
 from kinegrade.problem.template.draft import Draft
@@ -36,8 +37,10 @@ from kinegrade.problem.template.sections.scheme import (
     read_expressions,
     read_joints,
 )
+from kinegrade.problem.template.sections.stated_language import state_language
 from kinegrade.problem.template.sections.statement_texts import read_texts
 from kinegrade.problem.template.sections.uses import check_uses
+from kinegrade.problem.template.sections.values import words
 from kinegrade.problem.template.template import Template
 from kinegrade.problem.template.translations import translated
 
@@ -113,7 +116,9 @@ def _read_draft(table: Table, strays: Set[str]) -> Draft:
         published=read_published(table),
         figure=_read_figure(table, declared),
     )
-    return replace(draft, faulty=_find_unread(declared, draft) | strays)
+    draft = replace(draft, faulty=_find_unread(declared, draft) | strays)
+    language = table.optional("language", lambda value: read_language(words(value)))
+    return draft if language is None else state_language(draft, language)
 
 
 def _has_names(table: Table) -> bool:

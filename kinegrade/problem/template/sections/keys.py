@@ -34,7 +34,8 @@ OPTIONAL = (
     "method",
 )
 SHARING = ("mechanism",)
-KNOWN = (*NEEDED, *OPTIONAL, *SHARING)
+STATED = ("language",)  # of a file whose texts are written once
+KNOWN = (*NEEDED, *OPTIONAL, *SHARING, *STATED)
 NAMES = ("parameters", "points", "bodies")  # without these nothing that names them can be checked
 
 # What templates can share with others: tables, laid over by name, and lists, one after the other
