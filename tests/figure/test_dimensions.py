@@ -158,3 +158,14 @@ def test_a_dimension_crosses_an_outline_rather_than_the_arrow_of_a_motion() -> N
             marked, AB, Length("d", "A", "B"), Around(layout.obstacles, Obstacles.of(()))
         )
         assert {sign * end.y > 0 for _, end in _find_extensions(found)} == {True}
+
+
+def test_two_dimensions_along_a_bar_stand_in_one_line_where_their_heads_meet() -> None:
+    at = {"A": A, "M": Vector(0.0, 0.0), "B": B, "N": Vector(0.0, -9.0)}
+    around = Around(Obstacles.of((ROD,)), Obstacles.of(()))
+    layout = Layout.of((ROD, Strokes(((at["M"], at["N"]),), BOLD)))
+    for length in (Length("c", "M", "A"), Length("d", "M", "B")):
+        layout = add_length(layout, at, length, around)
+    tips = [head.corners[0] for head in heads(layout)]
+    assert len({round(tip.y, 6) for tip in tips}) == 1
+    assert sorted(round(tip.x, 6) for tip in tips) == [-20.0, 0.0, 0.0, 20.0]

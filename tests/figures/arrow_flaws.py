@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from shapely import LineString, Point
 from shapely.geometry.base import BaseGeometry
 
-from tests.figures.radius_flaws import find_ends
+from tests.figures.dimension_flaws import find_ends
 from tests.figures.svg_shapes import Letters, Picture
 
 SHAFT = (0.38, 0.45)  # millimetres, the width of a shaft

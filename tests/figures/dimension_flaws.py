@@ -14,6 +14,7 @@ from tests.figures.svg_shapes import Picture
 
 ON_LINE = 0.1  # millimetres between a dimension line and its arrowheads
 OWN = 0.3  # millimetres beside a dimension line and its extension lines that are its own
+AT_TIP = 0.5  # millimetres about a tip, where the next dimension of a chain begins
 COMMON = 0.03  # square millimetres of an arrowhead that something else may cover
 
 
@@ -38,10 +39,13 @@ def _find_heads_on_ink(dimension: Dimension, picture: Picture) -> Iterator[tuple
     foreign = [
         each
         for each in picture.ink
-        if not _runs_along(each, dimension.line) and each not in dimension.heads
+        if not _runs_along(each, dimension.line)
+        and not any(each.symmetric_difference(head).area < COMMON for head in dimension.heads)
     ]
     for head in dimension.heads:
-        if any(head.buffer(0.1).intersection(each).area > COMMON for each in foreign):
+        tip, _ = find_ends(head)
+        seen = head.buffer(0.1).difference(tip.buffer(AT_TIP))
+        if any(seen.intersection(each).area > COMMON for each in foreign):
             yield head.centroid.coords[0]
 
 

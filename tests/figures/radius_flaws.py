@@ -51,7 +51,7 @@ def _find_flaws_of(arrow: RadiusArrow, wheels: list[Polygon]) -> Iterator[str]:
 
 def _find_arrows(picture: Picture, wheels: list[Polygon]) -> Iterator[RadiusArrow]:
     for head in picture.heads:
-        tip, neck = find_ends(head)
+        tip, neck = _find_ends(head)
         for wheel in wheels:
             centre = wheel.centroid
             outward = centre.distance(neck) > centre.distance(tip)
@@ -63,7 +63,7 @@ def _find_arrows(picture: Picture, wheels: list[Polygon]) -> Iterator[RadiusArro
                         yield RadiusArrow(wheel, tip, neck, tail)
 
 
-def find_ends(head: Polygon) -> tuple[Point, Point]:
+def _find_ends(head: Polygon) -> tuple[Point, Point]:
     """The tip of an arrowhead, and the middle of its back."""
     corners = list(head.exterior.coords)[:3]
     sides = [(hypot(b[0] - c[0], b[1] - c[1]), a, b, c) for a, b, c in _rotate(corners)]

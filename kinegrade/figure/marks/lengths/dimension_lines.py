@@ -14,6 +14,7 @@ from kinegrade.figure.symbols import HEAD_LENGTH, draw_arrowhead
 from kinegrade.mechanics.vector import Vector
 
 _LEFT = 4.2  # millimetres from a point in which its own bars leave beside an extension line
+_ONE_FOOT = 0.1  # millimetres within which the ends of two dimension lines are one
 _BESIDE = 3.6  # millimetres between parallel dimension lines side by side
 _AT_END = -0.6  # millimetres by which the symbol stands closer to its leader than to a point
 
@@ -49,6 +50,17 @@ class DimensionLine:
         beside = low < length(self.feet[1] - self.feet[0]) - NEAR and high > NEAR
         gap = abs((start - self.feet[0]).cross(along))
         return bool(beside and gap < _BESIDE)
+
+    def adjoins(self, other: DimensionLine) -> bool:
+        """Whether it measures on from a point of another dimension in the same direction."""
+        ways = [unit(feet[1] - feet[0]) for feet in (self.feet, other.feet)]
+        shared = any(length(one - two) < NEAR for one in self.points for two in other.points)
+        return shared and abs(ways[0].cross(ways[1])) < NEAR
+
+    def goes_on_from(self, other: DimensionLine) -> bool:
+        """Whether its line goes on from that of another dimension, as in a chain."""
+        meets = any(length(one - two) < _ONE_FOOT for one in self.feet for two in other.feet)
+        return meets and self.adjoins(other)
 
     def wish(self) -> Wish:
         """Beside the dimension line."""

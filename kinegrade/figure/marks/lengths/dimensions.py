@@ -4,7 +4,7 @@ line or at the end of a leader.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from math import copysign, inf, pi
@@ -38,6 +38,7 @@ _ON_ARROW = 20.0  # demerit of a dimension across the arrow of a motion
 _ON_GROUND = 8.0  # demerit of a dimension across the hatching of the ground
 _HEAD_ON_LINE = 16.0  # demerit of a dimension whose arrowhead lies on something
 _CLOSE = 6.0  # demerit of a dimension line close beside another
+_STAGGERED = 6.0  # demerit of a dimension that goes on from another one at another distance
 Gaps = tuple[Gap, Gap]
 _DRAWN_GAP = 2.5  # millimetres by which a line between two points may miss either of them
 
@@ -60,13 +61,8 @@ def add_length(layout: Layout, at: Mapping[str, Vector], hint: Length, around: A
     alone where a line is drawn exactly between the two points of the mechanism `around` it.
     """
     company = _Company.of(layout, around.ground)
-    dimensions = [company.rate(mark) for mark in _list_dimensions(at, hint, around)]
-    earlier = [mark for mark in layout.marks if isinstance(mark, DimensionLine)]
-    if earlier:
-        dimensions = [
-            replace(mark, demerit=mark.demerit + _CLOSE * sum(map(mark.crowds, earlier)))
-            for mark in dimensions
-        ]
+    earlier = tuple(mark for mark in layout.marks if isinstance(mark, DimensionLine))
+    dimensions = [company.rate(mark, earlier) for mark in _list_dimensions(at, hint, around)]
     start, end = at[hint.start], at[hint.end]
     demerit = _rate_join(find_join(around.drawn, start, end, _DRAWN_GAP))
     if find_join(layout.obstacles, start, end, _DRAWN_GAP) == "whole":
@@ -102,13 +98,18 @@ class _Company:
             ground,
         )
 
-    def rate(self, mark: DimensionLine) -> DimensionLine:
-        """The dimension with its demerit here."""
-        worse = self.written.along(mark.beginnings(), mark.shared)
+    def rate(self, mark: DimensionLine, earlier: Sequence[DimensionLine]) -> DimensionLine:
+        """The dimension with its demerit here: it stands well apart from earlier ones, or goes on
+        from one of them in its line, where their heads meet.
+        """
+        goes_on = any(map(mark.goes_on_from, earlier))
+        worse = _CLOSE * sum(map(mark.crowds, earlier))
+        worse += _STAGGERED * (not goes_on and any(map(mark.adjoins, earlier)))
+        worse += self.written.along(mark.beginnings(), mark.shared)
         worse += _ON_ARROW * (self.arrows.along(mark.path(), mark.shared) > 0)
         worse += self.firm.along((mark.line(),), mark.shared)
         worse += _ON_GROUND * (self.ground.along(mark.path(), mark.shared) > 0)
-        worse += _HEAD_ON_LINE * (self.drawn.along(mark.heads(), shared=False) > 0)
+        worse += _HEAD_ON_LINE * (not goes_on and self.drawn.along(mark.heads(), shared=False) > 0)
         return replace(mark, demerit=mark.demerit + worse) if worse else mark
 
 

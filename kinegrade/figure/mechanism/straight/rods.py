@@ -14,7 +14,7 @@ from kinegrade.mechanics.vector import Vector
 _ROD = 14.0  # millimetres of a translating rod that are shown at least
 # millimetres a translating rod continues beyond its point when it has two free ends
 _THROUGH = 11.0
-_GUIDE_ROOM = 5.1  # millimetres between the middle of a rod's guide and the edge of a bar or wheel
+_GUIDE_ROOM = 7.0  # millimetres between the middle of a rod's guide and the edge of a bar or wheel
 
 
 def find_rods(
