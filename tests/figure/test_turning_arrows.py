@@ -14,7 +14,7 @@ from kinegrade.figure.marks.turning_arrow import Company, TurningArrow
 from kinegrade.figure.mechanism.paper import scale_to_paper
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.placing.obstacles import Obstacles
-from kinegrade.figure.plane import angle_of, length, shorter_way
+from kinegrade.figure.plane import angle_of, length, polar, shorter_way
 from kinegrade.figure.scene import BOLD, FIRM, THIN, Bow, Disc, Scene, Strokes
 from kinegrade.figure.sketch import sketch
 from kinegrade.mechanics.drivers import Rotation
@@ -182,3 +182,24 @@ def test_an_arrow_goes_farther_out_rather_than_where_a_dimension_may_need_a_line
         for bow, worse in ((arc(240, 60), 0.0), (arc(290, 40, 8.0), 4.5))
     )
     assert beside.demerit < across.demerit
+
+
+def test_the_arrow_of_a_cam_is_not_beyond_the_line_to_its_centre_of_curvature() -> None:
+    for mechanism, arrows in _draw_arrows("flat-faced-follower-curvature-radius"):
+        side = mechanism.points["K"].x - mechanism.points["O"].x
+        for arrow in arrows:
+            reach = polar(arrow.start + arrow.sweep / 2, arrow.radius)
+            assert reach.x * side < side * side
+
+
+def test_the_letter_of_a_knife_edge_stands_outside_the_disc() -> None:
+    template = load_template("pose-cam-tappet")
+    for draw in drawn(draw_filter(template), 4):
+        scene = sketch(draw.solution.assembly.mechanism.map(float), mark_givens(template))
+        disc = max((part for part in scene.primitives if isinstance(part, Disc)), key=_measure)
+        (letter,) = (label for label in scene.labels if label.symbol == "A")
+        assert length(letter.centre - disc.centre) > disc.radius
+
+
+def _measure(disc: Disc) -> float:
+    return disc.radius

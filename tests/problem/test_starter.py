@@ -121,7 +121,7 @@ def test_a_shared_mechanism_is_written_beside_and_one_that_is_there_is_kept(
     [
         ("slotted rocker", "rolling-wheel-pin-slotted-rocker"),
         ("Four-bar COUPLER", "pole-four-bar-coupler"),
-        ("凸轮", "tangent-cam-with-roller"),
+        ("凸轮", "pose-cam-tappet"),
     ],
 )
 def test_a_template_is_found_by_words(words: str, like: str) -> None:

@@ -49,7 +49,7 @@ def test_an_answer_in_the_opposite_sense_names_the_convention_of_the_question(
     blocks = kept("eccentric-cam-offset-follower", language=language)
     place = next(number for number, block in enumerate(blocks) if convention in proses([block]))
     value = displayed([blocks[place + 1]])[0].replace("{,}", ".")
-    assert value.startswith(r"-v_{\mathrm{r}} &= 0.45\,\unit{m/s}")
+    assert value.startswith(r"-v_{\mathrm{r}} &= 0.5\,\unit{m/s}")
 
 
 @pytest.mark.parametrize(

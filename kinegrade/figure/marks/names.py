@@ -40,6 +40,7 @@ _WITHIN = 1.5  # millimetres inside a rim from which on a letter is rather insid
 # Millimetres from a point to where an arrow is past it, and cost of a letter about as near to it:
 # no fault
 _AT_TAIL, _AT_ARROW = 3.0, 0.45
+_IN_DISC = 0.45  # cost of the letter of a tip in the disc beneath it: no fault
 _Wedge = tuple[Vector, float]  # the bisector of an angle, and the cosine of its half
 _POINT = re.compile(r"([A-Za-z])(\d*)(p*)")
 
@@ -67,6 +68,8 @@ def label_points(mechanism: Mechanism, hints: FigureHints, drawing: Drawing) -> 
             angles = [angle for angle in hints.angles if angle.at == name]
             wedges = [_find_wedge(mechanism.points, angle) for angle in angles]
             wish = label_point(symbol, mechanism.points[name], drawing, places, wedges)
+            if any(joint.point == name and joint.edge for joint in drawing.symbols):
+                wish = _keep_off_disc(wish, mechanism.points[name], drawing)
             yield _keep_out_of_angles(wish, mechanism.points[name], wedges) if wedges else wish
     for name, end in ends:
         yield label_point(write_point_symbol(name), end, drawing, places)
@@ -98,6 +101,15 @@ def label_point(
         *(chord for rim in drawing.rims if _lies_within(at, rim) for chord in _list_chords(rim)),
     )
     return Wish(symbol, spots, demerits=demerits, names=at, amid=amid, closely=closely, walls=walls)
+
+
+def _keep_off_disc(wish: Wish, at: Vector, drawing: Drawing) -> Wish:
+    """The letter of the tip of a follower, rather not in the disc on which it stands."""
+    for rim in drawing.rims:
+        if abs(length(at - rim.at) - rim.radius) < NEAR:
+            within = np.hypot(*(wish.spots - np.array(rim.at)).T) < rim.radius
+            wish = wish.worse_by(_IN_DISC * within)
+    return wish
 
 
 def _list_grounds(at: Vector, drawing: Drawing) -> Iterator[Segment]:

@@ -107,7 +107,12 @@ def _find_company(
 
 
 def _list_bars(drawing: Drawing, body: str) -> Iterator[Segment]:
-    """The axes of bars of other bodies."""
+    """The axes of bars of other bodies, and the line from a cam's centre of curvature to its
+    contact.
+    """
+    for rim in drawing.rims:
+        if rim.kind == "cam" and rim.body == body:
+            yield rim.at, rim.touch
     for part in drawing.parts:
         if isinstance(part, Bar | Rod) and part.body != body:
             yield part.start, part.end
