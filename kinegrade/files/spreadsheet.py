@@ -14,12 +14,14 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from datetime import date, datetime, time, timedelta
+from decimal import Decimal
 from pathlib import Path
 from typing import Any
 
 from kinegrade.errors import TableError
 from kinegrade.files.cell_text import shorten, trim
 from kinegrade.files.header_line import MOST_ABOVE, HeaderSign, find_header
+from kinegrade.files.merged_cells import note_merged
 from kinegrade.files.tables import Complaint, Row, Table
 from kinegrade.files.workbook_inspection import (
     SAVE_AS_XLSX,
@@ -34,6 +36,7 @@ _LONGEST_TEXT = 32_767  # characters in a cell: no spreadsheet program keeps mor
 _MOST_CHARACTERS = 30_000_000  # in all cells: one long text may be named by many
 _LONGEST_NUMBER = 10**15  # spreadsheets keep fifteen digits
 _ZEROS = re.compile(r"0{2,}")  # the number format of ids that keep their leading zeros
+_PERCENT = "%"
 _TEXT_FORMULA = re.compile(r'=\s*"([^"]*)"')  # keeps the zeros of an id
 
 
@@ -86,10 +89,21 @@ def read_workbook(path: Path, is_header: HeaderSign | None = None) -> Table:
         *_note_sheets(path.name, name, others),
         *_find_oddities(path.name, titles, lines[skipped:]),
         *_find_surplus(path.name, rows, len(titles)),
+        *note_merged(path, name, titles, _list_filled(rows)),
     ]
     filled = tuple(Row(line, _pad(cells, len(titles))) for line, cells in rows)
     above = tuple(line for line, _ in lines[:skipped])
     return Table(path.name, titles, filled, "XLSX", "", tuple(complaints), above)
+
+
+def _list_filled(rows: Sequence[_Line]) -> dict[tuple[int, int], str]:
+    """The texts of cells by row and column, counted from 1."""
+    return {
+        (line, place): cell.text
+        for line, cells in rows
+        for place, cell in enumerate(cells, 1)
+        if trim(cell.text)
+    }
 
 
 def _pad(cells: Sequence[_Cell], width: int) -> tuple[str, ...]:
@@ -175,7 +189,11 @@ def _read(cell: Any) -> _Cell:
 
 
 def _write_number(value: int | float, number_format: str) -> _Cell:
-    """The shortest digits of the number: what was typed, except for trailing zeros."""
+    """The shortest digits of the number: what was typed, except for trailing zeros; as per cent
+    where it is shown so, which is another number.
+    """
+    if number_format.endswith(_PERCENT):
+        return _Cell(f"{(100 * Decimal(repr(value))).normalize():f}{_PERCENT}")
     whole = (
         int(value)
         if isinstance(value, int) or (value.is_integer() and abs(value) < _LONGEST_NUMBER)

@@ -7,7 +7,7 @@ They stand in a file of their own, manual.csv, with what the machine gave in the
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from itertools import chain
 from pathlib import Path
@@ -25,6 +25,7 @@ from kinegrade.marks_folder.layout import MANUAL
 from kinegrade.numbers.amounts import add_amounts
 
 BY_HAND = "by hand"  # in place of the machine's verdict
+_BETWEEN_COMMENTS = " / "
 EXTRA = "bonus"  # in place of a question: points on top of everything, which no question has
 
 
@@ -59,11 +60,18 @@ ByHand = Mapping[str, Mapping[str, HandMark]]  # by student, then by what was ma
 
 
 def group_by_student(marks: Iterable[HandMark]) -> ByHand:
-    """The marks of each student; of two for the same thing the last."""
+    """The marks of each student; of two for the same thing the last, with the comments of both."""
     found: dict[str, dict[str, HandMark]] = {}
     for mark in marks:
-        found.setdefault(mark.student, {})[mark.column] = mark
+        marked = found.setdefault(mark.student, {})
+        before = marked.get(mark.column)
+        marked[mark.column] = mark if before is None else _with_both_comments(before, mark)
     return found
+
+
+def _with_both_comments(one: HandMark, other: HandMark) -> HandMark:
+    comments = dict.fromkeys([*one.comment.split(_BETWEEN_COMMENTS), other.comment])
+    return replace(other, comment=_BETWEEN_COMMENTS.join(filter(None, comments)))
 
 
 def list_hand_marks(by_hand: ByHand) -> Iterator[HandMark]:

@@ -44,6 +44,13 @@ def test_a_column_that_can_only_hold_ids_wins_over_a_running_number() -> None:
     assert "ids are those of" not in "".join(all_said(alike.notes))
 
 
+def test_an_address_of_two_students_is_remarked() -> None:
+    found = roster("student,name,email\n1,Ann,a@x\n2,Ben,A@x\n3,Cy,\n4,Di,\n")
+    assert all_said(found.notes)[-1] == (
+        'roster.csv: the e-mail address a@x is that of the students "1" and "2"'
+    )
+
+
 def test_columns_stand_in_any_order_and_others_are_ignored(tmp_path: Path) -> None:
     path = tmp_path / "roster.csv"
     path.write_text(

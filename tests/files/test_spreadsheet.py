@@ -310,3 +310,31 @@ def test_only_who_reads_a_workbook_loads_what_reads_it() -> None:
         env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)},
     )
     assert done.stdout == "False\n"
+
+
+def test_merged_cells_below_the_header_are_told_and_titles_above_it_are_not(tmp_path: Path) -> None:
+    book = Workbook()
+    sheet = book.active
+    assert sheet is not None
+    for row in (["A class", None], ["student", "q1.v_B"], ["007", "1.5"], ["008", None], ["9", 2]):
+        sheet.append(row)
+    sheet.merge_cells("A1:B1")
+    sheet.merge_cells("B3:B4")
+    book.save(tmp_path / "merged.xlsx")
+    table = read_workbook(tmp_path / "merged.xlsx", lambda cells: "student" in cells)
+    assert list(map(str, table.complaints)) == [
+        "merged.xlsx:4: q1.v_B: the cells B3:B4 are merged into one - what it holds counts for B3 "
+        "alone; part them and fill in each"
+    ]
+
+
+def test_a_number_shown_as_per_cent_is_read_so(tmp_path: Path) -> None:
+    book = Workbook()
+    sheet = book.active
+    assert sheet is not None
+    for number, style in (("share", "@"), (0.5, "0%"), (0.125, "0.0%"), (0.07, "0%"), (2, "0%")):
+        sheet.append([number])
+        sheet.cell(sheet.max_row, 1).number_format = style
+    book.save(tmp_path / "share.xlsx")
+    rows = read_workbook(tmp_path / "share.xlsx").rows
+    assert [row.cell(0) for row in rows] == ["50%", "12.5%", "7%", "200%"]

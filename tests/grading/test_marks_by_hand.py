@@ -348,6 +348,30 @@ def test_marks_by_hand_come_from_a_workbook_too(folder: Path) -> None:
     assert totals(folder) == {ADA: ("8.5", "9.5"), SOFYA: ("7.5", "9.5")}
 
 
+def test_points_shown_as_per_cent_and_points_of_merged_cells_are_refused(folder: Path) -> None:
+    book = Workbook()
+    sheet = book.active
+    assert sheet is not None
+    for row in (["student", "question", "points"], [ADA, "q2", 0.5], [SOFYA, "q2", None]):
+        sheet.append(row)
+    sheet["C2"].number_format = "0%"
+    book.save(folder / "percent.xlsx")
+    (said,) = faults(grade(folder, "--manual", folder / "percent.xlsx"), folder)
+    assert 'percent.xlsx:2: q2: points are "50%"' in said
+    sheet["C2"].number_format = "General"
+    sheet.merge_cells("C2:C3")
+    book.save(folder / "merged.xlsx")
+    (said,) = faults(grade(folder, "--manual", folder / "merged.xlsx"), folder)
+    assert said.startswith("merged.xlsx:3: the cells C2:C3 are merged into one - correct")
+
+
+def test_equal_marks_for_one_thing_keep_the_comments_of_both(folder: Path) -> None:
+    rows = f"{ADA},q2,2,clear\n{ADA},q2,2,but late\n{ADA},q2,2,clear\n"
+    assert give(folder, rows).exit_code == 1
+    (mark,) = table(folder / "MARKS" / "manual.csv")
+    assert (mark["points"], mark["comment"]) == ("2", "clear / but late")
+
+
 def test_who_only_wrote_words_is_not_absent(folder: Path) -> None:
     answers = folder / "answers.csv"
     first, second, third = answers.read_text(encoding="utf-8").splitlines()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import unicodedata
+from collections import defaultdict
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
@@ -27,7 +28,7 @@ from kinegrade.exam.roster.students import Student, make_file_names
 from kinegrade.exam.roster.way_of_reading import WayOfReading
 from kinegrade.files.cell_text import trim
 from kinegrade.files.tables import Complaint, Row, Table
-from kinegrade.language.message import Fault, Message
+from kinegrade.language.message import Fault, Message, Quoted, list_all
 
 _IDEOGRAPH = "CJK UNIFIED"  # as Unicode calls the characters of Chinese names
 _PARTIAL: Sequence[Column] = ("group", "room", "seat")  # strange where some students lack them
@@ -73,7 +74,7 @@ def read_class(table: Table, wishes: Wishes, *, odd_ids: bool) -> ReadClass:
         *_find_partial(table, students, columns),
     )
     unused = tuple(list_unused(table, columns))
-    said = (*remarks, *find_other_ids(table, columns, wishes))
+    said = (*remarks, *find_other_ids(table, columns, wishes), *_find_shared_addresses(students))
     way = WayOfReading(table, columns, unused, tuple(others), said)
     return ReadClass(students, complaints, way)
 
@@ -165,6 +166,18 @@ def _find_nameless(table: Table, people: Iterable[Identity]) -> Iterator[Complai
         if not each.name:
             problem, done = Message("roster.no-name"), Message("roster.no-name-done")
             yield Complaint(table.file, each.line, "name", each.student, problem, done)
+
+
+def _find_shared_addresses(students: Sequence[Student]) -> Iterator[Message]:
+    """A remark for each e-mail address of several students."""
+    owners: dict[str, list[str]] = defaultdict(list)
+    for each in students:
+        if each.email:
+            owners[each.email.casefold()].append(each.student)
+    for email, several in owners.items():
+        if len(several) > 1:
+            whose = list_all(map(Quoted, several))
+            yield Message("roster.shared-email", email=email, students=whose)
 
 
 def _find_partial(
