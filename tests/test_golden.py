@@ -19,7 +19,7 @@ from kinegrade.figure.sketch import sketch
 from kinegrade.press.html.solution import write_blocks
 from kinegrade.press.sheet import SolutionSheet
 from kinegrade.press.typst.paper import write_paper_source
-from kinegrade.press.typst.solution import write_solution_source
+from kinegrade.press.typst.solution import SolutionLayouts
 from kinegrade.press.word.paper import write_paper_tree
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.library.library import load_template
@@ -73,7 +73,7 @@ def test_a_paper_for_word_and_html(golden_bank: Bank, hold: Hold, language: str)
 
 @pytest.mark.parametrize("sheet", [ENGLISH_SOLUTION, CHINESE_SOLUTION])
 def test_worked_solutions_for_the_typesetter(sheet: SolutionSheet, hold: Hold) -> None:
-    hold(f"solution-{sheet.language}.txt", readable(write_solution_source(sheet)))
+    hold(f"solution-{sheet.language}.txt", readable(SolutionLayouts(sheet).write()))
 
 
 @pytest.mark.parametrize("sheet", [ENGLISH_SOLUTION, CHINESE_SOLUTION])

@@ -13,7 +13,7 @@ from kinegrade.figure.scene import FIRM, Disc, Label, Outline
 from kinegrade.language import ENGLISH, Language
 from kinegrade.press.latex.solution import write_solution_body
 from kinegrade.press.sheet import SolutionSheet
-from kinegrade.press.typst.solution import write_solution_source
+from kinegrade.press.typst.solution import SolutionLayouts
 from kinegrade.problem.solution import Solution
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.library.library import load_template
@@ -105,6 +105,6 @@ def test_both_typesetters_print_them() -> None:
     question = work_question(QuestionPlace(1, "q1"), solution, ("v_B",), ENGLISH, cycle=True)
     assert Heading("Over the whole cycle", 1) in question.blocks
     sheet = SolutionSheet(ENGLISH, "C", "T", "", "", "", "", (question,))
-    for source in (write_solution_source(sheet), write_solution_body(sheet)):
+    for source in (SolutionLayouts(sheet).write(), write_solution_body(sheet)):
         assert "Over the whole cycle" in source
         assert "360" in source

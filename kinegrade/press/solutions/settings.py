@@ -40,7 +40,7 @@ class Spread:
     lines: float
 
 
-USUAL, TIGHT = Spread(1.0, 1.0), Spread(0.7, 0.85)
+USUAL, TIGHT, LOOSE = Spread(1.0, 1.0), Spread(0.7, 0.85), Spread(1.6, 1.15)
 
 
 @dataclass(frozen=True)

@@ -92,23 +92,21 @@ class TypstPress(Press):
         return [page for page in pages if page is not None]
 
     def solution(self, sheet: SolutionSheet) -> bytes:
-        """One student's worked solutions as PDF, set tighter where that saves a page, so that
-        the last one does not hold a few lines only; names are printed and errors raised as by
-        `paper`.
+        """One student's worked solutions as PDF, set tighter where that saves a page, and looser
+        where it does not and the last one would hold a few lines only; names are printed and
+        errors raised as by `paper`.
         """
         # Loaded here, as few exams print solutions
-        from kinegrade.press.typst.solution import (  # noqa: PLC0415
-            may_take_fewer,
-            write_solution_source,
-        )
+        from kinegrade.press.solutions.settings import TIGHT, USUAL  # noqa: PLC0415
+        from kinegrade.press.typst.solution import SolutionLayouts  # noqa: PLC0415
 
-        named = self._legible(sheet)
-        where = locate_solutions(sheet.code)
-        usual = self._explaining(write_solution_source(named, self._size), where)
+        layouts = SolutionLayouts(self._legible(sheet), self._size)
+        where, spread = locate_solutions(sheet.code), layouts.choose_spread()
+        usual = self._explaining(layouts.write(spread), where)
         pages = count_pages(usual)
-        if pages == 1 or not may_take_fewer(named, self._size, pages):
+        if pages == 1 or spread != USUAL or not layouts.may_take_fewer(pages):
             return usual
-        tight = self._explaining(write_solution_source(named, self._size, tight=True), where)
+        tight = self._explaining(layouts.write(TIGHT), where)
         return tight if count_pages(tight) < pages else usual
 
     def key(self, book: KeyBook) -> Printout:

@@ -7,7 +7,7 @@ beside what has been decided before, so that the layout measures nothing but tab
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import asdict
+from dataclasses import asdict, dataclass, field
 from typing import assert_never
 
 from kinegrade.figure.back_ends.typst import write_typst_picture
@@ -32,6 +32,7 @@ from kinegrade.press.solutions.course import (
 from kinegrade.press.solutions.drawing_rows import Drawing, DrawingRow
 from kinegrade.press.solutions.equations import Equations
 from kinegrade.press.solutions.settings import (
+    LOOSE,
     TIGHT,
     USUAL,
     Body,
@@ -46,42 +47,65 @@ from kinegrade.press.solutions.terms import Cell, TermColumn
 from kinegrade.press.typst.layout_call import Sheet, write_layout_call
 from kinegrade.worked.document import Heading
 
-_DOUBT = 0.1  # pages by which tight solutions may turn out shorter than their parts are high
+_DOUBT = 0.03  # pages by which tight solutions may turn out shorter than their parts are high
+_SURE = 0.05  # pages by which heights of parts are never wrong
+_NEARLY_EMPTY = 0.4  # of a last page: what it holds is less than that
 # Millimetres, as in the layouts: left and right, above and below
 _MARGINS, _LARGE_MARGINS = (34.0, 33.5), (40.0, 66.0)
 _LARGER = 2.0  # letters of 18 points, where tables of terms have nine
 _PAPER: dict[PaperSize, tuple[float, float]] = {"a4": (210.0, 297.0), "letter": (215.9, 279.4)}
 
 
-def write_solution_source(
-    sheet: SolutionSheet, size: PaperSize = "a4", *, tight: bool = False
-) -> str:
-    """Typst source of one student's worked solutions, with less room between blocks and lines if
-    `tight`; raises TypesetError with all faults of their texts.
+@dataclass(frozen=True)
+class SolutionLayouts:
+    """One student's worked solutions with more or less room between blocks and lines, each laid out
+    once.
     """
-    words = open_catalogue(sheet.language)
-    spread = TIGHT if tight else USUAL
-    courses = _arrange(sheet, size, spread)
-    data: Sheet = {
-        "questions": convert_each(
-            lambda pair: _write_question(*pair, sheet, words),
-            zip(sheet.questions, courses.parts, strict=True),
-        )
-    }
-    data |= {
-        name: getattr(sheet, name)
-        for name in ("course", "title", "date", "student", "name", "code")
-    }
-    data |= {"language": words.raw("language", "page.")}
-    data |= {"size": size, "spread": asdict(spread), "words": words.raw("solution", "layout.")}
-    return write_layout_call("large-solution" if sheet.large else "solution", data)
 
+    sheet: SolutionSheet
+    size: PaperSize = "a4"
+    _arranged: dict[Spread, Courses] = field(default_factory=dict)
 
-def may_take_fewer(sheet: SolutionSheet, size: PaperSize, pages: int) -> bool:
-    """Whether `tight` solutions may take fewer than so many pages, by the heights of their parts:
-    what is far from it need not be typeset. Large print is never tight.
-    """
-    return not sheet.large and _arrange(sheet, size, TIGHT).pages < pages - 1 + _DOUBT
+    def write(self, spread: Spread = USUAL) -> str:
+        """Typst source; raises TypesetError with all faults of the texts."""
+        sheet, words = self.sheet, open_catalogue(self.sheet.language)
+        data: Sheet = {
+            "questions": convert_each(
+                lambda pair: _write_question(*pair, sheet, words),
+                zip(sheet.questions, self._arrange(spread).parts, strict=True),
+            )
+        }
+        data |= {
+            name: getattr(sheet, name)
+            for name in ("course", "title", "date", "student", "name", "code")
+        }
+        data |= {"language": words.raw("language", "page.")}
+        data |= {"size": self.size, "spread": asdict(spread)}
+        data |= {"words": words.raw("solution", "layout.")}
+        return write_layout_call("large-solution" if sheet.large else "solution", data)
+
+    def may_take_fewer(self, pages: int) -> bool:
+        """Whether tight solutions may take fewer than so many pages, by the heights of their parts:
+        what is far from it need not be typeset. Large print is never tight.
+        """
+        return not self.sheet.large and self._arrange(TIGHT).pages < pages - 1 + _DOUBT
+
+    def choose_spread(self) -> Spread:
+        """Loose where the last page would hold little more than a few lines, no tight setting saves
+        it and a loose one takes no further page; else the usual spread. All of it by heights of
+        parts.
+        """
+        full, over = divmod(self._arrange(USUAL).pages, 1)
+        if self.sheet.large or not full or not _SURE < over < _NEARLY_EMPTY:
+            return USUAL
+        if self.may_take_fewer(int(full) + 1):
+            return USUAL
+        return LOOSE if self._arrange(LOOSE).pages < full + 1 - _SURE else USUAL
+
+    def _arrange(self, spread: Spread) -> Courses:
+        if spread not in self._arranged:
+            self._arranged[spread] = _arrange(self.sheet, self.size, spread)
+        return self._arranged[spread]
 
 
 def _arrange(sheet: SolutionSheet, size: PaperSize, spread: Spread) -> Courses:

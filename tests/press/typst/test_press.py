@@ -19,8 +19,9 @@ from kinegrade.language.math.tree import Row
 from kinegrade.language.math.typst import write_typst_row
 from kinegrade.press.join import count_pages, join_pages
 from kinegrade.press.sheet import AnswerRow, Paper, PaperSize, SolutionSheet
+from kinegrade.press.solutions.settings import LOOSE, USUAL
 from kinegrade.press.typst.press import KEY_CHUNK, TypstPress
-from kinegrade.press.typst.solution import may_take_fewer
+from kinegrade.press.typst.solution import SolutionLayouts
 from kinegrade.worked.document import Heading, Prose
 from tests.press.papers import CHINESE, CHINESE_QUESTION, ENGLISH, ENGLISH_QUESTION, key_book
 from tests.press.solutions import ENGLISH_SOLUTION
@@ -309,7 +310,14 @@ def test_a_solution_is_set_tighter_where_that_saves_its_last_page(press: TypstPr
     assert pages == [1, 1, 2]
 
 
+def test_a_solution_whose_last_page_would_hold_a_few_lines_is_set_looser(press: TypstPress) -> None:
+    spreads = [SolutionLayouts(steps(count)).choose_spread() for count in (30, 48, 56, 60, 70)]
+    assert spreads == [USUAL, USUAL, LOOSE, LOOSE, USUAL]
+    assert count_pages(press.solution(steps(56))) == 2
+    assert SolutionLayouts(replace(steps(56), large=True)).choose_spread() == USUAL
+
+
 def test_a_solution_far_from_a_page_fewer_is_typeset_once() -> None:
-    assert may_take_fewer(steps(48), "a4", 2)
-    assert not may_take_fewer(steps(60), "a4", 2)
-    assert not may_take_fewer(steps(80), "a4", 2)
+    assert SolutionLayouts(steps(48)).may_take_fewer(2)
+    assert not SolutionLayouts(steps(60)).may_take_fewer(2)
+    assert not SolutionLayouts(steps(80)).may_take_fewer(2)

@@ -20,7 +20,7 @@ from pypdf import PdfReader
 from kinegrade.errors import TypesetError
 from kinegrade.press.sheet import PaperSize, SolutionSheet
 from kinegrade.press.typst.compiler import make_compiler
-from kinegrade.press.typst.solution import write_solution_source
+from kinegrade.press.typst.solution import SolutionLayouts
 from kinegrade.worked.document import (
     Block,
     Heading,
@@ -56,7 +56,7 @@ def pages(compiler: typst.Compiler) -> Print:
 
     def read(sheet: SolutionSheet, size: PaperSize = "a4") -> list[str]:
         pdf = compiler.compile(
-            write_solution_source(sheet, size).encode(), format="pdf", pdf_standards=["a-2b"]
+            SolutionLayouts(sheet, size).write().encode(), format="pdf", pdf_standards=["a-2b"]
         )
         return [
             "".join(normalize("NFKC", page.extract_text()).split())
@@ -151,7 +151,7 @@ def test_nothing_sticks_out_of_the_page(compiler: typst.Compiler) -> None:
         read_display((rf"\omega_{{AB}} &= \boxed{{{UNBREAKABLE}}}",)),
         Pictures((Picture(polygon_scene(), "a caption " * 30),) * 5),
     )
-    images = compiler.compile(write_solution_source(sheet).encode(), format="png", ppi=36)
+    images = compiler.compile(SolutionLayouts(sheet).write().encode(), format="png", ppi=36)
     assert len(images) >= 2
     for left, right, width in map(inked_columns, images):
         assert left >= 16 / 210 * width
@@ -161,7 +161,7 @@ def test_nothing_sticks_out_of_the_page(compiler: typst.Compiler) -> None:
 def test_the_unit_of_a_caption_stands_on_one_line(compiler: typst.Compiler) -> None:
     captions = ("a" * length + " 1 mm corresponds to 0.1 m/s" for length in range(1, 30))
     drawn = (Pictures((Picture(polygon_scene(), caption),)) for caption in captions)
-    source = write_solution_source(worked(*drawn))
+    source = SolutionLayouts(worked(*drawn)).write()
     pdf = compiler.compile(source.encode(), format="pdf")
     assert isinstance(pdf, bytes)
     text = "\n".join(page.extract_text() for page in PdfReader(BytesIO(pdf)).pages)
@@ -173,7 +173,7 @@ def test_chinese_before_a_long_formula_is_not_drawn_out_over_the_line(
 ) -> None:
     long = r"$\sqrt{(x_{E} - x_{D})^{2} + (y_{E} - y_{D})^{2} + (x_{B} - x_{C})^{2}}$"
     prose = (Prose("由线轴上的接触点" + "算" * length + f" {long} 可知。") for length in range(30))
-    source = write_solution_source(worked(*prose, sheet=CHINESE_SOLUTION))
+    source = SolutionLayouts(worked(*prose, sheet=CHINESE_SOLUTION)).write()
     pdf = tmp_path / "solution.pdf"
     compiler.compile(source.encode(), format="pdf", output=pdf)
     read = subprocess.run(["pdftotext", pdf, "-"], capture_output=True, text=True, check=True)
@@ -184,7 +184,7 @@ def test_chinese_before_a_long_formula_is_not_drawn_out_over_the_line(
 
 def test_a_long_line_goes_on_in_further_rows(compiler: typst.Compiler) -> None:
     pdf = compiler.compile(
-        write_solution_source(worked(read_display((LONG,)))).encode(), format="pdf"
+        SolutionLayouts(worked(read_display((LONG,)))).write().encode(), format="pdf"
     )
     rows: set[int] = set()
     PdfReader(BytesIO(pdf)).pages[0].extract_text(
@@ -215,7 +215,7 @@ def test_a_heading_is_never_the_last_thing_on_a_page(pages: Print) -> None:
 
 
 def test_same_input_same_source() -> None:
-    assert write_solution_source(CHINESE_SOLUTION) == write_solution_source(CHINESE_SOLUTION)
+    assert SolutionLayouts(CHINESE_SOLUTION).write() == SolutionLayouts(CHINESE_SOLUTION).write()
 
 
 def test_plain_text_never_becomes_code(pages: Print) -> None:
@@ -233,7 +233,7 @@ def test_all_faults_are_told_at_once_with_their_question() -> None:
         Pictures((Picture(polygon_scene(), r"$\fee$"),)),
     )
     with pytest.raises(TypesetError) as refusal:
-        write_solution_source(bad)
+        SolutionLayouts(bad).write()
     problems = refusal.value.problems
     assert {problem.split(":")[0] for problem in problems} == {"q1, solution"}
     for word in (
