@@ -7,6 +7,7 @@ or a cell.
 
 from __future__ import annotations
 
+import re
 from array import array
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
@@ -32,6 +33,8 @@ from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.message import Fault, Message, Text
 
 _BETWEEN = "\0"
+# For spreadsheet programs alone
+_SEPARATOR_LINE = re.compile(r'"?sep=.?"?[\t,;]*\r?\n', re.IGNORECASE)
 
 
 @dataclass(frozen=True, slots=True)
@@ -149,7 +152,9 @@ def parse_table(
     decoded = decode(content, file, encoding)
     text = decoded.text
     with cells_of_any_size(text):
-        skipped = 0 if is_header is None else count_lines_above(text, is_header)
+        first = 1 if _SEPARATOR_LINE.match(text) else 0
+        rest = drop_lines(text, first) if first else text
+        skipped = first + (0 if is_header is None else count_lines_above(rest, is_header))
         body = drop_lines(text, skipped) if skipped else text
         separator, width = find_separator(body)
         records, stray_quotes = read_records(body, separator, width)
@@ -166,7 +171,8 @@ def parse_table(
         *(_complain_of_stray_quote(file, line + skipped) for line in stray_quotes),
         *_find_ragged(rows, len(header.cells), file),
     )
-    above = tuple(line for line, title in enumerate(text.splitlines()[:skipped], 1) if trim(title))
+    titles = enumerate(text.splitlines()[first:skipped], first + 1)
+    above = tuple(line for line, title in titles if trim(title))
     return Table(file, header.cells, tuple(rows), decoded.encoding, separator, complaints, above)
 
 

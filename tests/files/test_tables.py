@@ -207,3 +207,12 @@ def test_a_complaint_reads_as_one_line() -> None:
     complaint = Complaint("answers.csv", 7, "q1.v_B", "abc", "not a number", "no points")
     assert str(complaint) == "answers.csv:7: q1.v_B: not a number - no points"
     assert next(csv.reader(io.StringIO(write_csv_text([str(complaint)], []))))[0] == str(complaint)
+
+
+@pytest.mark.parametrize("first", ["sep=;", '"sep=;"', "SEP=;", "sep=;;"])
+def test_a_line_that_names_the_separator_is_passed_over(first: str) -> None:
+    content = f"{first}\r\nstudent;x\r\n007;0,5\r\n".encode()
+    for is_header in (None, lambda cells: "student" in cells):
+        table = parse_table(content, "a.csv", None, is_header)
+        assert (table.header, table.above) == (("student", "x"), ())
+        assert [(row.line, row.cells) for row in table.rows] == [(3, ("007", "0,5"))]

@@ -11,12 +11,28 @@ import pytest
 
 from kinegrade.files.tables import read_table
 from kinegrade.lms.responses.moodle_columns import moodle_columns
-from kinegrade.lms.responses.times import read_time
+from kinegrade.lms.responses.times import read_time, read_times
 from tests.grading.marked_folder import RIGHT, mark_class
 from tests.small_class import kinegrade, table
 
 SAMPLES = Path(__file__).parent / "samples" / "moodle"
 DUE = "2026-12-01 18:00"
+
+
+@pytest.mark.parametrize(
+    ("column", "read"),
+    [
+        (["20.10.2026 18:10", "1.12.2026 9:05"], ["2026-10-20 18:10", "2026-12-01 09:05"]),
+        (["1/2/2026 6:10 PM", "2/13/2026 6:10 PM"], ["2026-01-02 18:10", "2026-02-13 18:10"]),
+        (["20.10.2026 18:10", "10.20.2026 18:10"], ["20.10.2026 18:10", "10.20.2026 18:10"]),
+        (["1.12.2026 9:05"], ["1.12.2026 9:05"]),
+        (["31.2.2026 9:05", "late"], ["31.2.2026 9:05", "late"]),
+    ],
+)
+def test_one_certain_time_says_for_its_column_which_number_is_the_day(
+    column: list[str], read: list[str]
+) -> None:
+    assert read_times(column) == read
 
 
 @pytest.mark.parametrize(

@@ -31,7 +31,7 @@ from kinegrade.lms.responses.detection import DIALECTS, detected, is_header
 from kinegrade.lms.responses.people import Columns, Found, People
 from kinegrade.lms.responses.pooled import Pairs, own_papers_only, pool_of, put_to
 from kinegrade.lms.responses.sheet import read_answer_file
-from kinegrade.lms.responses.times import read_time
+from kinegrade.lms.responses.times import read_times
 from kinegrade.lms.responses.typed_rows import Attempts, TypedRow, TypedRows, whole
 
 if TYPE_CHECKING:
@@ -164,7 +164,9 @@ def _answers(read: _Read, variants: Variants | None, exam: ExamFolder) -> Answer
     )
     header = ("student", *typed.columns)
     sheet = replace(table, header=header, rows=pack_rows(_rows(pairs)), complaints=complaints)
-    times = {each.row.line: read_time(each.submitted) for each, _ in pairs if each.submitted}
+    timed = [each for each, _ in pairs if each.submitted]
+    moments = read_times(each.submitted for each in timed)
+    times = {each.row.line: time for each, time in zip(timed, moments, strict=True)}
     taken = tuple(each for each in left if each.student)
     return AnswerFile(sheet, put, taken, typed.lines, times)
 

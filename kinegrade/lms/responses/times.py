@@ -1,14 +1,15 @@
 """When something was handed in, as systems write it: read only where it is certain which day and
 which hour is meant.
 
-A date of three numbers is certain where the year comes first; one with the name of a month, in any
-language of the catalogues, always.
+A date of three numbers is certain where the year comes first, or where one of its column can be
+read in one order alone and all others can be read so; one with the name of a month, in any language
+of the catalogues, always.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from datetime import datetime
 from functools import cache
 
@@ -28,6 +29,10 @@ _YEAR_FIRST = re.compile(
     r"(?P<year>[0-9]{4})(?:[-/.]|年) ?(?P<month>[0-9]{1,2})(?:[-/.]|月) ?(?P<day>[0-9]{1,2})日?"
     rf"[,， ]*(?:(?:星期|周).)?[,， ]*{_CLOCK}{_HALF}{_ZONE}"
 )
+_OF_YEAR = rf"(?P<year>[0-9]{{4}}),? {_CLOCK}{_HALF}{_ZONE}"
+_DAY_FIRST = re.compile(rf"(?P<day>[0-9]{{1,2}})[./-](?P<month>[0-9]{{1,2}})[./-]{_OF_YEAR}")
+_MONTH_FIRST = re.compile(rf"(?P<month>[0-9]{{1,2}})[./-](?P<day>[0-9]{{1,2}})[./-]{_OF_YEAR}")
+_MONTHS_A_YEAR = 12
 _MONTHS = (
     Message("responses.month-1"),
     Message("responses.month-2"),
@@ -52,6 +57,33 @@ def read_time(cell: str) -> str:
     """
     text = " ".join(trim(cell).split())
     moment = parse_moment(text) or _read_written(text)
+    return text if moment is None else write_moment(moment)
+
+
+def read_times(cells: Iterable[str]) -> list[str]:
+    """The times of one column; where the first or the second number of one is no month, it says
+    for all of them which number is the day.
+
+    >>> read_times(["20.10.2026 18:10", "1.12.2026 9:05"]), read_times(["1.12.2026 9:05"])
+    (['2026-10-20 18:10', '2026-12-01 09:05'], ['1.12.2026 9:05'])
+    """
+    texts = [read_time(cell) for cell in cells]
+    told = [
+        order
+        for order in (_DAY_FIRST, _MONTH_FIRST)
+        if any(
+            (found := order.fullmatch(text)) and int(found["day"]) > _MONTHS_A_YEAR
+            for text in texts
+        )
+    ]
+    if len(told) != 1:
+        return texts
+    return [_read_in_order(text, told[0]) for text in texts]
+
+
+def _read_in_order(text: str, order: re.Pattern[str]) -> str:
+    found = order.fullmatch(text)
+    moment = None if found is None else _make_moment(found, int(found["month"]))
     return text if moment is None else write_moment(moment)
 
 
