@@ -39,16 +39,20 @@ def add_motions(
     """
     at, toward = site.mechanism.points[hints[0].point], site.find_direction(hints[0])
     around = Surroundings.of(layout, site.rails, at, toward)
-    plans = [_place(layout, around, plan) for plan in site.list_plans(hints)]
-    layout, arrows = min(plans, key=partial(_rate_plan, len(hints)))
-    usual = _caption(layout, arrows, site)
+    usual, *twins = site.list_plans(hints)
+    rate = partial(_rate_plan, len(hints))
+    placed = [_place(layout, around, plan) for plan in twins]
+    if not placed or min(map(rate, placed)) >= _UNLIKE:
+        placed = [_place(layout, around, usual), *placed]
+    layout, arrows = min(placed, key=rate)
+    captioned = _caption(layout, arrows, site)
     for letter in named:
-        if letter.names == at and _stands_off(letter, usual):
+        if letter.names == at and _stands_off(letter, captioned):
             kept = layout.written([letter]).labels[-1:]
             other = _caption(layout, arrows, site, kept)
-            if len(other.crowded) <= len(usual.crowded) and not _stands_off(letter, other):
+            if len(other.crowded) <= len(captioned.crowded) and not _stands_off(letter, other):
                 return other
-    return usual
+    return captioned
 
 
 def _place(
