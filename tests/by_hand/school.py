@@ -156,7 +156,7 @@ def make_exam(folder: Path, templates: Sequence[str], students: int, rule: str, 
     files = folder / "bank.toml", folder / "roster.csv"
     exam = folder / "EXAM"
     # some may have the same numbers
-    made = "generate", *files, "-o", exam, "--reproducible", words
+    made = "generate", *files, "-o", exam, "--reproducible", words, "--no-papers"
     kinegrade(*made, complaints=True)
     lines = (exam / "key.jsonl").read_text(encoding="utf-8").splitlines()
     return Exam(
