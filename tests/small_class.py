@@ -53,6 +53,14 @@ def write_class(folder: Path) -> Path:
     return folder
 
 
+def write_short_class(folder: Path, header: str = "") -> Path:
+    """The same class with the crank alone, which is set most quickly, and a head for the bank."""
+    write_class(folder)
+    frame, _, crank, _ = BANK.split("[[questions]]")
+    (folder / "bank.toml").write_text(f"{frame}{header}[[questions]]{crank}", encoding="utf-8")
+    return folder
+
+
 def kinegrade(*arguments: str | Path) -> Result:
     """The command line; an exception that is no exit is a traceback that a user would see, and is
     raised.

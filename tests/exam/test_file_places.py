@@ -13,7 +13,7 @@ import pytest
 
 from kinegrade.exam.roster import students
 from kinegrade.exam.roster.students import choose_places, read_place
-from tests.small_class import contents, generate, kinegrade, table, write_class
+from tests.small_class import contents, generate, kinegrade, table, write_class, write_short_class
 
 FEW = 2
 
@@ -102,7 +102,8 @@ def test_the_papers_are_those_of_one_folder(exam: Path, small_class: Path) -> No
 
 
 def test_several_kinds_of_files_share_a_folder(small_folders: None, tmp_path: Path) -> None:
-    generate(write_class(tmp_path), "EXAM", "--also", "html", "--engine", "latex", "--jobs", "1")
+    kinds = ("--also", "html", "--engine", "latex")
+    generate(write_short_class(tmp_path), "EXAM", *kinds, "--jobs", "1")
     papers = tmp_path / "EXAM" / "papers"
     assert count_files(papers) == {"00": 2, "01": 2, "02": 2, "03": 2}
     sources = tmp_path / "EXAM" / "tex" / "papers"

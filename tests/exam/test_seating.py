@@ -13,7 +13,7 @@ from pypdf import PdfReader
 from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.exam.roster.roster import parse_roster
 from tests.printed_text import read_pages
-from tests.small_class import BANK, contents, generate, kinegrade, write_class
+from tests.small_class import contents, generate, kinegrade, write_short_class
 
 ROSTER = """student,name,group,room,seat,language,extra-time
 007,Ann Lee,G1,Hall 7,A10,,25 %
@@ -24,9 +24,9 @@ ROSTER = """student,name,group,room,seat,language,extra-time
 LATE = "student,name,room,seat\n0015,Dan Oh,Hall 7,A1\n"
 
 
-def write_seated_class(folder: Path, roster: str = ROSTER) -> Path:
-    """The small class with rooms."""
-    write_class(folder)
+def write_seated_class(folder: Path, roster: str = ROSTER, header: str = "") -> Path:
+    """A class with rooms."""
+    write_short_class(folder, header)
     (folder / "roster.csv").write_text(roster, encoding="utf-8")
     return folder
 
@@ -182,10 +182,9 @@ def test_the_order_of_a_pile() -> None:
 
 @pytest.mark.needs_tex
 def test_latex_prints_the_same_heads(tmp_path: Path) -> None:
-    folder = write_seated_class(tmp_path)
-    frame, mark, questions = BANK.partition("[[questions]]")
+    lines = ROSTER.splitlines(keepends=True)
     header = '[header]\nduration = { en = "2 hours", zh = "两小时" }\n\n'
-    (folder / "bank.toml").write_text(f"{frame}{header}{mark}{questions}", encoding="utf-8")
+    folder = write_seated_class(tmp_path, "".join((lines[0], lines[1], lines[3])), header)
     result = generate(folder, "EXAM", "--engine", "latex")
     assert result.exit_code == 0, result.stderr
     text = read_first_page(folder / "EXAM" / "papers" / "007.pdf")

@@ -14,7 +14,14 @@ from kinegrade.problem.solution import Solution
 from kinegrade.worked.document import WorkedSolution
 from kinegrade.worked.solution import write_worked_solution
 from tests.printed_text import read_text
-from tests.small_class import STUDENTS, contents, generate, kinegrade, write_class
+from tests.small_class import (
+    STUDENTS,
+    contents,
+    generate,
+    kinegrade,
+    write_class,
+    write_short_class,
+)
 
 
 def text_of(pdf: Path) -> str:
@@ -99,8 +106,8 @@ def test_a_paper_for_word_is_a_word_file(tmp_path: Path) -> None:
 
 @pytest.mark.needs_tex
 def test_latex_typesets_papers_key_and_solutions_and_keeps_its_sources(tmp_path: Path) -> None:
-    folder = write_class(tmp_path)
-    (folder / "roster.csv").write_text("student,name\n007,Ann\n008,Ben\n", encoding="utf-8")
+    folder = write_short_class(tmp_path)
+    (folder / "roster.csv").write_text("student,name\n007,Ann\n", encoding="utf-8")
     assert generate(folder, "EXAM", "--engine", "latex", "--solutions").exit_code == 0
     exam = folder / "EXAM"
     code = json.loads((exam / "exam.json").read_text("utf-8"))["students"][0]["paper"]
