@@ -45,8 +45,8 @@ def shuffled_class(folder: Path, *options: str) -> Path:
     return folder / "EXAM"
 
 
-def marked(exam: Path, language: Language) -> Iterator[Path]:
-    """The feedback of the class in all formats and its report; every other answer is wrong."""
+def mark(exam: Path) -> None:
+    """Mark the class; every other answer is wrong."""
     folder, asks = exam.parent, asks_of(exam)
     columns = list(dict.fromkeys(column for _, column in asks))
     rows = [
@@ -57,6 +57,11 @@ def marked(exam: Path, language: Language) -> Iterator[Path]:
     table = [["student", *columns], *rows]
     (folder / "typed.csv").write_text("\n".join(map(",".join, table)), encoding="utf-8")
     assert kinegrade("grade", exam, folder / "typed.csv", "-o", folder / "MARKS").exit_code == 0
+
+
+def hand_back(exam: Path, language: Language) -> Iterator[Path]:
+    """The feedback of the class that was marked in all formats, and its report."""
+    folder = exam.parent
     for form in ("pdf", "html", "md"):
         target = folder / f"FEEDBACK-{form}"
         result = kinegrade(
@@ -88,7 +93,8 @@ def test_no_page_names_a_question_by_the_name_of_its_column(
 ) -> None:
     exam = shuffled_class(tmp_path, "--lang", language, "--solutions")
     require_numbers(exam, language)
-    pages = [*exam.rglob("*.pdf"), *marked(exam, language)]
+    mark(exam)
+    pages = [*exam.rglob("*.pdf"), *hand_back(exam, language)]
     assert len(pages) >= 12
     assert [file.name for file in pages if INTERNAL.search(words(file))] == []
     assert {"en": "Question3", "zh": "第3题"}[language] in squeezed(tmp_path / "report.html")
@@ -114,8 +120,8 @@ def test_a_student_reads_the_numbers_of_the_own_paper_in_the_grade_file(tmp_path
     """With "q1: 0/5" beside the grade, students of shuffled papers complained about another
     question.
     """
-    exam = shuffled_class(tmp_path)
-    list(marked(exam, "en"))
+    exam = shuffled_class(tmp_path, "--no-papers")
+    mark(exam)
     marks = tmp_path / "MARKS"
     again = tmp_path / "again.csv"
     assert kinegrade("export", marks, "--to", "moodle", "-o", again).exit_code == 0
@@ -132,8 +138,8 @@ def test_a_student_reads_the_numbers_of_the_own_paper_in_the_grade_file(tmp_path
 
 
 def test_a_damaged_order_of_questions_is_one_line(tmp_path: Path) -> None:
-    exam = shuffled_class(tmp_path)
-    list(marked(exam, "en"))
+    exam = shuffled_class(tmp_path, "--no-papers")
+    mark(exam)
     marks = tmp_path / "MARKS"
     (marks / "printed.csv").write_text("student,questions\n007,q1 q2 q9\n", encoding="utf-8")
     refused = kinegrade("export", marks, "--to", "moodle", "-o", tmp_path / "again.csv")
