@@ -22,7 +22,7 @@ from kinegrade.exam.roster.students import Student
 from kinegrade.exam.setting.dealing import deal_exam
 from kinegrade.press.join import count_pages
 from kinegrade.press.protocol import Engine, Press
-from kinegrade.press.sheet import PaperSize
+from kinegrade.press.sheet import Paper, PaperSize
 from kinegrade.problem.template.library.library import find_shipped, list_names
 from tests.exam.printed_pages import MOST_WHITE, list_faults, measure_white
 from tests.press.papers import CHINESE, ENGLISH
@@ -51,7 +51,8 @@ def write_uneven_class(folder: Path) -> Path:
     return folder
 
 
-@pytest.mark.parametrize(("bank", "language"), zip(BANKS, cycle(("en", "zh")), strict=False))
+@pytest.mark.sampled(3, by="bank")
+@pytest.mark.parametrize(("bank", "language"), [*zip(BANKS, cycle(("en", "zh")), strict=False)])
 def test_papers_of_a_shipped_bank_are_alike_long_and_filled(
     tmp_path: Path, bank: str, language: str
 ) -> None:
@@ -72,18 +73,17 @@ def test_so_are_those_that_latex_sets(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("engine", ENGINES)
 def test_a_paper_is_filled_up_with_pages_for_working(engine: Engine, tmp_path: Path) -> None:
-    for size in ("a4", "letter"):
+    cases: tuple[tuple[PaperSize, Paper, str], ...] = (
+        ("a4", CHINESE, "演算用纸"),
+        ("letter", ENGLISH, "Space for working"),
+    )
+    for size, paper, words in cases:
         press = PressOrder(engine, size).press()
-        for paper, words in ((ENGLISH, "Space for working"), (CHINESE, "演算用纸")):
-            printed = press.papers({"one": paper, "more": replace(paper, pages=3)})
-            file = tmp_path / "more.pdf"
-            file.write_bytes(printed["more"].pdf)
-            assert [words in page.extract_text() for page in PdfReader(file).pages] == [
-                False,
-                True,
-                True,
-            ]
-            assert max(measure_white(file)) <= MOST_WHITE
+        file = tmp_path / "more.pdf"
+        file.write_bytes(press.papers({"more": replace(paper, pages=3)})["more"].pdf)
+        shown = [words in page.extract_text() for page in PdfReader(file).pages]
+        assert shown == [False, True, True]
+        assert max(measure_white(file)) <= MOST_WHITE
 
 
 @pytest.mark.parametrize("engine", ENGINES)
@@ -94,8 +94,16 @@ def test_a_paper_that_is_long_enough_stays_byte_for_byte(engine: Engine) -> None
         assert press.papers({"one": replace(ENGLISH, pages=pages)})["one"].pdf == whole
 
 
-@pytest.mark.parametrize("engine", ENGINES)
-@pytest.mark.parametrize("size", ["a4", "letter"])
+@pytest.mark.sampled(3, by="size")  # each size, and each engine
+@pytest.mark.parametrize(
+    ("size", "engine"),
+    [
+        ("a4", "typst"),
+        ("letter", "typst"),
+        pytest.param("a4", "latex", marks=pytest.mark.needs_tex),
+        pytest.param("letter", "latex", marks=pytest.mark.needs_tex),
+    ],
+)
 def test_room_is_left_between_statement_and_answers(engine: Engine, size: PaperSize) -> None:
     press: Press = PressOrder(engine, size).press()
     question = ENGLISH.questions[0]

@@ -97,7 +97,7 @@ def exam(tmp_path_factory: pytest.TempPathFactory) -> Path:
         (2, "shuffle = true", ("--paper-size", "letter", "--lang", "zh")),
         (2, "versions = 2", ("--method", "pole")),
         (1, 'engine = "latex"', ("--paper-size", "letter", "--lang", "zh")),
-        (2, "", ("--seed", "random", "--share-with-group", "--engine", "latex")),
+        (2, "", ("--seed", "random", "--share-with-group")),
     ],
 )
 def test_a_paper_is_printed_again_byte_for_byte(
