@@ -10,9 +10,10 @@ import numpy as np
 
 from kinegrade.figure.marks.sides import LEFT, SHORT, Side
 from kinegrade.figure.placing.aligned import runs_on
+from kinegrade.figure.placing.leading import list_spots_at_leader
 from kinegrade.figure.placing.mark import chords
 from kinegrade.figure.placing.obstacles import COST_LABEL, Obstacles, Segment
-from kinegrade.figure.placing.place import Wish, list_spots_around, rate_nearness
+from kinegrade.figure.placing.place import LOST, Wish, rate_nearness
 from kinegrade.figure.placing.wedge import (
     Wedge,
     list_spots_in_wedge,
@@ -32,13 +33,12 @@ _TRIM = 1.5  # millimetres at either end of an arc where it meets its sides, as 
 # which grows with the millimetres beyond the shortest
 _LEADERS, _LED, _LONGER = (4.0, 6.5), 7.0, 0.8
 _PLACES = (0.5, 0.3, 0.7)  # of the arc, where its leader ends
-_LEAVES, _AT_END = 0.6, -0.6  # millimetres of a leader at its arc, and from its end to the letter
+_LEAVES = 0.6  # millimetres of a leader at its arc
 # Demerits of a letter beyond a bar from its arc, and of one about as near to another arc; radians
 # between the points of an arc to which its letter should be near
 _PARTED, _MISTAKEN, _STATIONS = 20.0, 6.0, 0.25
-# Demerits of a letter outside the angle at the end of a leader, and of a leader through a side;
-# millimetres from the end of a side to a leader that passes it
-_OUTSIDE, _THROUGH, _PAST_SIDE = 6.0, 20.0, 2.0
+# Demerit of a leader through a side, and millimetres from the end of a side to one that passes it
+_THROUGH, _PAST_SIDE = 20.0, 2.0
 _AT_OTHER = 3.2  # millimetres from the middle of a letter to the arc of an angle that it would name
 # Demerits of a leader that seems to run on from a side or from another thin line, and of one across
 # a thin line
@@ -195,10 +195,12 @@ class LedAngleArc:
         return ((self.start + polar(self.turn, _LEAVES), self._end()),)
 
     def wish(self) -> Wish:
-        """Around the far end of the leader, rather not at the arc of another angle."""
+        """Around the far end of the leader, rather not at the arc of another angle; lost outside
+        its own, where it would seem to name another one.
+        """
         symbol, toward = self.arc.hint.symbol, polar(self.turn)
-        spots = list_spots_around(symbol, self._end(), _AT_END, toward)[:6]
-        worse = _OUTSIDE * rate_outside(symbol, spots, self.arc.wedge)
+        spots = list_spots_at_leader(symbol, self._end(), toward)
+        worse = LOST * rate_outside(symbol, spots, self.arc.wedge)
         others = [at for arc in self.arc.neighbours.arcs for at in arc.path(_STATIONS)]
         beside = [any(length(Vector(*spot) - at) < _AT_OTHER for at in others) for spot in spots]
         return Wish(symbol, spots, demerits=worse + _MISTAKEN * np.array(beside))

@@ -16,7 +16,7 @@ from kinegrade.figure.mechanism.straight_parts import Bar, Rod
 from kinegrade.figure.placing.mark import Mark
 from kinegrade.figure.placing.obstacles import Obstacles
 from kinegrade.figure.placing.wedge import Wedge, measure_narrow
-from kinegrade.figure.plane import NEAR, length, polar, shorter_way, unit
+from kinegrade.figure.plane import NEAR, angle_of, length, polar, shorter_way, unit
 from kinegrade.figure.scene import THIN, Bow, Disc, Primitive, Strokes
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import TURN, Angle
@@ -39,6 +39,9 @@ _PIN_ROOM, _BLOCK_ROOM = 1.6, 3.2
 # the demerit of that, and the least radius of such a circle
 _MERGES, _PROBES, _MERGED, _LEAST_CIRCLE = 1.0, (0.1, 0.3, 0.5, 0.7, 0.9), 16.0, 3.2
 _WITHIN_DISC = 26.0  # demerit of an arc through a disc that its vertex is not in
+# Demerit of an arc about the vertex of another angle, and millimetres of that which it keeps clear
+_ENCLOSES, _ABOUT_VERTEX = 12.0, 2.5
+_AT_SIDE = 0.05  # radians beside a side that count as between the sides
 _LANE = 0.4  # millimetres on either side of a line to come that are kept clear of letters
 _LED = 3  # arcs that may have a leader, those first that cover least
 
@@ -64,7 +67,8 @@ def mark_angles(
                 _rate_demerit(bow.radius, nicest.radius, legs)
                 + _rate_ends(bow.radius, reaches)
                 + _rate_merging(bow, neighbours.circles)
-                + _rate_within(bow, neighbours.circles),
+                + _rate_within(bow, neighbours.circles)
+                + _rate_enclosing(bow, neighbours.arcs),
                 neighbours,
             )
             for bow in bows
@@ -164,6 +168,24 @@ def _rate_within(bow: Bow, circles: Iterable[Disc | Bow]) -> float:
             if sum(within) > 1:
                 return _WITHIN_DISC
     return 0.0
+
+
+def _rate_enclosing(bow: Bow, arcs: Iterable[Bow]) -> float:
+    """The demerit of an arc between whose sides another angle lies nearer to the vertex, or is cut
+    by it, so that its letter might be that of either.
+    """
+    steps = [arc.centre - bow.centre for arc in arcs]
+    within = any(
+        NEAR < length(step) < bow.radius + _ABOUT_VERTEX and _lies_between(bow, angle_of(step))
+        for step in steps
+    )
+    return _ENCLOSES * within
+
+
+def _lies_between(bow: Bow, angle: float) -> bool:
+    """Whether a direction lies between the sides of an angle, or along one."""
+    turn = 1.0 if bow.sweep > 0 else -1.0
+    return (turn * (angle - bow.start) + _AT_SIDE) % (2 * pi) <= abs(bow.sweep) + 2 * _AT_SIDE
 
 
 def _measure_reaches(vertex: Vector, legs: Iterable[Side], points: Iterable[Vector]) -> list[float]:

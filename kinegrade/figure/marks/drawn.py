@@ -10,9 +10,11 @@ from kinegrade.figure.mechanism.plates import Plate
 from kinegrade.figure.mechanism.straight_parts import Bar, Rod, is_slender, list_ways
 from kinegrade.figure.placing.obstacles import Segment
 from kinegrade.figure.plane import NEAR, length, mean, on_line, unit
+from kinegrade.figure.scene import Disc
 from kinegrade.mechanics.joints import Line
 from kinegrade.mechanics.vector import Vector
 
+_LARGEST_PIN = 1.5  # millimetres of radius: larger white circles are the insides of rings
 _BEGINS = 1.0  # millimetres from a point within which what is drawn has to begin
 
 
@@ -27,6 +29,13 @@ def measure_drawn(at: Vector, toward: Vector, drawing: Drawing) -> float:
         if along and min(steps) < _BEGINS and on_line(at, Line(start, end - start)):
             reaches += steps
     return max(reaches)
+
+
+def measure_pin(at: Vector, drawing: Drawing) -> float:
+    """The radius, in millimetres, of the open pin that is drawn at a point; 0 where none is."""
+    discs = (part for part in drawing.primitives if isinstance(part, Disc) and part.fill == "white")
+    pins = (disc for disc in discs if disc.radius < _LARGEST_PIN)
+    return max((pin.radius for pin in pins if length(pin.centre - at) < NEAR), default=0.0)
 
 
 def find_edge(at: Vector, toward: Vector, drawing: Drawing) -> tuple[float, Vector]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from kinegrade.figure.marks.drawn import measure_drawn
+from kinegrade.figure.marks.drawn import measure_drawn, measure_pin
 from kinegrade.figure.mechanism.layers import Drawing
 from kinegrade.figure.mechanism.straight_parts import Bar, is_slender
 from kinegrade.figure.placing.mark import direction
@@ -21,6 +21,7 @@ from kinegrade.problem.template.hints import Angle
 _BEYOND, SHORT = 2.5, 1.0
 _DOUBLE = 1.2  # millimetres within which the ground and a line along it would look like one
 LEFT = 4.2  # millimetres from a vertex in which its own bars leave beside a side
+_AT_PIN = 0.15  # millimetres from the radius of a pin to where a line ends on the edge of it
 
 
 @dataclass(frozen=True)
@@ -28,7 +29,8 @@ class Side:
     """A side of an angle: its direction, how far a bar is drawn along it, how far away the point
     on it is (0 for none), whether the bar is so broad that its axis has to be drawn, how far
     outside the angle the ground runs that takes the place of a line, how far a line goes `beyond`
-    the arc, and how far the arrow of a motion is likely to hide it.
+    the arc, how far the arrow of a motion is likely to hide it, and how far the open pins reach
+    that are where the bar ends and at the point on the side.
     """
 
     angle: float
@@ -38,6 +40,7 @@ class Side:
     lag: float
     beyond: float = _BEYOND
     hidden: float = 0.0
+    pins: tuple[float, float] = (0.0, 0.0)
 
     @property
     def half(self) -> float:
@@ -48,12 +51,15 @@ class Side:
         """The thin line that an arc of this radius needs; None when the bar is long enough."""
         toward = polar(self.angle)
         if self.broad:
-            return vertex + toward * (PIN + 0.15), vertex + toward * (radius + self.beyond)
+            return vertex + toward * (PIN + _AT_PIN), vertex + toward * (radius + self.beyond)
         if radius < self.drawn + PIN:
             return None
         needed = radius + (1.0 if self.reach else self.beyond)
         far = needed if self.drawn else max(needed, self.reach)
-        return vertex + toward * max(self.drawn, PIN + 0.15), vertex + toward * far
+        far -= self.pins[1] if far == self.reach else 0.0
+        return vertex + toward * max(
+            self.drawn + self.pins[0], PIN + _AT_PIN
+        ), vertex + toward * far
 
 
 def find_sides(at: Mapping[str, Vector], hint: Angle, drawing: Drawing) -> tuple[Side, ...]:
@@ -63,16 +69,21 @@ def find_sides(at: Mapping[str, Vector], hint: Angle, drawing: Drawing) -> tuple
     legs = []
     for name, way, other in zip((hint.start, hint.end), ways, reversed(ways), strict=True):
         ground, lag = _measure_ground(vertex, way, other, drawing)
-        legs.append(
-            Side(
-                angle_of(way),
-                max(ground, measure_drawn(vertex, way, drawing)),
-                length(at[name] - vertex) if name in at else 0.0,
-                _is_broad(vertex, way, drawing),
-                lag,
-            )
+        drawn = max(ground, measure_drawn(vertex, way, drawing))
+        reach = length(at[name] - vertex) if name in at else 0.0
+        pins = (
+            _reach_pin(vertex + way * drawn, drawing),
+            _reach_pin(vertex + way * reach, drawing),
         )
+        broad = _is_broad(vertex, way, drawing)
+        legs.append(Side(angle_of(way), drawn, reach, broad, lag, pins=pins))
     return tuple(legs)
+
+
+def _reach_pin(at: Vector, drawing: Drawing) -> float:
+    """How far, in millimetres, a line on a pin stays from its middle; 0 where there is no pin."""
+    radius = measure_pin(at, drawing)
+    return radius + _AT_PIN if radius else 0.0
 
 
 def hide_sides(
