@@ -23,7 +23,7 @@ from kinegrade.figure.marks.frames import add_axes_aside, add_frames
 from kinegrade.figure.marks.imposed import drop_still
 from kinegrade.figure.marks.lengths.dimensions import add_length
 from kinegrade.figure.marks.lengths.extension_gaps import Around
-from kinegrade.figure.marks.names import keep_from_arrows, label_points
+from kinegrade.figure.marks.names import keep_from_marks, label_points
 from kinegrade.figure.marks.radii import add_radii
 from kinegrade.figure.marks.right_angles import add_right_angle
 from kinegrade.figure.marks.rotations import add_rotations
@@ -91,7 +91,10 @@ def size_figure(
 
 @lru_cache(maxsize=1024)
 def draw_unit_figure(shown: Subject) -> Scene:
-    """The figure of a mechanism of unit size. Raises TemplateError as `sketch` does."""
+    """The figure of a mechanism of unit size. Raises TemplateError as `sketch` does.
+
+    No order helps an angle or a frame without a good place, which all orders place first.
+    """
     mechanism, hints = shown.mechanism, drop_still(shown.mechanism, shown.hints)
     span = measure_span(mechanism, hints)
     scale = _choose_first_scale(mechanism, hints, span)
@@ -105,11 +108,11 @@ def draw_unit_figure(shown: Subject) -> Scene:
         other = fit_scene(partial(_compose, begin, _LETTERS_EARLY), first, span)
         best = min(best, other, key=_rate_scene)
     for order in _OTHER_ORDERS:
-        if best.crowded:
+        if best.crowded and not begin(first).layout.crowded:
             other = fit_scene(partial(_compose, begin, order), first, span)
             best = min(best, other, key=_rate_scene)
     for share, order in _SMALLER:
-        if best.crowded:
+        if best.crowded and not begin(first * share).layout.crowded:
             other = fit_scene(partial(_compose, begin, order), first * share, span)
             best = min(best, other, key=_rate_scene)
     return best
@@ -170,7 +173,7 @@ def _compose(begin: Callable[[float], _Begun], order: tuple[_Stage, ...], scale:
                 around = Around.of(begun.start.obstacles, drawing)
                 layout = _place_lengths(layout, paper, hints, around)
             case "letters":
-                letters = [keep_from_arrows(wish, layout.marks) for wish in unwritten]
+                letters = [keep_from_marks(wish, layout.marks) for wish in unwritten]
                 layout, unwritten = layout.written(letters), ()
             case _:
                 assert_never(stage)

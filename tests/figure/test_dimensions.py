@@ -7,12 +7,17 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import replace
 
+import numpy as np
+
+from kinegrade.figure.marks.lengths.dimension_lines import DimensionLine
 from kinegrade.figure.marks.lengths.dimensions import add_length
 from kinegrade.figure.marks.lengths.extension_gaps import Around
+from kinegrade.figure.marks.names import keep_from_marks
 from kinegrade.figure.marks.turning_arrow import TurningArrow
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.placing.obstacles import Obstacles
-from kinegrade.figure.scene import BOLD, FIRM, THIN, Bow, Disc, Label, Primitive, Strokes
+from kinegrade.figure.placing.place import Wish
+from kinegrade.figure.scene import BOLD, FIRM, THIN, Bow, Disc, Label, Outline, Primitive, Strokes
 from kinegrade.figure.symbols import STAND, draw_pivot
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import Length, Turning
@@ -169,3 +174,51 @@ def test_two_dimensions_along_a_bar_stand_in_one_line_where_their_heads_meet() -
     tips = [head.corners[0] for head in heads(layout)]
     assert len({round(tip.y, 6) for tip in tips}) == 1
     assert sorted(round(tip.x, 6) for tip in tips) == [-20.0, 0.0, 0.0, 20.0]
+
+
+CROSSED = DimensionLine((A, B), (Vector(-20.0, 6.0), Vector(20.0, 6.0)), "d", 0.0, (1.6, 1.6))
+
+
+def test_an_extension_line_that_cuts_another_dimension_line_is_told_from_one_beside_it() -> None:
+    upward = DimensionLine(
+        (Vector(0.0, 0.0), Vector(0.0, 14.0)),
+        (Vector(9.0, 0.0), Vector(9.0, 14.0)),
+        "h",
+        0.0,
+        (1, 1),
+    )
+    across = replace(
+        CROSSED, points=(Vector(0.0, 0.0), B), feet=(Vector(0.0, 9.0), Vector(20.0, 9.0))
+    )
+    assert upward.cuts(CROSSED) is True
+    assert CROSSED.cuts(upward) is True
+    assert across.cuts(CROSSED) is True
+    assert (
+        replace(across, points=(A, B), feet=(Vector(-20.0, 9.0), Vector(20.0, 9.0))).cuts(CROSSED)
+        is False
+    )
+
+
+def test_an_extension_line_does_not_seem_to_begin_at_a_point_beside_it() -> None:
+    [free, _] = _find_extensions(_add(Length("d", "A", "B"), ()))
+    side = 1.0 if free[1].y > 0 else -1.0
+    bare = Obstacles.of(())
+    at = AB | {"E": Vector(B.x + 1.5, side * 4.0)}
+    moved = add_length(Layout.of(()), at, Length("d", "A", "B"), Around(bare, bare))
+    assert [end.y * side < 0 for _, end in _find_extensions(moved)] == [True, True]
+
+
+def test_a_dimension_keeps_off_the_mark_of_a_right_angle() -> None:
+    [free, _] = _find_extensions(_add(Length("d", "A", "B"), ()))
+    side = 1.0 if free[1].y > 0 else -1.0
+    square = Outline(
+        (Vector(17.4, 0.0), Vector(17.4, side * 2.6), Vector(20.4, side * 2.6)), THIN, closed=False
+    )
+    moved = _add(Length("d", "A", "B"), (), marks=(square,))
+    assert [end.y * side < 0 for _, end in _find_extensions(moved)] == [True, True]
+
+
+def test_a_letter_does_not_stand_beyond_a_dimension_line() -> None:
+    wish = Wish("A", np.array([[0.0, 8.0]]), names=Vector(0.0, 3.0))
+    kept = keep_from_marks(wish, [CROSSED])
+    assert kept.walls == (CROSSED.line(),)

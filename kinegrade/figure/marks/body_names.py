@@ -13,7 +13,7 @@ import numpy as np
 
 from kinegrade.errors import TemplateError
 from kinegrade.figure.joints.symbol import Rim
-from kinegrade.figure.marks.angle_arc import AngleArc, LedAngleArc
+from kinegrade.figure.marks.in_angles import lies_in_angle, list_arcs, rate_in_angles
 from kinegrade.figure.marks.lengths.dimension_lines import Leader, SymbolBeside
 from kinegrade.figure.mechanism.layers import Drawing
 from kinegrade.figure.mechanism.straight_parts import Bar, Rod, SlottedDisc
@@ -36,13 +36,12 @@ from kinegrade.problem.template.hints import FigureHints
 
 _SPACE, _ROW = 2.5, 9.0  # millimetres between words, and from a name to a length in its row
 _AT_END, _ASIDE = 6.0, 1.5  # millimetres beyond the end of a line, and beside it, that are its own
-_IN_ANGLE = 4.0  # millimetres beyond the arc of an angle in which a letter would name that
 _SHARES = (0.7, 0.55, 0.4)  # of the radius of a circle, for the name of its body
 _FINER_SHARES = (0.8, 0.7, 0.6, 0.5, 0.4, 0.3)  # the same, in more directions
 _INSIDE_RIM = 1.5  # millimetres inside a rim at which a leader to a disc ends
 _NEAR = 48  # spots around the middle of a bar before those along it
 # Millimetres of the leader of a bar's name, and where on the bar it ends
-_REACHES, _PLACES = (6.0, 9.0, 12.0), (0.5, 0.35, 0.65)
+_REACHES, _PLACES = (6.0, 9.0, 12.0), (0.5, 0.35, 0.65, 0.8, 0.9)
 _ALONG = 0.45  # sine between a slotted bar and a leader that would run into its slot
 _TAKEN, _DEAR = 10.0, 40.0  # demerit of a leader to a taken place; cost of one that is of no use
 _AT_TEETH = 0.8  # millimetres between the teeth of a ring and its name
@@ -111,7 +110,8 @@ class _Surroundings:
     def rate_leader(self, leader: Leader) -> Leader:
         """The leader with its demerit here."""
         [taken] = self.rate(leader.symbol, leader.wish().spots[:1])
-        return replace(leader, worse=_TAKEN * taken)
+        in_angle = lies_in_angle(leader.line(), list_arcs(self.layout.marks))
+        return replace(leader, worse=_TAKEN * (taken + in_angle))
 
 
 def _find_beside(wish: Wish, layout: Layout) -> Floats:
@@ -132,27 +132,15 @@ def _find_beside(wish: Wish, layout: Layout) -> Floats:
 
 def _find_at_angles(wish: Wish, layout: Layout) -> Floats:
     """For each spot of a wish 1 in an angle, or where a line along a side of one ends, else 0."""
-    found, half = np.zeros(len(wish.spots)), max(measure_symbol(wish.symbol)) / 2
-    for arc in _list_arcs(layout):
-        bow, steps = arc.bow, wish.spots - np.array(arc.bow.centre)
-        turned = (np.arctan2(steps[:, 1], steps[:, 0]) - bow.start) * np.sign(bow.sweep)
-        within = turned % (2 * pi) < abs(bow.sweep)
-        near = np.hypot(*steps.T) < bow.radius + _IN_ANGLE
-        found = np.maximum(found, within & near)
+    arcs, half = tuple(list_arcs(layout.marks)), max(measure_symbol(wish.symbol)) / 2
+    found = rate_in_angles(wish.spots, arcs)
+    for arc in arcs:
         for start, end in arc.list_sides():
             steps, toward = wish.spots - np.array(end), unit(end - start)
             ahead, aside = steps @ np.array(toward), np.abs(steps @ np.array(toward.turned()))
             beyond = (ahead > 0) & (ahead < half + _AT_END)
             found = np.maximum(found, beyond & (aside < _ASIDE))
     return found
-
-
-def _list_arcs(layout: Layout) -> Iterator[AngleArc]:
-    for mark in layout.marks:
-        if isinstance(mark, AngleArc):
-            yield mark
-        elif isinstance(mark, LedAngleArc):
-            yield mark.arc
 
 
 def _find_in_others(wish: Wish, others: Iterable[Rim]) -> Floats:

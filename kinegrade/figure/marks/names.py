@@ -12,6 +12,7 @@ from math import pi
 import numpy as np
 
 from kinegrade.figure.joints.symbol import Rim
+from kinegrade.figure.marks.lengths.dimension_lines import DimensionLine
 from kinegrade.figure.marks.straight.moving_arrow import MovingArrow
 from kinegrade.figure.mechanism.layers import Drawing
 from kinegrade.figure.mechanism.straight_parts import Bar, Rod
@@ -132,9 +133,10 @@ def _list_chords(rim: Rim) -> tuple[Segment, ...]:
     return tuple(pairwise(Bow(rim.at, rim.radius, 0.0, 2 * pi, THIN).path()))
 
 
-def keep_from_arrows(wish: Wish, marks: Sequence[Mark]) -> Wish:
+def keep_from_marks(wish: Wish, marks: Sequence[Mark]) -> Wish:
     """The wish of a point's letter, which is rather not about as near to the arrow of a straight
-    motion."""
+    motion, nor beyond a dimension line.
+    """
     at = wish.names
     if at is None:
         return wish
@@ -146,7 +148,8 @@ def keep_from_arrows(wish: Wish, marks: Sequence[Mark]) -> Wish:
         if length(place - at) > _AT_TAIL
     ]
     worse = _AT_ARROW * rate_nearness(wish.symbol, wish.spots, [at], stations)
-    return wish.worse_by(worse)
+    lines = tuple(mark.line() for mark in marks if isinstance(mark, DimensionLine))
+    return replace(wish.worse_by(worse), walls=(*wish.walls, *lines))
 
 
 def _look_closely(

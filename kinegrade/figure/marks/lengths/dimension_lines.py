@@ -6,9 +6,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from kinegrade.figure.placing.leading import list_spots_at_leader
 from kinegrade.figure.placing.obstacles import Segment
-from kinegrade.figure.placing.place import Wish, list_spots_around, list_spots_beside
-from kinegrade.figure.plane import NEAR, length, polar, unit
+from kinegrade.figure.placing.place import Wish, list_spots_beside
+from kinegrade.figure.plane import NEAR, length, nearest_of, polar, unit
 from kinegrade.figure.scene import THIN, Primitive, Strokes
 from kinegrade.figure.symbols import HEAD_LENGTH, draw_arrowhead
 from kinegrade.mechanics.vector import Vector
@@ -16,7 +17,6 @@ from kinegrade.mechanics.vector import Vector
 _LEFT = 4.2  # millimetres from a point in which its own bars leave beside an extension line
 _ONE_FOOT = 0.1  # millimetres within which the ends of two dimension lines are one
 _BESIDE = 3.6  # millimetres between parallel dimension lines side by side
-_AT_END = -0.6  # millimetres by which the symbol stands closer to its leader than to a point
 
 
 @dataclass(frozen=True)
@@ -62,6 +62,17 @@ class DimensionLine:
         meets = any(length(one - two) < _ONE_FOOT for one in self.feet for two in other.feet)
         return meets and self.adjoins(other)
 
+    def cuts(self, other: DimensionLine) -> bool:
+        """Whether its line crosses another dimension, or an extension line of it the other line."""
+        pieces = (other.line(), *other._extensions())
+        return _cross_any(pieces, self.line()) or _cross_any(self._extensions(), other.line())
+
+    def begins_at(self, point: Vector, aside: float) -> bool:
+        """Whether one of its extension lines passes a point within so many millimetres, and seems
+        to begin there.
+        """
+        return any(length(point - nearest_of(point, *line)) < aside for line in self._extensions())
+
     def wish(self) -> Wish:
         """Beside the dimension line."""
         return Wish(self.symbol, list_spots_beside(self.symbol, *self.line()))
@@ -95,6 +106,18 @@ class DimensionLine:
             if length(end - point) > gap + 0.9:
                 found.append((point + away * max(gap, least), end + away * 1.2))
         return tuple(found)
+
+
+def _cross_any(lines: tuple[Segment, ...], across: Segment) -> bool:
+    """Whether a line passes through others, not only from an end of it."""
+    start, end = across
+    step = end - start
+    for one, other in lines:
+        sides = step.cross(one - start) * step.cross(other - start)
+        ends = (other - one).cross(start - one) * (other - one).cross(end - one)
+        if sides < -NEAR and ends < -NEAR:
+            return True
+    return False
 
 
 @dataclass(frozen=True)
@@ -148,9 +171,8 @@ class Leader:
         return ((self.middle + polar(self.angle, 1.5), self._end()),)
 
     def wish(self) -> Wish:
-        """Around the far end."""
-        spots = list_spots_around(self.symbol, self._end(), _AT_END, polar(self.angle))
-        return Wish(self.symbol, spots[:6])
+        """At the far end."""
+        return Wish(self.symbol, list_spots_at_leader(self.symbol, self._end(), polar(self.angle)))
 
     def primitives(self) -> tuple[Primitive, ...]:
         """The leader."""

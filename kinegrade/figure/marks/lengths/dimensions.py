@@ -4,7 +4,7 @@ line or at the end of a leader.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from functools import partial
 from math import copysign, inf, pi
@@ -19,6 +19,7 @@ from kinegrade.figure.placing.layout import Layout, no_others
 from kinegrade.figure.placing.mark import Mark
 from kinegrade.figure.placing.obstacles import Obstacles, Segment
 from kinegrade.figure.plane import NEAR, angle_of, length, nearest_of, unit
+from kinegrade.figure.scene import THIN, Bow, Outline, Primitive
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import Length, Projection
 
@@ -37,8 +38,12 @@ _PART, _LEG = 20.0, 3.0
 _ON_ARROW = 20.0  # demerit of a dimension across the arrow of a motion
 _ON_GROUND = 8.0  # demerit of a dimension across the hatching of the ground
 _HEAD_ON_LINE = 16.0  # demerit of a dimension whose arrowhead lies on something
-_CLOSE = 6.0  # demerit of a dimension line close beside another
-_STAGGERED = 6.0  # demerit of a dimension that goes on from another one at another distance
+# Demerits of a dimension line close beside another, of one that is cut by an extension line, and of
+# one that goes on from another one at another distance
+_CLOSE, _CUT, _STAGGERED = 6.0, 12.0, 6.0
+_ON_MARK = 8.0  # demerit of a dimension across the arc of an angle or the mark of a right one
+# Demerit of an extension line that seems to begin at another point, and millimetres from that
+_AT_OTHER, _BESIDE_POINT = 8.0, 2.2
 Gaps = tuple[Gap, Gap]
 _DRAWN_GAP = 2.5  # millimetres by which a line between two points may miss either of them
 
@@ -60,10 +65,9 @@ def add_length(layout: Layout, at: Mapping[str, Vector], hint: Length, around: A
     """The layout with a dimension line that stands well apart from earlier ones, or the symbol
     alone where a line is drawn exactly between the two points of the mechanism `around` it.
     """
-    company = _Company.of(layout, around.ground)
-    earlier = tuple(mark for mark in layout.marks if isinstance(mark, DimensionLine))
-    dimensions = [company.rate(mark, earlier) for mark in _list_dimensions(at, hint, around)]
     start, end = at[hint.start], at[hint.end]
+    company = _Company.of(layout, around.ground, _list_beside(at, hint))
+    dimensions = [company.rate(mark) for mark in _list_dimensions(at, hint, around)]
     demerit = _rate_join(find_join(around.drawn, start, end, _DRAWN_GAP))
     if find_join(layout.obstacles, start, end, _DRAWN_GAP) == "whole":
         demerit = min(demerit, _LEG)
@@ -77,7 +81,7 @@ def add_length(layout: Layout, at: Mapping[str, Vector], hint: Length, around: A
 class _Company:
     """What a dimension has to keep off as a whole: letters, the arrows of motions, and with its
     line, other than with its extension lines, all that is firm; with its arrowheads all that is
-    drawn; and the ground.
+    drawn; the ground; the arcs and squares of angles, earlier dimensions and other points.
     """
 
     written: Obstacles
@@ -85,9 +89,12 @@ class _Company:
     firm: Obstacles
     drawn: Obstacles
     ground: Obstacles
+    angles: Obstacles
+    earlier: tuple[DimensionLine, ...]
+    others: tuple[Vector, ...]
 
     @staticmethod
-    def of(layout: Layout, ground: Obstacles) -> _Company:
+    def of(layout: Layout, ground: Obstacles, others: tuple[Vector, ...]) -> _Company:
         """What there is in a layout."""
         arrows = list_arrows(layout.marks)
         return _Company(
@@ -96,21 +103,45 @@ class _Company:
             layout.obstacles.firm(),
             layout.obstacles,
             ground,
+            Obstacles.of(filter(_marks_angle, layout.lines)),
+            tuple(mark for mark in layout.marks if isinstance(mark, DimensionLine)),
+            others,
         )
 
-    def rate(self, mark: DimensionLine, earlier: Sequence[DimensionLine]) -> DimensionLine:
+    def rate(self, mark: DimensionLine) -> DimensionLine:
         """The dimension with its demerit here: it stands well apart from earlier ones, or goes on
         from one of them in its line, where their heads meet.
         """
-        goes_on = any(map(mark.goes_on_from, earlier))
-        worse = _CLOSE * sum(map(mark.crowds, earlier))
-        worse += _STAGGERED * (not goes_on and any(map(mark.adjoins, earlier)))
-        worse += self.written.along(mark.beginnings(), mark.shared)
-        worse += _ON_ARROW * (self.arrows.along(mark.path(), mark.shared) > 0)
-        worse += self.firm.along((mark.line(),), mark.shared)
-        worse += _ON_GROUND * (self.ground.along(mark.path(), mark.shared) > 0)
+        goes_on = any(map(mark.goes_on_from, self.earlier))
+        begins, path = mark.beginnings(), mark.path()
+        worse = _CLOSE * sum(map(mark.crowds, self.earlier))
+        worse += _CUT * sum(map(mark.cuts, self.earlier))
+        worse += _STAGGERED * (not goes_on and any(map(mark.adjoins, self.earlier)))
+        worse += self.written.along(begins, mark.shared)
+        worse += _ON_ARROW * (self.arrows.along(path, mark.shared) > 0)
+        worse += self.firm.along(path[:1], mark.shared)
+        worse += _ON_GROUND * (self.ground.along(path, mark.shared) > 0)
         worse += _HEAD_ON_LINE * (not goes_on and self.drawn.along(mark.heads(), shared=False) > 0)
+        worse += _ON_MARK * (self.angles.along((*begins, *path), mark.shared) > 0)
+        worse += _AT_OTHER * any(mark.begins_at(point, _BESIDE_POINT) for point in self.others)
         return replace(mark, demerit=mark.demerit + worse) if worse else mark
+
+
+def _list_beside(at: Mapping[str, Vector], hint: Length) -> tuple[Vector, ...]:
+    """The other points that extension lines of a length might seem to begin at."""
+    start, end = at[hint.start], at[hint.end]
+    measured = find_measured_direction(hint.along, start, end)
+    return tuple(
+        point
+        for point in at.values()
+        if min(abs((point - own).dot(measured)) for own in (start, end)) < _BESIDE_POINT
+        and min(length(point - own) for own in (start, end)) > NEAR
+    )
+
+
+def _marks_angle(part: Primitive) -> bool:
+    """Whether something drawn is the arc of an angle, or the square of a right one."""
+    return isinstance(part, Bow | Outline) and part.pen == THIN
 
 
 def _list_dimensions(at: Mapping[str, Vector], hint: Length, around: Around) -> list[DimensionLine]:

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from math import cos, pi
 
+from kinegrade.figure.marks.in_angles import lies_in_angle, list_arcs
 from kinegrade.figure.marks.lengths.dimension_lines import Leader
 from kinegrade.figure.marks.straight.motions import list_arrows
 from kinegrade.figure.placing.aligned import list_thin_lines, runs_on
@@ -20,9 +21,9 @@ _TURNS = tuple(turn * pi / 6 for turn in range(12))
 _STATIONS = {0.5: 0.0, 0.38: 0.5, 0.62: 0.5, 0.28: 1.0, 0.72: 1.0}
 _ALONG = cos(pi / 5)  # of the angle between a leader and its line from which on they are told apart
 _AROUND = 1.3  # millimetres about the end of a leader in which nothing but its own line should be
-# Demerits of a leader across the arrow, arc or line of another mark, and of one that runs on from a
-# thin line
-_ACROSS, _RUNS_ON = 15.0, 12.0
+# Demerits of a leader across the arrow, arc or line of another mark, of one that runs on from a
+# thin line, and of one in an angle, of which it would seem to be a side
+_ACROSS, _RUNS_ON, _IN_ANGLE = 15.0, 12.0, 15.0
 _SHORTEST = 3.0  # demerit of a short leader, which is more than that of a symbol beside its line
 
 
@@ -37,7 +38,7 @@ def list_leaders(layout: Layout, bar: Segment, symbol: str, dear: float) -> Iter
     around = [layout.obstacles.along(((at - across, at + across),), shared=False) for at in places]
     turns = [turn for turn in _TURNS if abs(cos(turn - angle_of(toward))) < _ALONG]
     lines = list_thin_lines(layout.lines)
-    marks = _gather_marks(layout, lines)
+    marks, arcs = _gather_marks(layout, lines), tuple(list_arcs(layout.marks))
     for at, there, less in zip(places, around, _STATIONS.values(), strict=True):
         worse = less + there - min(around) + _SHORTEST
         if worse + _REACHES[0] >= dear:
@@ -45,7 +46,8 @@ def list_leaders(layout: Layout, bar: Segment, symbol: str, dear: float) -> Iter
         for leader in [Leader(at, turn, reach, symbol) for reach in _REACHES for turn in turns]:
             across_marks = _ACROSS * (marks.along(leader.path(), shared=False) > 0)
             run_on = _RUNS_ON * runs_on(leader.line(), lines)
-            yield replace(leader, worse=worse + across_marks + run_on)
+            in_angle = _IN_ANGLE * lies_in_angle(leader.line(), arcs)
+            yield replace(leader, worse=worse + across_marks + run_on + in_angle)
 
 
 def _gather_marks(layout: Layout, lines: tuple[Segment, ...]) -> Obstacles:
