@@ -48,8 +48,8 @@ GAPS: dict[str, dict[str, list[float]]] = {
     GEAR: {"angle_vB_vA": [72, 360, 648, 936, 1224]},
     # The link translates, with its pole at infinity, or is at rest, with a pole anywhere
     LINKED: {
-        "ic_x": [182.8745, 240.8229, 305.8077],
-        **{ask: [240.8229] for ask in ("ic_y", "l_AP", "l_BP", "l_CP")},
+        "ic_x": [168.8186, 235.3326, 319.8636],
+        **{ask: [235.3326] for ask in ("ic_y", "l_AP", "l_BP", "l_CP")},
     },
     "stone-crusher": {ask: [88.9130, 272.2750] for ask in ("BC2", "GC2")},  # the jaw is at rest
     "rod-ground-and-incline": {"v_B_down": [0.8453], "a_B_down": [0.8453]},  # m
