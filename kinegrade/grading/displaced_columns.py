@@ -21,7 +21,6 @@ from kinegrade.grading.fast.another_paper import PapersAnswered
 from kinegrade.grading.fast.bounds import Flags, Numbers, Places
 from kinegrade.grading.fast.intervals import Intervals
 from kinegrade.grading.marks import MarkedBlock
-from kinegrade.grading.sheets.sheet import Place
 from kinegrade.language.message import Message
 
 _LEAST_SORTED = 10  # numbers in order: fewer may be so by chance
@@ -42,14 +41,15 @@ class _Run(NamedTuple):
 
 @dataclass
 class DisplacedColumns:
-    """What has been seen so far of each row: its numbers, which of them are right or void, and
-    where it stands in the files.
+    """What has been seen so far of each row: its numbers, which of them are right or void, and its
+    file and line, 0 where it has none.
     """
 
     asks: tuple[Ask, ...]
     numbers: list[Numbers] = field(default_factory=list)
     right: list[Flags] = field(default_factory=list)
-    places: list[Place] = field(default_factory=list)
+    files: list[str] = field(default_factory=list)
+    lines: list[int] = field(default_factory=list)
 
     def watched(self, blocks: Iterable[MarkedBlock]) -> Iterator[MarkedBlock]:
         """The same blocks, noted on their way."""
@@ -57,7 +57,8 @@ class DisplacedColumns:
             judged, width = block.judged, len(self.asks)
             self.numbers.append(judged.cells.values.reshape(-1, width))
             self.right.append(judged.are("right", "void").reshape(-1, width))
-            self.places.extend([Place(entry.file, entry.line) for _, entry in judged.rows])
+            self.files += [entry.file for _, entry in judged.rows]
+            self.lines += [entry.line or 0 for _, entry in judged.rows]
             yield block
             del block, judged  # so that the next takes its place
 
@@ -67,8 +68,9 @@ class DisplacedColumns:
         """A complaint for each column that was sorted or slipped, after all blocks have been
         watched. Raises ExamError where the papers cannot be read.
         """
-        typed = [row for row, place in enumerate(self.places) if place.line is not None]
-        order = np.array(sorted(typed, key=lambda row: self.places[row]), dtype=np.intp)
+        ranks = {file: rank for rank, file in enumerate(sorted({*self.files}))}
+        order = np.lexsort((self.lines, [ranks[file] for file in self.files]))
+        order = order[np.array(self.lines)[order] > 0]
         if len(order) < _LEAST_MOVED:
             return
         numbers = np.concatenate(self.numbers)[order]
@@ -90,15 +92,15 @@ class DisplacedColumns:
         return self._complain(order[0], title, problem)
 
     def _complain_of_run(self, order: Places, title: str, run: _Run) -> Complaint:
-        first, last = (self.places[order[each]].line for each in (run.first, run.last))
+        first, last = (self.lines[order[each]] for each in (run.first, run.last))
         kind = "down" if run.step > 0 else "up"
         where = {"first": str(first), "last": str(last)}
         problem = Message(f"marking.column-moved-{kind}", count=run.length, **where)
         return self._complain(order[run.first], title, problem)
 
     def _complain(self, row: int, title: str, problem: Message) -> Complaint:
-        file, line = self.places[row]
-        return Complaint(file, line, title, "", problem, Message("marking.check-column"))
+        done = Message("marking.check-column")
+        return Complaint(self.files[row], self.lines[row], title, "", problem, done)
 
 
 def _is_sorted(numbers: Numbers, wrong: Flags) -> bool:
