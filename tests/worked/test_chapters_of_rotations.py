@@ -125,7 +125,7 @@ def test_a_given_relative_rate() -> None:
         ## The given motion
         Given: the angular velocity of link relative to the arm $OA$.
         \omega - \omega_{OA} &= -5\,\unit{rad/s}\quad\text{(clockwise)}
-        \omega &= -3\,\unit{rad/s}\quad\text{(clockwise)}
+        \omega &= \omega_{OA} - 5\,\unit{rad/s} = 2\,\unit{rad/s} - 5\,\unit{rad/s} = -3\,\unit{rad/s}\quad\text{(clockwise)}
         """
     )
 

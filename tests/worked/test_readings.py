@@ -58,3 +58,21 @@ def test_a_sum_of_angles_is_worked_out_before_a_point_is_placed_by_it() -> None:
     (place,) = [place for place, line in enumerate(told) if line.startswith("x_{C} &=")]
     assert told[place - 1].endswith(r"= 17.82^\circ + 68.71^\circ \approx 86.53^\circ")
     assert r"\cos 86.53^\circ" in told[place]
+
+
+def test_a_relative_rotation_is_added_in_numbers() -> None:
+    # the sum stood there without its terms
+    (turning,) = [
+        line for line in displayed(kept("two-link-robot-arm")) if line.startswith(r"\omega_{AB} &=")
+    ]
+    sum_of_both = (
+        r"\omega_{AB} &= \omega_{OA} - \omega_{\mathrm{r}} = 1\,\unit{rad/s} - 2\,\unit{rad/s}"
+    )
+    assert turning.startswith(sum_of_both)
+
+
+@pytest.mark.parametrize("name", ["tangent-cam-with-roller", "roller-rolling-on-rotating-bar"])
+def test_a_named_length_is_not_found_again_by_coordinates(name: str) -> None:
+    # OC = y_C was told after y_C = OC
+    assert r"= y_{C}" not in _read(name)
+    assert r"= x_{B}" not in _read(name)

@@ -17,18 +17,24 @@ from kinegrade.numbers.balls import PRECISIONS, Balls
 from kinegrade.problem.kinds.dimension import find_si_unit
 from kinegrade.problem.quantity import express_in_unit
 from kinegrade.worked.case import Case
-from kinegrade.worked.formulas.atoms import Measured
-from kinegrade.worked.formulas.equation import Equation, Link, drop_repetition, equate
+from kinegrade.worked.formulas.atoms import ZERO, Measured, add_terms
+from kinegrade.worked.formulas.equation import Equation, Link, drop_repetition, equate, lead_to
 from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.measures import double
-from kinegrade.worked.formulas.numbers import state_number, state_quantity
+from kinegrade.worked.formulas.numbers import measure, state_number, state_quantity
 from kinegrade.worked.formulas.rotational_speeds import (
     count_full_turns,
     is_rotational_speed,
     turn_into_angle,
 )
 from kinegrade.worked.formulas.symbols import collect_symbols
-from kinegrade.worked.rates.speeds import Statement, name_relative_rotation, state_expression
+from kinegrade.worked.rates.speeds import (
+    Statement,
+    find_rotation_value,
+    name_relative_rotation,
+    name_rotation,
+    state_expression,
+)
 from kinegrade.worked.senses import (
     describe_direction,
     say_beside,
@@ -51,6 +57,26 @@ def state_imposed(law: Imposed, relation: Relation, case: Case, level: Level) ->
     links = drop_repetition(expression, (*as_given, *state_number(value * sign, unit)))
     equation = Equation(left, links, _state_sense(law, value, case))
     return Statement(Message("solution.title-given"), _state_given(law, case, level), equation)
+
+
+def solve_relative(
+    law: ImposedRotation, stated: Equation, result: Equation, case: Case, level: Level
+) -> Equation:
+    """What an imposed relative rotation says of that of either body, which `result` gives: in
+    symbols, with numbers, and the value.
+    """
+    letters = [name_rotation(body, case, level) for body in (law.body, law.of)]
+    rates = [find_rotation_value(body, case, level) for body in (law.body, law.of)]
+    turned = letters.index(result.left)
+    sign, unit = 1 - 2 * turned, UNITS[level, True]
+    relative = measure(rates[0] - rates[1], unit)
+    numbers = (measure(rates[1 - turned], unit), relative.size.signed(relative.sign * sign))
+    said = stated.links[0].right
+    working = (
+        letters[1 - turned] + said.size.signed(said.sign * sign),
+        add_terms(one for one in numbers if one != ZERO),
+    )
+    return Equation(result.left, lead_to(result.left, working, result.links), result.aside)
 
 
 def _name_imposed(law: Imposed, case: Case, level: Level) -> Formula:

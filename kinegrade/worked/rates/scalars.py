@@ -25,7 +25,7 @@ from kinegrade.mechanics.vector_equation import Level
 from kinegrade.worked.case import Case
 from kinegrade.worked.document import Block
 from kinegrade.worked.formulas.equation import Equation, equate
-from kinegrade.worked.rates.driven import state_imposed
+from kinegrade.worked.rates.driven import solve_relative, state_imposed
 from kinegrade.worked.rates.rims import solve_rims, state_belt, state_meshing
 from kinegrade.worked.rates.rolling import solve_rolling, state_rolling
 from kinegrade.worked.rates.speeds import Statement, name_rotation, state_rate
@@ -75,7 +75,9 @@ def explain_scalar_step(
         case EqualRotation():
             links = (*stated.links, *result.links)
             yield case.show(Equation(stated.left, links, result.aside))
-        case ImposedRotation() | ImposedMotion() | ImposedCircling():
+        case ImposedRotation() as imposed:
+            yield case.show(stated, solve_relative(imposed, stated, result, case, level))
+        case ImposedMotion() | ImposedCircling():
             yield case.show(stated, result)
         case NoSlip() as roll:
             solved = solve_rolling(roll, relation, result, case, level)

@@ -34,7 +34,8 @@ def find_stated_length(start: str, end: str, case: Case) -> Symbol | None:
     given = collect_symbols(case.template)
     for ends in ((start, end), (end, start)):
         letters = join_letters(map(case.naming.letter, ends))
-        if any(given[name].looks_like(letters) for name in case.template.parameters):
+        named = (*case.template.parameters, *case.template.scheme.lengths)
+        if any(given[name].looks_like(letters) for name in named):
             return letters
     for one in case.template.figure.lengths:
         if one.along is None and not one.signed and {one.start, one.end} == {start, end}:
