@@ -41,12 +41,10 @@ class Spread:
         """The share of negative answers."""
         return sum(value < 0 for value in self.values) / len(self.values)
 
-    @property
-    def constant(self) -> bool:
-        """Whether all instances have one answer."""
-        return len(self.values) > 1 and all(
-            isclose(value, self.values[0], rel_tol=1e-12) for value in self.values
-        )
+    def is_constant(self, *, vanishes: bool) -> bool:
+        """Whether all instances have one answer, other than a zero that is a proper one."""
+        same = all(isclose(value, self.values[0], rel_tol=1e-12) for value in self.values)
+        return len(self.values) > 1 and same and not (vanishes and self.values[0] == 0)
 
     @property
     def copied(self) -> Copied | None:

@@ -19,7 +19,7 @@ def weigh_sample(report: Report) -> None:
     """Too few instances are a fault, and answers with points that need not be worked out."""
     _weigh_number(report)
     for name, spread in report.spreads.items():
-        if spread.constant:
+        if spread.is_constant(vanishes=report.template.asks[name].vanishes):
             report.faults.append(Message("template.same-answer", ask=name))
         elif spread.copied is not None:
             report.faults.append(
