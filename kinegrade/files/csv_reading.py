@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import io
+import re
 from collections.abc import Iterator
 from contextlib import contextmanager
 from itertools import chain, islice
@@ -12,6 +13,7 @@ from kinegrade.files.cell_text import trim
 from kinegrade.files.header_line import MOST_ABOVE, HeaderSign, find_header
 
 _SEPARATORS = ",;\t"
+_SEPARATOR_LINE = re.compile(r'"?sep=.?"?[\t,;]*\r?\n', re.IGNORECASE)
 _BLANKS = f"{_SEPARATORS} "
 _END = "\x00end of table"
 _MOST_STRAY_QUOTES = (
@@ -47,6 +49,15 @@ def _read_first(text: str, separator: str) -> Iterator[tuple[int, list[str]]]:
     for cells in reader:
         yield before, cells
         before = reader.line_num
+
+
+def count_separator_lines(text: str) -> int:
+    """1 where the first line names the separator, for spreadsheet programs alone.
+
+    >>> count_separator_lines("sep=;\\na;b\\n"), count_separator_lines("a;b\\n")
+    (1, 0)
+    """
+    return 1 if _SEPARATOR_LINE.match(text) else 0
 
 
 def drop_lines(text: str, count: int) -> str:

@@ -7,7 +7,6 @@ or a cell.
 
 from __future__ import annotations
 
-import re
 from array import array
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
@@ -21,6 +20,7 @@ from kinegrade.files.cell_text import shorten, trim
 from kinegrade.files.csv_reading import (
     cells_of_any_size,
     count_lines_above,
+    count_separator_lines,
     drop_lines,
     find_separator,
     read_records,
@@ -33,8 +33,6 @@ from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.message import Fault, Message, Text
 
 _BETWEEN = "\0"
-# For spreadsheet programs alone
-_SEPARATOR_LINE = re.compile(r'"?sep=.?"?[\t,;]*\r?\n', re.IGNORECASE)
 
 
 @dataclass(frozen=True, slots=True)
@@ -152,9 +150,8 @@ def parse_table(
     decoded = decode(content, file, encoding)
     text = decoded.text
     with cells_of_any_size(text):
-        first = 1 if _SEPARATOR_LINE.match(text) else 0
-        rest = drop_lines(text, first) if first else text
-        skipped = first + (0 if is_header is None else count_lines_above(rest, is_header))
+        first = count_separator_lines(text)
+        skipped = first if is_header is None else max(first, count_lines_above(text, is_header))
         body = drop_lines(text, skipped) if skipped else text
         separator, width = find_separator(body)
         records, stray_quotes = read_records(body, separator, width)

@@ -25,6 +25,7 @@ from kinegrade.lms.responses.class_files import read_class
 from kinegrade.marks_folder.cells import Record
 from kinegrade.marks_folder.folder import MarksFolder
 from kinegrade.marks_folder.layout import CHANGES
+from kinegrade.marks_folder.rows import StudentTotal
 from kinegrade.public.folders import expect_own_place
 from kinegrade.public.marking_notes import (
     describe_grades,
@@ -38,6 +39,7 @@ from kinegrade.public.opening import open_marks
 from kinegrade.public.options import require_known
 from kinegrade.public.outcome import Outcome
 from kinegrade.reports.change_log import LoggedChange, write_log
+from kinegrade.reports.comparison import describe_moved
 
 
 def _in_silence(assumption: Part) -> None:
@@ -137,8 +139,7 @@ def grade(
     force: bool = False,
     options: GradeOptions = _ORDINARY,
 ) -> Graded:
-    """Mark a class by its answer sheet, a download from a learning management system, or several
-    such files, as `kinegrade grade` does.
+    """Mark a class by answer sheets or downloads, one or several, as `kinegrade grade` does.
 
     `output` is the marks folder, whole or not at all; `force` replaces one. Raises KinegradeError.
 
@@ -157,13 +158,14 @@ def grade(
     read = read_class([Path(file) for file in _list_files(answers)], exam, options.reading)
     for assumption in read.assumed:
         options.assuming(assumption)
-    lapsed = tuple(_describe_lapsed(place, options))  # before they are replaced
+    lapsed, totals = _read_earlier(place, options)  # before they are replaced
     grades = mark_class(exam, read.files, place, options.marking(exam), force=force)
     marks = MarksFolder(place)  # was checked before it was put there
     written = [
         *list_written(grades, place, kept=options.never_lower is not None),
         *describe_key(exam),
         *lapsed,
+        *describe_moved(totals, marks.totals.by_student),
         *describe_points(grades, marks),
         *describe_grades(marks, exam, options.policy),
     ]
@@ -184,10 +186,15 @@ def _require_kept_log(place: Path, options: GradeOptions) -> None:
         raise OptionError(Fault(str(place / CHANGES.name), what, do=do))
 
 
-def _describe_lapsed(place: Path, options: GradeOptions) -> Iterator[Message]:
-    """Which rules of the markings before, that are replaced or followed, hold no longer."""
+def _read_earlier(
+    place: Path, options: GradeOptions
+) -> tuple[Sequence[Message], Sequence[StudentTotal]]:
+    """Which rules of the markings before, that are replaced or followed, hold no longer, and the
+    totals of the one since which changes are logged.
+    """
     earlier = (each.path for each in (options.since, options.never_lower) if each is not None)
-    return describe_lapsed((place, *earlier), options.policy)
+    totals = () if options.since is None else options.since.totals.students
+    return tuple(describe_lapsed((place, *earlier), options.policy)), totals
 
 
 def _list_files(

@@ -156,6 +156,18 @@ def compare(first: MarksFolder, second: MarksFolder) -> Comparison:
     )
 
 
+def describe_moved(
+    before: Sequence[StudentTotal], after: Mapping[str, StudentTotal]
+) -> Iterator[Message]:
+    """How many totals went up and down, by their share of the points; nothing where none is
+    compared.
+    """
+    shares = [(old.share, after[old.student].share) for old in before if old.student in after]
+    up, down = sum(new > old for old, new in shares), sum(new < old for old, new in shares)
+    if shares:
+        yield Message("marks.moved-totals", up=up, down=down, unchanged=len(shares) - up - down)
+
+
 def _answers(marks: MarksFolder, whole: Iterable[tuple[str, str]]) -> _Answers:
     """The answers, and the questions that either marking has as a whole by hand."""
     answers = {(answer.student, answer.column): answer for answer in marks.answers()}

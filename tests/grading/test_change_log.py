@@ -48,6 +48,7 @@ def log(folder: Path, marks: str) -> list[tuple[str, ...]]:
 def test_what_changes_is_logged_with_its_reason(marked: Path) -> None:
     done = change(marked, "MARKS", "MARKS2", "wider.toml", "hearing of 4 May")
     assert done.exit_code == 0, done.stderr
+    assert "totals since the earlier marking: 1 up, 0 down, " in done.stderr
     assert log(marked, "MARKS2") == [
         ("007", "total", "5.5", "9.5", "hearing of 4 May"),
         ("007", "q1.v_B", "0", "4", "hearing of 4 May"),
@@ -101,4 +102,10 @@ def test_an_explanation_tells_what_was_changed(marked: Path) -> None:
     said = kinegrade("explain", marked / "EXAM", marked / "MARKS2", "007").output
     today = date.today().isoformat()
     assert f"Changed on {today}: total 5.5 -> 9.5, hearing of 4 May\n" in said
+    changes = marked / "MARKS2" / "changes.csv"
+    same = changes.read_text(encoding="utf-8").replace(",5.5,9.5,", ",9.5,9.5,")
+    changes.write_text(same, encoding="utf-8")
+    said = kinegrade("explain", marked / "EXAM", marked / "MARKS2", "007").output
+    assert "total 9.5 -> 9.5" not in said
+    assert f"Changed on {today}: q1.v_B 0 -> 4, " in said
     assert "Changed" not in kinegrade("explain", marked / "EXAM", marked / "MARKS2", "S9").output

@@ -65,7 +65,9 @@ class ExplanationWriter:
         if self.explanation.still_open:
             yield self.words.write(describe_open(self.explanation.still_open))
 
-        for day, _, _, what, before, after, *_, reason in self.explanation.log:
+        for day, _, _, what, before, after, *out_of, reason in self.explanation.log:
+            if before == after and len({*out_of}) < 2:  # only the verdict or the reason is another
+                continue
             said = Message(
                 "explain.changed",
                 day=day,
