@@ -24,6 +24,23 @@ from kinegrade.language.message import (
 )
 
 _SUGGESTIONS = 3  # names that a hint suggests for a wrong one
+# What people say for names that are known, where these are what was asked for
+EVERYDAY: Mapping[str, str] = {
+    "above": "upper",
+    "below": "lower",
+    "rightmost": "right",
+    "leftmost": "left",
+    "right": "+x",
+    "left": "-x",
+    "up": "+y",
+    "down": "-y",
+    "counterclockwise": "ccw",
+    "clockwise": "cw",
+    "speed": "magnitude",
+    "norm": "magnitude",
+    "angular_velocity": "omega",
+    "angular_acceleration": "alpha",
+}
 _LISTING = "kinegrade words"
 _LISTED = 8  # a hint lists all known names up to this many: of more, only the nearest
 
@@ -189,7 +206,7 @@ def find_nearest(word: str, choices: Iterable[str]) -> list[str]:
     from difflib import get_close_matches  # only refusals need it, and it would slow every start
 
     known = sorted(choices)
-    same = [name for name in known if name.lower() == word.lower()]
+    same = [name for name in known if name.lower() in {word.lower(), EVERYDAY.get(word.lower())}]
     return same or get_close_matches(word, known, n=_SUGGESTIONS)
 
 
@@ -203,7 +220,8 @@ def suggest_examples(word: str, examples: Mapping[str, str], group: str) -> Mess
     """
     from difflib import get_close_matches  # as above
 
-    near = get_close_matches(word, examples, _SUGGESTIONS, cutoff=0.0)
+    meant = EVERYDAY.get(word.lower(), "")
+    near = [meant] if meant in examples else get_close_matches(word, examples, _SUGGESTIONS, 0.0)
     names = list_choices(_quote(examples[name]) for name in near)
     return Message("grammar.did-you-mean-like", names=names, command=f"{_LISTING} {group}")
 

@@ -40,6 +40,11 @@ class LateChoice(click.Choice[str]):
         super().__init__(())
         self.read_names = read_names
 
+    def convert(self, value: str, param: click.Parameter | None, ctx: click.Context | None) -> str:
+        """The name; one of several that lacks the plural's s serves."""
+        plural = f"{value}s"
+        return super().convert(plural if plural in self.choices else value, param, ctx)
+
     @property
     def choices(self) -> tuple[str, ...]:
         """The names, in the order of their table."""

@@ -154,6 +154,9 @@ def _explain_unknown(text: str, name: str) -> ExpressionError:
     what = Message("expression.unit", unit=Quoted(text))
     expected = Message("expression.unit-like", units=list_plainly(sorted((*SCALES, *SHORT))))
     otherwise = _WRITTEN_OTHERWISE.get(name)
+    plain = text.replace("²", "^2").replace("³", "^3").replace("·", "*")
+    if plain != text and is_unit(plain):
+        otherwise = plain
     near = [otherwise] if otherwise else find_nearest(name, (*SCALES, *SHORT))
     names = list_choices(map(Quoted, near))
     do = Message("grammar.did-you-mean", names=names) if near else ""

@@ -35,6 +35,46 @@ def test_the_small_template_is_sound() -> None:
             ["crank.toml: joints: missing - expected in every template"],
         ),
         (
+            'family = "crank"',
+            "",
+            ["crank.toml: family: missing - expected in every template"],
+        ),
+        (
+            'statement = { en = "{{ r }} {{ phi }} {{ omega }}", zh = "{{ r }} {{ phi }} {{ omega }}" }',
+            "",
+            ["crank.toml: statement: missing - expected in every template"],
+        ),
+        (
+            'unit = "m/s"',
+            'unit = "m/s²"',
+            [
+                'crank.toml:27: asks.v_A.unit: unit "m/s²" - expected a product or quotient like '
+                "m/s^2 of 1, cm, deg, ft, h, in, km, m, min, mm, r, rad, rpm, s - did you mean "
+                '"m/s^2"?'
+            ],
+        ),
+        (
+            "magnitude(velocity(A))",
+            "speed(A)",
+            [
+                'crank.toml:27: asks.v_A.quantity: unknown function "speed" - did you mean '
+                '"magnitude(velocity(B))"? (all of them: kinegrade words quantities)'
+            ],
+        ),
+        (
+            'unit = "m/s", means',
+            'unit = "m/s", sign = "right", means',
+            [
+                'crank.toml:27: asks.v_A.sign: "right" - expected a keyword, or texts by language '
+                'like { en = "..." } - did you mean "+x"?'
+            ],
+        ),
+        (
+            'A = "polar(O, r, phi)"',
+            'A = "meet(circle(O, r), circle(O, r), above)"',
+            ['crank.toml:20: points.A: unknown name "above" - did you mean "upper"?'],
+        ),
+        (
             'joints = ["pin O: ground OA"]',
             'joints = "pin O: ground OA"',
             ['crank.toml:4: joints: "pin O: ground OA" - expected a list'],
@@ -178,7 +218,7 @@ def test_the_small_template_is_sound() -> None:
             'unit = "m/s", means',
             'unit = "m/s", sign = "up", means',
             [
-                'crank.toml:27: asks.v_A.sign: "up" - expected a keyword, or texts by language like { en = "..." } - known here: +x, +y, -x and 6 more'
+                'crank.toml:27: asks.v_A.sign: "up" - expected a keyword, or texts by language like { en = "..." } - did you mean "+y"?'
             ],
         ),
         (

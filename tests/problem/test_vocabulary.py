@@ -178,6 +178,10 @@ def test_words_of_a_group_are_shown_with_meaning_and_examples() -> None:
 
 
 def test_a_group_that_there_is_not_is_refused() -> None:
-    result = kinegrade("words", "joint")
+    result = kinegrade("words", "joins")
     assert result.exit_code == 2
-    assert "'joint' is not one of 'template', 'parameters', 'points', 'joints'" in result.stderr
+    assert "'joins' is not one of 'template', 'parameters', 'points', 'joints'" in result.stderr
+
+
+def test_a_group_is_found_by_its_singular() -> None:
+    assert kinegrade("words", "joint").stdout == kinegrade("words", "joints").stdout != ""

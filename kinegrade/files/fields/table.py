@@ -136,8 +136,9 @@ class Table:
         return isinstance(self.content.get(key), dict)
 
     def missing(self, key: str, expected: Text = "") -> None:
-        """Notes that a key is missing, unless missing keys are not reported here."""
-        if self.whole and key not in self.excused:
+        """Notes once that a key is missing, unless missing keys are not reported here."""
+        noted = self.faults.within((*self.place, key))
+        if self.whole and key not in self.excused and not noted:
             self.fault(key, Message("fields.missing"), expected)
 
     def fault(self, key: str | None, what: Text, expected: Text = "", do: Text = "") -> None:
