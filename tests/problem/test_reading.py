@@ -35,6 +35,27 @@ def test_the_small_template_is_sound() -> None:
             ["crank.toml: joints: missing - expected in every template"],
         ),
         (
+            'family = "crank"\nsource = "by hand"',
+            "",
+            [
+                "crank.toml: family: missing - expected in every template",
+                "crank.toml: source: missing - expected in every template",
+            ],
+        ),
+        (
+            'gives = { v_A = "omega*r" }',
+            'gives = { v_A = "5,335" }',
+            ['crank.toml:31: published[1].gives.v_A: "5,335" - write a decimal point: 5.335'],
+        ),
+        (
+            'gives = { v_A = "omega*r" }',
+            'gives = { v_A = "5.335 m/s" }',
+            [
+                'crank.toml:31: published[1].gives.v_A: "5.335 m/s" - write the number alone, 5.335: '
+                "it counts in the unit of the ask"
+            ],
+        ),
+        (
             'family = "crank"',
             "",
             ["crank.toml: family: missing - expected in every template"],
@@ -332,3 +353,11 @@ def test_the_angle_of_a_position_is_right_up_to_full_turns(
     )
     template = read_template("crank", CRANK.replace("[asks]", f"[asks]\n{ask}"))
     assert template.asks["psi"].cyclic == cyclic
+
+
+def test_a_key_that_stands_below_a_table_is_told_to_stand_above() -> None:
+    said = faults(('source = "by hand"\n', ""), ("[lengths]\n", '[lengths]\nsource = "by hand"\n'))
+    assert (
+        "crank.toml: source: missing - expected it above the first [table]: what stands below "
+        "[lengths] belongs to that"
+    ) in said

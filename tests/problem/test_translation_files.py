@@ -7,7 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from kinegrade.errors import TemplateError
+from kinegrade.errors import BankError, TemplateError
+from kinegrade.exam.bank.bank import read_blueprint
 from kinegrade.language import ENGLISH, Language
 from kinegrade.problem.template.library.library import list_names, load_template
 from kinegrade.problem.template.library.reading import read_template
@@ -199,3 +200,16 @@ def test_texts_written_once_among_others_by_language_are_named() -> None:
         "crank: these texts (title) are written once, in no stated language"
     )
     assert list(note_other_scripts(read_template("crank", CRANK), Language("en"))) == []
+
+
+def test_a_bank_is_told_where_its_language_is_said(tmp_path: Path) -> None:
+    bank = tmp_path / "bank.toml"
+    bank.write_text(
+        'title = "T"\ncourse = "C"\nlanguage = "de"\n[[questions]]\ntemplate = "slider-crank"\n',
+        encoding="utf-8",
+    )
+    with pytest.raises(BankError) as refusal:
+        read_blueprint(bank)
+    assert refusal.value.problems == (
+        f"{bank}:3: language: unknown key - a bank has none: say --lang de where papers are printed",
+    )

@@ -97,7 +97,7 @@ def read_blueprint(
     text = f"{before}{read_text(path, _BANK_FILE)}"
     translations = read_translations(path, _BANK_FILE)
     whole, faults = _open(path, text, translations)
-    table = whole.only(*BANK)
+    table = whole.only(*BANK, hint=_hint)
     header = read_header(table, path.parent, kept=kept)
     formulas = read_formula_sheet(table, path.parent, kept=kept)
     frame = replace(_read_frame(table, text, translations), header=header, formula_sheet=formulas)
@@ -197,3 +197,8 @@ def _miscounted(table: Table, count: int) -> None:
         table.missing("questions", expected)
     elif isinstance(table.value("questions"), list):
         table.fault("questions", Message("bank.tables", count=count), expected)
+
+
+def _hint(key: str) -> Message:
+    """What is done about a key that no bank has."""
+    return Message("bank.language-told") if key == "language" else suggest(key, BANK)

@@ -105,8 +105,16 @@ def _require_known(table: Table, needed: Sequence[str]) -> Table:
     known = table.only(*KNOWN, unknown=Message("fields.unknown-table-or-key"))
     for key in needed:
         if key not in known:
-            known.missing(key, Message("template.in-every-template"))
+            known.missing(key, _explain_missing(table, key))
     return known
+
+
+def _explain_missing(table: Table, key: str) -> Message:
+    """That every template has a key; where it stands inside a table, that it stands too low."""
+    for name, value in table.content.items():
+        if isinstance(value, dict) and key in value:
+            return Message("template.above-tables", table=name)
+    return Message("template.in-every-template")
 
 
 def _find_strays(table: Table) -> frozenset[str]:
