@@ -51,6 +51,7 @@ TOP = [
     "papers.pdf",
     "templates",
 ]
+SHORT = '[[questions]]\ntemplate = "crank.toml"\ndraw = { omega = [2, 3, 4] }\n'
 NO_PANDOC = "pandoc not found - expected the optional extra - pip install 'kinegrade[word]'"
 
 
@@ -439,11 +440,7 @@ def test_the_place_of_what_cannot_be_typeset_is_named_in_the_language_of_the_ter
 
 def with_nonsense(folder: Path) -> None:
     """The statement holds a command that no typesetter knows."""
-    with_crank(
-        folder,
-        '[[questions]]\ntemplate = "crank.toml"\ndraw = { omega = [2, 3, 4] }\n',
-        ("above $O$.", r"above $\nonsense{O}$."),
-    )
+    with_crank(folder, SHORT, ("above $O$.", r"above $\nonsense{O}$."))
 
 
 def test_a_name_that_no_font_prints_does_not_stop_an_exam(folder: Path) -> None:
@@ -474,6 +471,7 @@ def test_an_id_that_does_not_print_does_not_stop_a_class(
     folder: Path, character: str, code: str, shown: str
 ) -> None:
     student = f"0{character}7"
+    with_crank(folder, SHORT)
     (folder / "roster.csv").write_text(f"student,name\n1,Ann\n{student},Bob B.\n", encoding="utf-8")
     (line,) = refused(folder, "--strict")
     problem = f"roster.csv:3: student: the id of Bob B. has characters that do not print ({code})"
