@@ -26,6 +26,7 @@ from tests.small_class import kinegrade
 
 BANKS = Path(__file__).parents[2] / "banks"
 SECRET = FromWords("alike")
+CLASS = 24  # students
 
 
 def roster(count: int) -> Roster:
@@ -56,14 +57,14 @@ def naive(exam: Exam, count: int) -> np.ndarray:
 
 @cache
 def deal_demo() -> ClassDeal:
-    """The demonstration bank dealt to a class of 40."""
-    return deal_exam(bank("demo"), roster(40), SECRET)
+    """The demonstration bank dealt to a class."""
+    return deal_exam(bank("demo"), roster(CLASS), SECRET)
 
 
 @cache
 def spread_by_luck() -> float:
     """How much the papers of that class differ where place p gets the p-th good combination."""
-    return float(naive(deal_demo().exam, 40).std())
+    return float(naive(deal_demo().exam, CLASS).std())
 
 
 def dealt(whole: ClassDeal) -> np.ndarray:
@@ -77,7 +78,7 @@ def different(whole: ClassDeal) -> set[int]:
 
 def test_papers_of_a_shipped_bank_differ_at_most_a_third_as_much() -> None:
     assert dealt(deal_demo()).std() <= spread_by_luck() / 3
-    assert different(deal_demo()) == {40}
+    assert different(deal_demo()) == {CLASS}
 
 
 def test_a_single_question_takes_what_is_near_the_middle() -> None:
