@@ -36,6 +36,7 @@ from kinegrade.marks_folder.layout import (
     TableFile,
     make_grades_header,
 )
+from kinegrade.marks_folder.open_questions import describe_unmarked
 from kinegrade.marks_folder.rows import StudentTotal
 from kinegrade.numbers.amounts import write_amount
 
@@ -103,11 +104,13 @@ class Merging:
         """
         first, *others = self.folders
         what = Message("marks.other-scale", first=str(first.path))
+        differing = [each for each in others if each.scale != first.scale]
         faults = [
-            Fault(str(each.path), what, do=Message("marks.same-scale"))
-            for each in others
-            if each.scale != first.scale
-        ]
+            missing
+            for each in ([first, *differing] if differing else [])
+            if each.scale is None  # without points by hand there are no grades yet
+            for missing in describe_unmarked(str(each.path), each.open, ())
+        ] or [Fault(str(each.path), what, do=Message("marks.same-scale")) for each in differing]
         if faults:
             raise TableError(*faults)
 

@@ -347,3 +347,17 @@ def test_a_key_with_both_alternatives_is_refused(exam_folder: Path, tmp_path: Pa
     marked = kinegrade("grade", exam, exam_folder / "answers.csv", "-o", tmp_path / "MARKS")
     assert marked.exit_code == 2
     assert "asks" in marked.stderr
+
+
+def test_a_policy_for_all_alternatives_is_told_how_each_is_called(
+    exam_folder: Path, tmp_path: Path
+) -> None:
+    policy, exam = tmp_path / "policy.toml", exam_folder / "EXAM"
+    policy.write_text('[questions.q2]\nvoid = "full"\n', encoding="utf-8")
+    files = exam, exam / "answers.csv", "-o", tmp_path / "MARKS"
+    refused = kinegrade("grade", *files, "--policy", policy)
+    assert refused.exit_code == 2
+    assert (
+        "questions.q2: unknown question - its alternatives are questions of their own: name each of "
+        '"q2a" and "q2b"'
+    ) in refused.stderr

@@ -365,6 +365,28 @@ def test_points_shown_as_per_cent_and_points_of_merged_cells_are_refused(folder:
     assert said.startswith("merged.xlsx:3: the cells C2:C3 are merged into one - correct")
 
 
+def test_a_policy_for_a_question_of_hands_is_told_where_its_points_are_given(folder: Path) -> None:
+    (folder / "policy.toml").write_text('[questions.q2]\nvoid = "full"\n', encoding="utf-8")
+    (said,) = faults(grade(folder, "--policy", folder / "policy.toml"), folder)
+    assert said == (
+        "policy.toml:1: questions.q2: unknown question - it is marked by hand: give or change its "
+        "points in a file of marks, with kinegrade grade --manual"
+    )
+
+
+def test_a_folder_that_waits_for_marks_by_hand_is_not_merged_with_graded_ones(
+    folder: Path,
+) -> None:
+    policy = folder / "policy.toml"
+    policy.write_text('[scale]\ngrades = { A = "90 %", B = 0 }\npass = 0\n', encoding="utf-8")
+    by_scale = "--policy", policy
+    assert grade(folder, *by_scale, marks="WAITING").exit_code == 0
+    assert give(folder, f"{ADA},q2,2,\n{SOFYA},q2,1,\n", *by_scale).exit_code == 0
+    places = folder / "MARKS", folder / "WAITING", "-o", folder / "ALL"
+    (said,) = faults(kinegrade("merge", *places, "--prefer", "last"), folder)
+    assert said.startswith("WAITING: question 2 is still to be marked by hand")
+
+
 def test_equal_marks_for_one_thing_keep_the_comments_of_both(folder: Path) -> None:
     rows = f"{ADA},q2,2,clear\n{ADA},q2,2,but late\n{ADA},q2,2,clear\n"
     assert give(folder, rows).exit_code == 1

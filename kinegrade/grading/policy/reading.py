@@ -15,7 +15,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import get_args
 
-from kinegrade.errors import PolicyError
+from kinegrade.errors import PolicyError, suggest
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.keys import Ask, list_questions
 from kinegrade.files.fields.document import FileKind, parsed_table, read_text, toml_table
@@ -26,7 +26,7 @@ from kinegrade.grading.lateness.reading import read_penalties
 from kinegrade.grading.policy import keys
 from kinegrade.grading.policy.accepted_reading import AcceptedReader
 from kinegrade.grading.policy.policy import FULL_CREDIT, NO_ROOM, Attempts, Policy, Ruling, Void
-from kinegrade.language.message import Message
+from kinegrade.language.message import Message, Quoted, Text, list_all
 from kinegrade.stated_marking import (
     HONEST,
     StatedCredit,
@@ -125,7 +125,8 @@ class _Reader:
     def _rulings(self, content: Table, wider: _Level) -> dict[str, Ruling]:
         """A ruling for each answer column."""
         known = list_questions(self.exam.asks)
-        tables = content.only(*known, unknown=Message("fields.unknown-question"))
+        unknown = Message("fields.unknown-question")
+        tables = content.only(*known, unknown=unknown, hint=self._explain_question)
         rulings: dict[str, Ruling] = {}
         for question in known:
             table = tables.table(question).only(*keys.QUESTION)
@@ -137,6 +138,16 @@ class _Reader:
             for ask in asks:
                 rulings[ask.column] = self._ruling(asked.table(ask.ask), ask, level)
         return rulings
+
+    def _explain_question(self, name: str) -> Text:
+        """What is to be done about the name of a question that no machine marks."""
+        if name in [each.question for each in self.exam.head.by_hand]:
+            return Message("policy.marked-by-hand")
+        known = list_questions(self.exam.asks)
+        parts = [each for each in known if each[:-1] == name and each[-1].isalpha()]
+        if parts:
+            return Message("policy.alternatives-apart", questions=list_all(map(Quoted, parts)))
+        return suggest(name, known)
 
     def _ruling(self, content: Table, ask: Ask, wider: _Level) -> Ruling:
         """What applies to one ask."""
