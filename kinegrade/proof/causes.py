@@ -84,6 +84,8 @@ def _explain(
         name, value = blamed
         unit = template.parameters[name].unit.printed
         return Message("template.cause-at", line=line, given=name, value=f"{value} {unit}".strip())
+    if cause.reason == "figure":
+        return Message("template.cause-in-figure", line=line)
     stated = {each.text: each for each in template.scheme.conditions}
     if cause.reason == "condition" and isinstance(cause.what, str) and cause.what in stated:
         units = _find_converted(template, stated[cause.what])

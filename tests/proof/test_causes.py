@@ -4,9 +4,12 @@ at which value of a given.
 
 from __future__ import annotations
 
+from kinegrade.draws.examining import Refused
+from kinegrade.language.message import Message
 from kinegrade.problem.template.library.library import load_template
 from kinegrade.problem.template.library.reading import read_template
-from kinegrade.proof.checking import check
+from kinegrade.proof.causes import find_causes, write_causes
+from kinegrade.proof.checking import check, choose_drawable
 from tests.problem.crank import crank
 from tests.said import all_said, said
 
@@ -77,3 +80,14 @@ def test_values_that_do_not_go_together_by_default_are_remarked() -> None:
         for each in all_said(report.remarks)
         if each.startswith("it cannot be solved at its published")
     ]
+
+
+def test_a_refused_figure_is_told_with_what_would_help() -> None:
+    template = load_template("slider-crank")
+    draws = list(choose_drawable(template, 4))
+    refused = Refused("figure", Message("figure.symbol-crowded", symbol="A"))
+    (line,) = write_causes(template, find_causes(draws, [refused] * 4), draws)
+    assert said(line).endswith(
+        " - fewer marks, a letter left out (labels = { A = false }) or values that keep points "
+        "farther apart would help"
+    )
