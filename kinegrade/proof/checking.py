@@ -29,6 +29,7 @@ from kinegrade.proof.ends import note_points_beyond_ends
 from kinegrade.proof.letters import note_letters, note_points_without_letter
 from kinegrade.proof.marked_values import find_wrong_marks
 from kinegrade.proof.published import prove_published
+from kinegrade.proof.reach import find_condition
 from kinegrade.proof.report import SECRET, Report
 from kinegrade.proof.searching import find_breaking_values
 from kinegrade.proof.solutions import prove_solutions
@@ -95,8 +96,10 @@ def _search(report: Report, examples: int) -> None:
     """Look for values that break the template, drawable ones and their neighbours."""
     broken = find_breaking_values(report.template, _select_asked(report), examples, report.secret)
     if broken is not None:
-        values = write_values(broken[0])
-        report.faults.append(Message("template.breaks-at", values=values, reason=broken[1]))
+        values, condition = write_values(broken[0]), find_condition(report.template, broken[0])
+        kind = "breaks-without" if condition else "breaks-at"
+        parts = {"condition": condition} if condition else {}
+        report.faults.append(Message(f"template.{kind}", values=values, reason=broken[1], **parts))
     elif report.refused["mechanism"]:
         report.remarks.append(Message("template.some-cannot-be-solved"))
 

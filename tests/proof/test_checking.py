@@ -21,6 +21,7 @@ from kinegrade.proof.assemblies import close_otherwise, find_other_assemblies
 from kinegrade.proof.checking import check, choose_drawable
 from kinegrade.proof.neighbours import list_probed
 from kinegrade.proof.published import prove_published
+from kinegrade.proof.reach import find_condition
 from kinegrade.proof.report import Report
 from kinegrade.proof.reporting import write_findings, write_verdict
 from tests.problem.crank import crank, crank_text
@@ -403,8 +404,31 @@ def test_the_report_says_what_was_found() -> None:
         "fault: v_x has the same answer in all instances: a student guesses it: give it no points "
         "here (a bank may still ask for it), or ask for something else",
         "fault: breaks at r = 1, h = 3, omega = 2: crank: points.A: the circle about O of "
-        "radius 1 does not reach the line y = 3: add a condition or narrow the domains",
+        "radius 1 does not reach the line y = 3: add the condition "
+        '"distance(O, foot(O, line(P, 0))) < r" or narrow the domains',
     ]
+
+
+def test_the_condition_that_is_named_keeps_out_what_breaks() -> None:
+    condition = '"omega < 10000000", "distance(O, foot(O, line(P, 0))) < r"'
+    text = crank_text(('"omega < 10000000"', condition))
+    assert not [
+        fault
+        for fault in all_said(check(read_template("crank", text)).faults)
+        if "breaks at" in fault
+    ]
+
+
+@pytest.mark.parametrize(
+    ("values", "condition"),
+    [
+        ({"r": "1", "h": "3"}, "distance(O, P) < r + r"),
+        ({"r": "1", "h": "1"}, ""),
+    ],
+)
+def test_two_circles_that_do_not_reach_each_other(values: dict[str, str], condition: str) -> None:
+    circles = ("line(P, 0), right", "circle(P, r), right")
+    assert find_condition(crank(circles), {**values, "omega": "2"}) == condition
 
 
 def test_a_check_leaves_nothing_in_the_folder_where_it_is_run(
