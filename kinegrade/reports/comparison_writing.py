@@ -64,13 +64,16 @@ def write_comparison_text(comparison: Comparison, words: Catalogue) -> str:
     for each in comparison.changes:
         person = show_in_one_line(each.student), cut(show_in_one_line(each.name), _WIDEST_NAME)
         points = _write_amounts(*each.worth)[:3]
-        rows.append((*person, total, *points, words.write(_describe_presence(each))))
+        above = len(rows)
+        if each.is_other_total or not each.asks:
+            rows.append(("", "", total, *points, words.write(_describe_presence(each))))
         for what, *sides in each.list_changes():
             named = words.text(f"marks.change-{what}")
             rows.append(("", "", named, *map(show_in_one_line, sides), "", ""))
         for ask in each.asks:
             points = _write_amounts(*ask.worth)[:3]
             rows.append(("", "", ask.column, *points, show_in_one_line(words.write(ask.why))))
+        rows[above] = (*person, *rows[above][2:])
     header = [words.text(f"marks.heading-{name}") for name in (*HEADER[:6], "why")]
     table = align(header, rows, numbers=(3, 4, 5)) if rows else ""
     return f"{table}{words.write(_summarise(comparison))}"
