@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import hypot, pi
+from math import hypot, pi, sin
 
 import pytest
 
@@ -44,9 +44,9 @@ def test_a_slot_through_the_pivot_is_that_of_a_bar_unless_the_author_wants_a_dis
     )
 
 
-def make_drive(degrees: float, turning: str = "O") -> Case:
+def make_drive(degrees: float, turning: str = "O", slots: int = 4) -> Case:
     """A Geneva wheel about C, 0.2 m from the pivot of its crank OP, which is at an angle to OC."""
-    pin = polar(0.1 * 2**0.5, degrees)
+    pin = polar(0.2 * sin(pi / slots), degrees)
     at = {"O": CENTRE, "C": Vector(0.2, 0.0), "P": pin}
     joints = (
         Pin("O", ("crank", turning)),
@@ -91,6 +91,22 @@ def test_a_geneva_wheel_has_four_slots_as_deep_as_its_pin_comes(degrees: float) 
     ends = [angle_of(corner) for corner in wheel if hypot(*corner) < deepest - PIN_RADIUS]
     turn = angle_of(find_slot(degrees))
     assert {round((end - turn) / (pi / 2)) % 4 for end in ends} == {0, 1, 2, 3}
+
+
+@pytest.mark.parametrize("slots", [3, 5, 6, 8])
+def test_a_geneva_wheel_has_the_slots_that_its_crank_drives_it_by(slots: int) -> None:
+    mechanism, hints = make_drive(10, GROUND, slots)
+    outlines = draw(scale_to_paper(mechanism, 100.0), hints).primitives
+    wheel = max((p for p in outlines if isinstance(p, Outline)), key=lambda p: len(p.corners))
+    centre, deepest = Vector(20.0, 0.0), 20.0 * (1 - sin(pi / slots))
+    turn = angle_of(scale_to_paper(mechanism, 100.0).points["P"] - centre)
+    ends = [
+        angle_of(corner - centre)
+        for corner in wheel.corners
+        if hypot(*(corner - centre)) < deepest - PIN_RADIUS
+    ]
+    step = 2 * pi / slots
+    assert {round((end - turn) / step) % slots for end in ends} == set(range(slots))
 
 
 def test_the_hollows_of_a_geneva_wheel_fit_a_disc_about_the_pivot_of_its_crank() -> None:

@@ -1,11 +1,11 @@
-"""Geneva wheels: four open slots, which the pin of a crank enters without a shock, and between them
+"""Geneva wheels: open slots, which the pin of a crank enters without a shock, and between them
 the hollows for the locking disc of the crank.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from math import pi
+from math import asin, pi
 
 from kinegrade.errors import TemplateError
 from kinegrade.figure.joints.symbol import Symbol, find_fixed_pin
@@ -17,7 +17,8 @@ from kinegrade.language.message import Fault, Message
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
 
-_SLOTS = 4
+_FEWEST = 3  # slots: with two the crank would be as long as the distance of the pivots
+_ROOM = 1.5  # times the lip of a slot: at least half of what is between two slots
 _PAST_PIN = 0.2  # millimetres between the pin where it is deepest and the end of its slot
 _LIP = 2.5  # times half the width of a slot: from its middle to where a hollow begins
 
@@ -60,10 +61,12 @@ def trace_geneva_wheel(wheel: GenevaWheel) -> Outline:
 
 
 def _list_corners(wheel: GenevaWheel) -> Iterator[Vector]:
-    facing, step, half = angle_of(wheel.pin - wheel.centre), 2 * pi / _SLOTS, SLOT_WIDTH / 2
+    facing, half = angle_of(wheel.pin - wheel.centre), SLOT_WIDTH / 2
     depth = wheel.deepest + half - PIN - _PAST_PIN
     lip = _LIP * half / wheel.radius  # the angle between the middle of a slot and its hollow
-    for number in range(_SLOTS):
+    slots = _count_slots(wheel, lip)
+    step = 2 * pi / slots
+    for number in range(slots):
         turn = facing + number * step
         out, across = polar(turn), polar(turn).turned() * half
         mouth = wheel.centre + out * wheel.radius
@@ -73,6 +76,14 @@ def _list_corners(wheel: GenevaWheel) -> Iterator[Vector]:
         yield mouth + across
         yield wheel.centre + polar(turn + lip, wheel.radius)
         yield from _trace_hollow(wheel, turn + step / 2, step / 2 - lip)
+
+
+def _count_slots(wheel: GenevaWheel, lip: float) -> int:
+    """The number at which the pin leaves one slot where the next is to enter, so far as hollows
+    have room between them.
+    """
+    away, crank = length(wheel.centre - wheel.pivot), length(wheel.pin - wheel.pivot)
+    return max(_FEWEST, min(round(pi / asin(crank / away)), int(pi / (_ROOM * lip))))
 
 
 def _trace_hollow(wheel: GenevaWheel, turn: float, reach: float) -> tuple[Vector, ...]:
