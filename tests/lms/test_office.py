@@ -197,6 +197,17 @@ def test_a_column_called_as_ids_are_wins_over_one_of_partners(tmp_path: Path) ->
     assert 'students are found by "Matrikelnr."' in done.stderr
 
 
+def test_a_stranger_below_the_header_does_not_hide_what_a_column_is_called(tmp_path: Path) -> None:
+    def edit(sheet: Worksheet) -> None:
+        write_partners("Gruppenpartner")(sheet)
+        for row, value in enumerate(("0999999", 12346, "0012347", "0012345"), 4):
+            sheet.cell(row, 2, value)
+
+    done = fill(tmp_path, "--column", "Punkte", edit=edit)
+    assert points(tmp_path) == [None, 4, None, 8.25]
+    assert 'students are found by "Matrikelnr."' in done.stderr
+
+
 def test_of_two_columns_called_as_ids_are_one_has_to_be_named(tmp_path: Path) -> None:
     partners = write_partners("ID")
     done = fill(tmp_path, "--column", "Punkte", edit=partners)

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from kinegrade.errors import TableError, suggest
+from kinegrade.exam.roster.known_columns import list_column_names
 from kinegrade.exam.roster.student_ids import StudentIds
 from kinegrade.files.cell_text import make_header_key, trim
 from kinegrade.files.sheet_xml import SheetCell, write_position
@@ -79,9 +80,13 @@ class ClassList:
         return found[-1]
 
     def name_column(self, column: int) -> str:
-        """What stands lowest above the students; the letter of the column where nothing does."""
+        """What stands lowest above the students, or lowest as ids are called; the letter of the
+        column where nothing does.
+        """
         above = [trim(text) for (_, place), text in self._list_headers() if place == column]
-        return above[-1] if above else name_letter(column)
+        # An id that is not of the class may stand first
+        called = [text for text in above if make_header_key(text) in list_column_names("student")]
+        return (called or above or [name_letter(column)])[-1]
 
     def _list_cells(self) -> Iterator[tuple[int, SheetCell]]:
         """The cells of the column, from above."""
