@@ -1,7 +1,8 @@
 r"""A catalogue writes in one language what messages say.
 
 A place in a text is `<name>`; `<Name>` begins with a capital letter; `<name:dative>` takes that
-form of a noun. (Braces are LaTeX's.) Whatever fills a place is inserted as it is.
+form of a noun. (Braces are LaTeX's.) Whatever fills a place is inserted as it is, but for a first
+word that the language writes together with the one before: "von" and "dem Rad" are "vom Rad".
 """
 
 from __future__ import annotations
@@ -10,7 +11,7 @@ import re
 from collections.abc import Mapping
 from decimal import Decimal
 from fractions import Fraction
-from functools import cache
+from functools import cache, cached_property
 from typing import assert_never
 
 from kinegrade.language import Language
@@ -20,6 +21,7 @@ from kinegrade.language.message import Fault, Listing, Message, Part, Quoted
 
 PLACE = re.compile(r"<([A-Za-z][a-z_]*)(?::([a-z]+))?>")
 FORM_SEPARATOR = "|"
+_PLACE_AFTER_WORD = re.compile(rf"(?:\b(\w+) )?{PLACE.pattern}")
 _LONGEST_PART = 300  # characters of each part of a fault
 
 
@@ -105,7 +107,7 @@ class Catalogue:
         if entry is None:
             raise LookupError(f"no entry {message.key} in the catalogue {self.language}")
         text = self._choose_form(_choose_number(entry, entries, message), entry, form)
-        return PLACE.sub(lambda place: self._fill(place, message), text)
+        return _PLACE_AFTER_WORD.sub(lambda place: self._fill(place, message), text)
 
     def _choose_form(self, text: str, entry: Entry, form: str) -> str:
         if NOUN not in entry.flags:
@@ -119,9 +121,23 @@ class Catalogue:
         return tuple(self.text("language.forms").split())
 
     def _fill(self, place: re.Match[str], message: Message) -> str:
-        name, form = place[1], place[2] or ""
+        before, name, form = place.groups(default="")
         written = self.write(_find_part(message, name.lower()), form)
-        return written if name.islower() else written[:1].upper() + written[1:]
+        if not name.islower():
+            written = written[:1].upper() + written[1:]
+        return self._join(before, written) if before else written
+
+    def _join(self, before: str, after: str) -> str:
+        """A word and what fills the place behind it."""
+        first, blank, rest = after.partition(" ")
+        contraction = self._contractions.get(f"{before} {first}")
+        return f"{contraction}{blank}{rest}" if contraction else f"{before} {after}"
+
+    @cached_property
+    def _contractions(self) -> Mapping[str, str]:
+        """What two words are together: "von dem" is "vom"."""
+        pairs = self.text("language.contractions").split(FORM_SEPARATOR)
+        return dict(pair.split("=") for pair in pairs if "=" in pair)
 
     def _write_fault(self, fault: Fault) -> str:
         where, what = self.write(fault.where), self.write(fault.what)

@@ -36,6 +36,10 @@ GERMAN = {
 msgid "nominative"
 msgstr "nominative genitive dative accusative"
 
+msgctxt "contractions"
+msgid "-"
+msgstr "von dem=vom"
+
 msgctxt "decimal-mark"
 msgid "."
 msgstr ","

@@ -31,6 +31,25 @@ def test_a_body_is_declined_as_its_sentence_needs() -> None:
     assert WORDS.write(list_all([rod, wheel]), "dative") == "der Stange und dem Rad"
 
 
+@pytest.mark.parametrize(
+    ("body", "said"),
+    [
+        ("body-wheel", "Gegeben: die Winkelgeschwindigkeit des Rades relativ zum Rad."),
+        ("body-rod", "Gegeben: die Winkelgeschwindigkeit der Stange relativ zur Stange."),
+    ],
+)
+def test_a_preposition_and_the_article_that_fills_a_place_are_one_word(
+    body: str, said: str
+) -> None:
+    name = Message(f"solution.{body}")
+    given = Message("solution.given-relative-rotation-velocity", body=name, other=name)
+    assert WORDS.write(given) == said
+
+
+def test_a_relative_pronoun_is_not_drawn_together_with_its_preposition() -> None:
+    assert "einen Körper, von dem die" in WORDS.text("solution.method-idle")
+
+
 def test_numbers_have_a_comma_in_words_and_in_formulas() -> None:
     assert WORDS.write(Fraction(5, 2)) == "2,5"
     assert write_points_text(Fraction(5, 2), GERMAN) == "2,5"
