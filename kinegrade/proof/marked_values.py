@@ -4,8 +4,9 @@ value: the distance of other points, another wheel, the angle beside it.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
+from functools import partial
 from math import acos, cos, degrees, radians
 
 from kinegrade.figure.marks.lengths.dimensions import find_measured_direction
@@ -33,14 +34,19 @@ class _Instance:
         measure = given.unit
         return radians(stated) if measure.degrees else stated * Floats().scale(measure.scale)
 
-    def distance(self, mark: Length) -> float:
+    def distance(self, _: float, mark: Length) -> float:
         """What a dimension measures."""
         at = self.solution.doubles.points
         start, end = at[mark.start], at[mark.end]
         along = find_measured_direction(mark.along, start, end)
         return float(abs((end - start).dot(along)))
 
-    def radii(self, mark: Radius) -> list[float]:
+    def nearest_radius(self, stated: float, mark: Radius) -> float:
+        """The radius nearest to a stated one; that itself where there is no circle to measure."""
+        radii = self._list_radii(mark)
+        return min(radii, key=lambda radius: abs(radius - stated), default=stated)
+
+    def _list_radii(self, mark: Radius) -> list[float]:
         """The radii of the circles about a centre, those of its joints and of the figure."""
         mechanism, at = self.solution.assembly.mechanism.map(float), self.solution.doubles.points
         circles = [each for joint in mechanism.joints for each in joint.list_circles()]
@@ -65,11 +71,14 @@ def find_wrong_marks(template: Template, examples: Iterable[Solution]) -> Iterat
     for distance in template.figure.lengths:
         given = _find_given(template, distance.symbol)
         if given is not None and given.unit.is_length:
-            yield from _find_wrong_length(distance, given, instances)
+            place = f"{distance.start}{distance.end}"
+            measure = partial(_Instance.distance, mark=distance)
+            yield from _find_wrong_size(place, given, instances, measure)
     for radius in template.figure.radii:
         given = _find_given(template, radius.symbol)
         if given is not None and given.unit.is_length:
-            yield from _find_wrong_radius(radius, given, instances)
+            nearest = partial(_Instance.nearest_radius, mark=radius)
+            yield from _find_wrong_size(radius.centre, given, instances, nearest)
     for angle in template.figure.angles:
         given = _find_given(template, angle.symbol)
         if given is not None and given.unit.angle and not given.unit.time:
@@ -84,29 +93,21 @@ def _find_given(template: Template, symbol: str) -> Parameter | None:
     return found[0] if len(found) == 1 else None
 
 
-def _find_wrong_length(
-    mark: Length, given: Parameter, instances: Iterable[_Instance]
+def _find_wrong_size(
+    place: str,
+    given: Parameter,
+    instances: Iterable[_Instance],
+    measure: Callable[[_Instance, float], float],
 ) -> Iterator[Fault]:
-    """A fault at the first instance in which a dimension is not as long as its letter says."""
+    """A fault at the first instance in which what stands at a place is not as large as its letter
+    says; `measure` gives its size where the stated one is known.
+    """
     scale = Floats().scale(given.unit.scale)
     for each in instances:
-        stated, shown = abs(each.value(given)), each.distance(mark)
+        stated = abs(each.value(given))
+        shown = measure(each, stated)
         if abs(shown - stated) > _DIFFERENT * stated:
-            measured = f"{mark.start}{mark.end}"
-            yield _explain(given, measured, shown / scale, stated / scale)
-            return
-
-
-def _find_wrong_radius(
-    mark: Radius, given: Parameter, instances: Iterable[_Instance]
-) -> Iterator[Fault]:
-    """A fault at the first instance in which no circle about a centre has the radius."""
-    scale = Floats().scale(given.unit.scale)
-    for each in instances:
-        stated, radii = abs(each.value(given)), each.radii(mark)
-        nearest = min(radii, key=lambda radius: abs(radius - stated), default=stated)
-        if abs(nearest - stated) > _DIFFERENT * stated:
-            yield _explain(given, mark.centre, nearest / scale, stated / scale)
+            yield _explain(given, place, shown / scale, stated / scale)
             return
 
 

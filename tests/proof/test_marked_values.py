@@ -70,8 +70,8 @@ def test_a_radius_of_another_wheel_is_a_fault() -> None:
     figure = replace(template.figure, radii=swapped)
     assert find(template, values) == []
     assert find(replace(template, figure=figure), values) == [
-        f"figure: r1 stands at A, which is 0.08 m where r1 is 0.1 m - {OWN}",
-        f"figure: r2 stands at O, which is 0.1 m where r2 is 0.08 m - {OWN}",
+        f"figure: r1 stands at A, which is {values['r2']} m where r1 is {values['r1']} m - {OWN}",
+        f"figure: r2 stands at O, which is {values['r1']} m where r2 is {values['r2']} m - {OWN}",
     ]
 
 
