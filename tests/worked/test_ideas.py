@@ -190,3 +190,33 @@ def test_a_wheel_that_its_pole_has_solved_takes_its_accelerations_from_a_base_po
         "The velocity pole has an acceleration of its own; accelerations are therefore found from "
         "a base point whose acceleration is known."
     ) in proses(kept("wheel-on-circular-track"))
+
+
+@pytest.mark.parametrize("name", find_template_names())
+def test_every_solution_of_a_mechanism_says_more_than_what_is_sought(name: str) -> None:
+    # the robot arm said what is known and sought, and no way from the one to the other
+    said = kept(name)[1]
+    assert isinstance(said, Prose)
+    assert ". " in said.text.partition("Sought: ")[2]
+
+
+def test_a_driver_between_two_moving_bodies_is_known_and_links_their_rotations() -> None:
+    idea = read_idea("two-link-robot-arm")
+    assert idea.startswith("Known: the rotation of $OA$ and the rotation of $AB$ relative to $OA$.")
+    assert idea.endswith(
+        "The angular velocities of $AB$ and $OA$ differ by the given relative one, and the "
+        "velocities of points of $AB$ follow from the base point $A$."
+    )
+
+
+def test_a_driver_that_a_step_finds_with_other_relations_is_known_too() -> None:
+    assert read_idea("slider-crank-relative-rotation-driver").startswith(
+        "Known: the rotation of $AB$ relative to $OA$."
+    )
+
+
+def test_two_frames_one_on_the_other_have_their_reason() -> None:
+    assert read_idea("bent-rod-two-sleeves").endswith(
+        "Seen from $AE$, $M$ moves along a known path, and so does the fixed point $B$ seen from "
+        "$CMD$. The two compositions together leave two unknown magnitudes."
+    )

@@ -40,13 +40,15 @@ def explain_idea(
 ) -> Iterator[Block]:
     """The known and the sought, and for each way of finding velocities why it serves."""
     yield Heading(case.write(Message("solution.idea")), 1)
+    stages = tuple(stages)
     reasons = dict.fromkeys(
         reason for step, stage in stages for reason in _find_reasons(step, stage)
     )
     reasons |= dict.fromkeys(_explain_poles(case))
     if not any(any(find_motion_calls(ask.quantity)) for ask in asked):
         reasons |= dict.fromkeys((Message("solution.idea-pose"), Message("solution.rounded")))
-    yield case.say(_join((_name_task(given, asked, case), *reasons)))
+    imposing = (*given, *(step for step, _ in stages))
+    yield case.say(_join((_name_task(imposing, asked, case), *reasons)))
 
 
 def _join(sentences: Sequence[Message]) -> Message:
@@ -56,9 +58,10 @@ def _join(sentences: Sequence[Message]) -> Message:
     return first
 
 
-def _name_task(given: Sequence[Step], asked: Sequence[Ask], case: Case) -> Message:
+def _name_task(imposing: Sequence[Step], asked: Sequence[Ask], case: Case) -> Message:
     sought = list_all(dict.fromkeys(_define(ask, case) for ask in asked))
-    laws = (case.motion.frames.relations[step.relations[0]].source for step in given)
+    relations = (index for step in imposing for index in step.relations)
+    laws = (case.motion.frames.relations[index].source for index in dict.fromkeys(relations))
     known = [name for law in laws if law is not None for name in _name_given(law, case)]
     if not known:
         return Message("solution.idea-sought", sought=sought)
@@ -116,13 +119,34 @@ def _find_reasons(step: Step, stage: Stage) -> Iterator[Message]:
 
 def _explain_link(law: Law | None, case: Case) -> Iterator[Message]:
     """What a relation of rates alone links; nothing for what is given, or turns alike."""
-    if law is None:
-        return
-    roll, rims = law.find_rolling(), law.find_rims()
-    if roll is not None:
-        yield _explain_roll(roll, case)
-    if rims is not None:
-        yield say_of_carrier("solution.idea-rims", rims.carrier, case)
+    match law:
+        case None:
+            return
+        case ImposedRotation(body=body, of=of):
+            if of != GROUND:
+                yield _explain_relative_rotation(body, of, case)
+        case NoSlip() | EqualPitchSpeed() | EqualBeltSpeed():
+            roll, rims = law.find_rolling(), law.find_rims()
+            if roll is not None:
+                yield _explain_roll(roll, case)
+            if rims is not None:
+                yield say_of_carrier("solution.idea-rims", rims.carrier, case)
+        case ImposedMotion() | ImposedCircling():
+            return
+        case SharedPoint() | GuidedPoint() | EqualRotation():
+            return
+        case _:
+            assert_never(law)
+
+
+def _explain_relative_rotation(body: str, of: str, case: Case) -> Message:
+    """What an imposed relative rotation links, and from where the body's points follow."""
+    return Message(
+        "solution.idea-relative-rotation",
+        body=case.naming.body(body),
+        other=case.naming.body(of),
+        base=case.naming.point(case.motion.frames.bases[body].point),
+    )
 
 
 def _explain_roll(roll: NoSlip, case: Case) -> Message:
@@ -214,3 +238,11 @@ def _explain_frames(stage: Stage) -> Iterator[Message]:
         yield Message("solution.idea-composed", point=point, frame=frames[0])
     elif frames and len({part.point for part in compositions}) == 1:
         yield Message("solution.idea-composed-twice", point=point, frames=list_all(frames))
+    elif frames:
+        yield Message(
+            "solution.idea-composed-on",
+            first=point,
+            frame=frames[0],
+            second=case.naming.point(compositions[1].point),
+            other=frames[1],
+        )
