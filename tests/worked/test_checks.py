@@ -97,6 +97,21 @@ def test_an_angle_that_is_a_sum_nobody_has_worked_out_is_in_no_check() -> None:
     assert not any("135" in check.left + check.right for check in checks)
 
 
+@pytest.mark.parametrize(("phi", "total"), [("30", "75"), ("60", "105")])
+def test_a_sum_of_angles_is_worked_out_once_where_no_check_does_without(
+    phi: str, total: str
+) -> None:
+    """All axes but those of vectors at 45 degrees to phi have been used."""
+    template = load_template("parallelogram-with-sliding-rod")
+    solution = solve_template(template, {"theta": "45", "phi": phi})
+    blocks = write_worked_solution(solution, template.asked(), ENGLISH).blocks
+    checks = find_checks(blocks)
+    assert [check.agrees for check in checks] == [True, True]
+    assert all(rf"\cos {total}^\circ" in check.right for check in checks)
+    said = rf"Here $\varphi + \theta = {phi}^\circ + 45^\circ = {total}^\circ$."
+    assert list(lines(blocks)).count(said) == 1
+
+
 def test_a_check_has_the_sides_of_the_equation_that_it_projects() -> None:
     """The table has 0 on the left, as the gear's centre rests."""
     assert read_checks("guided-rack-and-gear")[0] == Check(

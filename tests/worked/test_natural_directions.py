@@ -5,9 +5,11 @@ from __future__ import annotations
 import pytest
 
 from kinegrade.expressions.reading import read_expression
+from kinegrade.problem.solving import solve_template
+from kinegrade.problem.template.library.library import load_template
 from kinegrade.worked.positions.algebra import ZERO
 from kinegrade.worked.positions.right_angles import make_unit, split_right_angles, turn_back
-from tests.worked.draws import kept
+from tests.worked.draws import kept, told
 from tests.worked.telling import lines
 
 
@@ -130,3 +132,20 @@ def test_a_projection_on_the_line_of_a_vector_names_the_sense_that_it_counts_pos
         vector = page[place].partition("opposite to $")[2].partition("$")[0]
         plain = vector.replace(r"\boldsymbol{v}", "v").replace(r"\boldsymbol{a}", "a")
         assert f"-{plain}" in page[place + 1].replace(" ", ""), page[place : place + 2]
+
+
+def test_an_arc_cosine_says_of_which_vectors_it_is() -> None:
+    page = list(lines(kept("planetary-gear-external-rim-accelerations")))
+    (place,) = [place for place, line in enumerate(page) if r"\arccos" in line]
+    assert (
+        r"The cosine of $\theta$ is the component of $\boldsymbol{a}_{B}$ in the direction of "
+        in (page[place - 1])
+    )
+    assert page[place - 1].endswith(r"$\overrightarrow{BO}$, divided by $a_{B}$:")
+
+
+def test_a_direction_in_right_angles_has_the_value_that_is_printed_beside_it() -> None:
+    """It said 135 and 90 degrees were -135 degrees."""
+    template = load_template("planetary-gear-external-rim-velocities")
+    page = "\n".join(lines(told(solve_template(template, {"phi": "135"}))))
+    assert r"\varphi - 270^\circ = -135^\circ" in page

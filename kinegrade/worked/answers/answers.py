@@ -14,6 +14,7 @@ from kinegrade.problem.quantities.motion_functions import MOTION_FUNCTIONS
 from kinegrade.problem.template.signs import write_sign
 from kinegrade.problem.template.template import Ask
 from kinegrade.problem.template.translated import Translated
+from kinegrade.worked.answers.angles_between import explain_between
 from kinegrade.worked.answers.asked_vectors import (
     explain_prerequisites,
     find_fact,
@@ -68,6 +69,7 @@ def explain_answer(ask: Ask, case: Case) -> Iterator[Block]:
         if double(answer.number):
             yield from _count_as_asked(ask, case)
     elif not working.symbols.looks_like(symbol):  # else a step has already given it
+        yield from explain_between(ask, case)
         yield case.show(_state_last_line(ask, working, case))
         _note_size(ask, case)
 

@@ -40,8 +40,9 @@ def explain_turn(tree: Call, case: Case) -> Iterator[Block]:
         if fact.by_components or heading is None:
             yield from _explain_by_components(fact, case)
         else:
-            numbers = state_angle(_measure(fact))
-            yield case.show(Equation(_name(fact), equate(_add_right_angles(heading), numbers)))
+            degrees = _measure(fact)
+            symbols, numbers = _add_right_angles(heading, degrees), state_angle(degrees)
+            yield case.show(Equation(_name(fact), equate(symbols, numbers)))
 
 
 def state_turn(tree: Call, case: Case) -> Working:
@@ -84,9 +85,9 @@ def _find_sign(number: float) -> int:
     return (number > 0) - (number < 0)
 
 
-def _add_right_angles(heading: Inclination) -> Formula:
-    """A direction as a named angle and right angles."""
-    quarters = heading.quarters if heading.quarters <= 2 else heading.quarters - 4
+def _add_right_angles(heading: Inclination, degrees: float) -> Formula:
+    """A direction of so many degrees as a named angle and right angles."""
+    quarters = round((degrees - heading.sign * heading.value) / _RIGHT)
     turned = _state_degrees(abs(quarters) * _RIGHT).signed(1 if quarters >= 0 else -1)
     angles = () if heading.angle is None else (heading.angle.signed(heading.sign),)
     return add_terms((*angles, *((turned,) if quarters or not angles else ())))

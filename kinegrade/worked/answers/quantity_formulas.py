@@ -43,6 +43,7 @@ from kinegrade.worked.formulas.numbers import measure, round_number, state_angle
 from kinegrade.worked.rates.speeds import find_rotation_value, name_rotation
 from kinegrade.worked.vectors.by_components import split
 from kinegrade.worked.vectors.components import find_heading, list_component
+from kinegrade.worked.vectors.inclinations import Inclination
 from kinegrade.worked.vectors.summands import name_component
 from kinegrade.worked.vectors.vectors import UNITS
 
@@ -139,16 +140,13 @@ def _state_angle(tree: Call, case: Case) -> Working:
     """The angle from one vector to another, or between them, from their directions; between a
     vector known by its components and a line, from its projection on that.
     """
-    vector, direction = tree.arguments
-    value = find_value(direction, case)
-    axis = None if is_vector_call(direction) else name_known_axis(direction, value, case)
-    if tree.function == "between" and axis and axis.angle and is_vector_call(vector):
-        fact = find_fact(vector, case)
-        if fact.by_components and fact.symbol in case.findings.sized:
-            symbols, numbers = project_on(split(fact), axis, case)
-            size = measure(length(fact.value, case.arithmetic), fact.symbol.unit)
-            shares = symbols / fact.symbol, numbers / size
-            return Working(*(Function("arccos", share) for share in shares))
+    projected = find_projected(tree, case)
+    if projected is not None:
+        fact, axis = projected
+        symbols, numbers = project_on(split(fact), axis, case)
+        size = measure(length(fact.value, case.arithmetic), fact.symbol.unit)
+        shares = symbols / fact.symbol, numbers / size
+        return Working(*(Function("arccos", share) for share in shares))
     first, second = (bearing(find_value(argument, case)) for argument in tree.arguments)
     if tree.function == "between" and second < first:
         first, second = second, first
@@ -156,6 +154,20 @@ def _state_angle(tree: Call, case: Case) -> Working:
     if tree.function == "angle" or second - first <= 180:
         return Working(difference)
     return Working(Measured(Numeral("360"), "deg") - difference)
+
+
+def find_projected(tree: Call, case: Case) -> tuple[Fact, Inclination] | None:
+    """The vector known by its components and its magnitude whose angle with a line is told by its
+    projection on that, and the line's direction; None where the directions of both tell the angle.
+    """
+    vector, direction = tree.arguments
+    if tree.function != "between" or is_vector_call(direction) or not is_vector_call(vector):
+        return None
+    axis = name_known_axis(direction, find_value(direction, case), case)
+    if axis is None or axis.angle is None:
+        return None
+    fact = find_fact(vector, case)
+    return (fact, axis) if fact.by_components and fact.symbol in case.findings.sized else None
 
 
 def _state_rotation(tree: Call, case: Case) -> Working:

@@ -22,17 +22,18 @@ from kinegrade.worked.vectors.stage import Stage
 
 def check_rates(stages: Mapping[Step, Stage], level: Level, case: Case) -> Iterator[Block]:
     """The check of the last step that has one, else that of a wheel between tracks, of the points
-    of a body or of gears on a carrier.
+    of a body or of gears on a carrier, else of a step by sums of angles that are still to be worked
+    out.
     """
     if case.findings.places_alone:
         yield from _say_chosen(list_pole_checks(stages.values(), case), case)
         return
-    projections = (
-        list_projection_checks(step, stage) for step, stage in reversed(tuple(stages.items()))
-    )
+    last_first = tuple(reversed(tuple(stages.items())))
+    projections = (list_projection_checks(step, stage) for step, stage in last_first)
+    summed = (list_projection_checks(step, stage, summing=True) for step, stage in last_first)
     kinds = (list_track_checks, list_body_checks, list_carrier_checks)
     others = (kind(level, case) for kind in kinds)
-    yield from _say_chosen(chain.from_iterable(chain(projections, others)), case)
+    yield from _say_chosen(chain.from_iterable(chain(projections, others, summed)), case)
 
 
 def check_places(asked: Sequence[Ask], case: Case) -> Iterator[Block]:
@@ -44,4 +45,4 @@ def _say_chosen(checks: Iterable[Check], case: Case) -> Iterator[Block]:
     """The check that tells something at a glance, if there is one."""
     chosen = choose_check(checks)
     if chosen is not None:
-        yield chosen.say(case)
+        yield from chosen.say(case)

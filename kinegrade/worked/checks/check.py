@@ -4,7 +4,7 @@ agree where no slip has been made.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -12,13 +12,15 @@ from typing import Any
 from kinegrade.language.math.width import measure_row
 from kinegrade.language.message import Message
 from kinegrade.worked.case import Case
-from kinegrade.worked.document import Prose
+from kinegrade.worked.document import Block
 from kinegrade.worked.formulas.equation import WIDEST, Equation, approximate
 from kinegrade.worked.formulas.exactness import is_rounded
 from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.measures import double
 from kinegrade.worked.formulas.notation import PLAIN
 from kinegrade.worked.formulas.numbers import state_number
+from kinegrade.worked.vectors.angle_sums import work_out_sums
+from kinegrade.worked.vectors.inclinations import Cosine
 
 _AT_A_GLANCE = 2 * WIDEST  # letters of both sides
 _LONGEST = 4 * WIDEST  # of those that are told where no shorter one is found
@@ -27,11 +29,14 @@ _CLOSE = 1e-9  # relative: far below a digit that is printed
 
 @dataclass(frozen=True)
 class Check:
-    """By which way, and what either side amounts to."""
+    """By which way, and what either side amounts to; `sums` are cosines of angles that are sums
+    which no line before has worked out.
+    """
 
     way: Message
     left: Equation
     right: Equation
+    sums: tuple[Cosine, ...] = ()
 
     @cached_property
     def letters(self) -> float:
@@ -48,10 +53,11 @@ class Check:
         """Whether the sides are read at a glance."""
         return self.letters <= _AT_A_GLANCE
 
-    def say(self, case: Case) -> Prose:
-        """The check in one sentence."""
+    def say(self, case: Case) -> Iterator[Block]:
+        """The check in one sentence, after the sums of angles that it needs."""
+        yield from work_out_sums(self.sums, case)
         left, right = map(case.tell, (self.left, self.right))
-        return case.say(Message("solution.check", way=self.way, left=left, right=right))
+        yield case.say(Message("solution.check", way=self.way, left=left, right=right))
 
 
 @dataclass(frozen=True)

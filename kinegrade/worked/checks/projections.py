@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
 from math import cos, radians, sin
 
 from kinegrade.language.message import Message
@@ -21,7 +22,7 @@ from kinegrade.worked.steps.couplers import Coupler, choose_method, find_coupler
 from kinegrade.worked.steps.rigid import find_rigid_triangle
 from kinegrade.worked.steps.titles import select_scalars
 from kinegrade.worked.vectors.facts import make_key
-from kinegrade.worked.vectors.inclinations import find_inclination, is_direction_told
+from kinegrade.worked.vectors.inclinations import Cosine, find_inclination, is_direction_told
 from kinegrade.worked.vectors.magnitudes import find_heading
 from kinegrade.worked.vectors.projection import Projection, Share, find_deductions
 from kinegrade.worked.vectors.stage import Stage, find_share_cosine
@@ -32,9 +33,10 @@ _SAME = 1e-6  # degrees within which two axes are one
 _AXES: dict[float, AxisName] = {0.0: "x", 90.0: "y"}
 
 
-def list_projection_checks(step: Step, stage: Stage) -> Iterator[Check]:
+def list_projection_checks(step: Step, stage: Stage, *, summing: bool = False) -> Iterator[Check]:
     """The checks of a step by the projection theorem where a pole has given the velocities, else by
-    axes that its deductions have not used.
+    axes that its deductions have not used: those whose angles have been worked out, or, `summing`,
+    those that need sums of them.
     """
     coupler, case = find_coupler(stage), stage.case
     if coupler is not None and choose_method(coupler, case) == "pole":
@@ -48,9 +50,14 @@ def list_projection_checks(step: Step, stage: Stage) -> Iterator[Check]:
     for equation in reversed(stage.equations):
         used = [one.axis for one in projections if one.equation == equation]
         for projection, axis in _list_axes(equation, case):
-            if not _is_among(projection.axis, used) and _list_sums(projection, stage) <= printed:
+            left = _list_sums(projection, stage) - printed
+            if _is_among(projection.axis, used) or bool(left) != summing:
+                continue
+            sums = tuple(one for one in _list_cosines(projection, stage) if one.value in left)
+            if all(one.summands for one in sums):
                 way = _name_way(equation, axis, stage)
-                yield from _check_on(projection, way, step, stage)
+                for check in _check_on(projection, way, step, stage):
+                    yield replace(check, sums=sums)
 
 
 def _name_way(equation: VectorEquation, axis: Message, stage: Stage) -> Message:
@@ -90,12 +97,14 @@ def _name_axes(equation: VectorEquation, case: Case) -> Iterator[tuple[Projectio
 
 def _list_angles(projections: Iterable[Projection], stage: Stage) -> frozenset[float]:
     """The angles in the cosines of projections, in degrees."""
-    cosines = (
-        find_share_cosine(projection, share, stage.case)
-        for projection in projections
-        for share in projection.shares
-    )
-    return frozenset(one.value for one in cosines if one is not None)
+    cosines = (one for projection in projections for one in _list_cosines(projection, stage))
+    return frozenset(one.value for one in cosines)
+
+
+def _list_cosines(projection: Projection, stage: Stage) -> Iterator[Cosine]:
+    """The cosines of a projection."""
+    named = (find_share_cosine(projection, share, stage.case) for share in projection.shares)
+    return filter(None, named)
 
 
 def _list_sums(projection: Projection, stage: Stage) -> frozenset[float]:

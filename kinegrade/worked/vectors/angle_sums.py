@@ -19,17 +19,21 @@ def explain_sums(cosines: Iterable[Cosine | None], case: Case) -> Iterator[Block
     """What the angles in some cosines come to where they are sums that are not read at a glance:
     those of which a summand has been rounded.
     """
+    seen = (one for one in cosines if one is not None and any(map(_is_rounded, one.summands)))
+    yield from work_out_sums(seen, case)
+
+
+def work_out_sums(cosines: Iterable[Cosine], case: Case) -> Iterator[Block]:
+    """What the angles in some cosines come to, all of which are sums."""
     new = list(_select_new(cosines, case.findings.summed))
     if new:
         sums = Listing(tuple(case.tell(_state_sum(one)) for one in new), "and")
         yield case.say(Message("solution.here", equations=sums))
 
 
-def _select_new(cosines: Iterable[Cosine | None], said: set[frozenset[float]]) -> Iterator[Cosine]:
-    """Those that have to be worked out and have not been."""
+def _select_new(cosines: Iterable[Cosine], said: set[frozenset[float]]) -> Iterator[Cosine]:
+    """Those that have not been worked out."""
     for one in cosines:
-        if one is None or not any(map(_is_rounded, one.summands)):
-            continue
         angles = frozenset(round(angle, _PLACES) for angle in one.summands)
         if angles not in said:
             said.add(angles)
@@ -44,5 +48,6 @@ def _is_rounded(angle: float) -> bool:
 def _state_sum(cosine: Cosine) -> Equation:
     """The sum in symbols, in degrees, and what it comes to."""
     terms = (state_angle(abs(one)).signed(1 if one > 0 else -1) for one in cosine.summands)
-    links = (*equate(add_terms(terms)), *approximate(state_angle(cosine.value)))
+    relate = approximate if any(map(_is_rounded, cosine.summands)) else equate
+    links = (*equate(add_terms(terms)), *relate(state_angle(cosine.value)))
     return Equation(cosine.angle, links)
