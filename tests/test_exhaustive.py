@@ -52,6 +52,11 @@ EXCEPTIONS = {
     "problem/pole_names.py: match ask.quantity: _": "whatever else an ask asks for is no distance",
     "problem/pole_names.py: match row: _": "letters side by side; what is no letter is none below",
     "problem/pole_names.py: match node: _": "whatever else stands in a symbol names no point",
+    "proof/causes.py: if cause.reason == 'figure'": "what helps with a figure is said there alone",
+    "proof/ends.py: match template.scheme.points.get(name): _": "only `toward` says between what a point lies",
+    "proof/reach.py: match tree: _": "two circles, or a circle and a line, may miss each other; nothing else does",
+    "worked/vectors/arms.py: match step.tree: _": "only a midpoint halves a length",
+    "grading/sheets/header_units.py: if one.kind != 'number'": "a unit by which a one is no number is none",
     "proof/ends.py: match joint.on: _": "a circle, or a line by its direction, has no ends",
     "worked/vectors/arms.py: match call: _": "whatever else constructs a point gives no distance",
     "worked/vectors/relatives.py: match read_symbol(symbol).row: "

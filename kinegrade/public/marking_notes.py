@@ -56,7 +56,7 @@ def _read_rules(file: Path) -> dict[str, Any]:
     """The tables of a policy; none where there is no file that anybody could mark by."""
     try:
         return tomllib.loads(file.read_text(encoding="utf-8"))
-    except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError):
+    except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError, RecursionError):
         return {}
 
 

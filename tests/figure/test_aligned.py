@@ -9,7 +9,7 @@ import pytest
 
 from kinegrade.figure.marks.lengths.dimension_lines import DimensionLine
 from kinegrade.figure.marks.lengths.length_leaders import list_leaders
-from kinegrade.figure.marks.names import keep_from_arrows
+from kinegrade.figure.marks.names import keep_from_marks
 from kinegrade.figure.marks.straight.moving_arrow import MovingArrow
 from kinegrade.figure.placing.aligned import list_thin_lines, runs_on
 from kinegrade.figure.placing.layout import Layout
@@ -102,7 +102,7 @@ def test_the_letter_of_a_point_is_rather_not_beside_an_arrow() -> None:
     at = Vector(0.0, 0.0)
     arrow = MovingArrow(Vector(1.0, 1.5), Vector(1.0, 0.0), GIVEN, 0.0, at)
     wish = Wish("B", np.array([(4.0, 3.0), (-2.0, 0.0)]), names=at)
-    kept = keep_from_arrows(wish, [arrow])
+    kept = keep_from_marks(wish, [arrow])
     assert kept.demerits is not None
     assert kept.demerits[0] > kept.demerits[1] == 0.0
 

@@ -52,8 +52,8 @@ def prove_template(template: Template, sample: int, name: str = "") -> TemplateP
 
 
 def _tell_apart(names: Sequence[str]) -> Iterator[str]:
-    """The names of templates; the paths of those that share one."""
-    times = Counter(Path(name).stem for name in names)
+    """The names of templates; the paths of different files that share one."""
+    times = Counter(Path(name).stem for name in set(names))
     return (Path(name).stem if times[Path(name).stem] == 1 else name for name in names)
 
 

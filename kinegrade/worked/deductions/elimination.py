@@ -8,10 +8,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from typing import assert_never
 
 from kinegrade.mechanics.rates import Rate
 from kinegrade.mechanics.relations import Relation
 from kinegrade.mechanics.vector_equation import Level
+from kinegrade.numbers.number import Number
 from kinegrade.worked.case import Case
 from kinegrade.worked.vectors.projection import PARALLEL, Deduction, Projection
 
@@ -82,16 +84,22 @@ def _list_candidates(deduction: Deduction, into: Projection) -> Iterator[Rate]:
     )
 
 
+def _find_side(scalar: Relation, level: Level, case: Case) -> list[Number]:
+    """What a relation between rates equals at a level."""
+    match level:
+        case "velocity":
+            return scalar.velocity_side()
+        case "acceleration":
+            return scalar.acceleration_side(case.motion.rates)
+        case _:
+            assert_never(level)
+
+
 def _make_scalar_row(
     scalar: Relation, deduction: Deduction, level: Level, case: Case, rates: Mapping[Rate, float]
 ) -> _Row:
     """A relation between rates, with what is known in its total."""
-    (row,) = scalar.equations()
-    sides = (
-        scalar.velocity_side()
-        if level == "velocity"
-        else scalar.acceleration_side(case.motion.rates)
-    )
+    (row,), sides = scalar.equations(), _find_side(scalar, level, case)
     known = sum(
         float(factor) * rates[rate]
         for rate, factor in row.items()

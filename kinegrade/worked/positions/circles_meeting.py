@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Literal, assert_never
 
@@ -37,6 +37,7 @@ from kinegrade.worked.senses import name_rotation_sense
 
 _NOTHING: Pair = (ZERO, ZERO)
 STRAIGHT = Name("pi")
+_SENSES: Mapping[str, int] = {"+": 1, "-": -1}
 
 
 def explain_circles(
@@ -126,7 +127,7 @@ def _list_terms(angle: Expression) -> Iterator[tuple[int, Expression]]:
     match angle:
         case Operation(sign="+" | "-" as sign, left=left, right=right):
             yield from _list_terms(left)
-            turned = -1 if sign == "-" else 1
+            turned = _SENSES[sign]
             yield from ((turned * one, term) for one, term in _list_terms(right))
         case Operation() | Call() | Name() | Number():
             yield 1, angle
