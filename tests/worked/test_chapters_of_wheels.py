@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from tests.worked.chapters import as_read, find_untold, read_chapter, solve_small
+from tests.worked.draws import kept
+from tests.worked.telling import proses
 
 ON_A_LINE = """
 joints = ["circle(C, 2) of wheel rolls on line(D, 0)"]
@@ -223,3 +225,11 @@ def test_gears_with_fixed_axes() -> None:
             \frac{8\,\unit{m/s}}{1\,\unit{m}} = -6\,\unit{rad/s}\quad\text{(clockwise)}
         """
     )
+
+
+def test_a_wheel_on_two_tracks_rolls_on_both() -> None:
+    # it was said to roll on the rope A alone
+    said = next(
+        text for text in proses(kept("stepped-drum-on-two-ropes")) if "plane motion" in text
+    )
+    assert "rolling without slipping on the rope $A$ and the rope $B$;" in said

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Set
 from typing import assert_never
 
 from kinegrade.language.math.tree import Node, Row
-from kinegrade.language.message import Message, list_statements
+from kinegrade.language.message import Message, list_all, list_statements
 from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.laws import NoSlip
 from kinegrade.mechanics.mechanism import Body, Mechanism
@@ -40,9 +40,10 @@ def _describe_motion(body: Body, mechanism: Mechanism, met: Set[Node], case: Cas
         return Message("solution.rotates", body=name, point=case.naming.point(pivot))
     laws = (relation.source for relation in case.motion.frames.relations)
     rolls = (law.find_rolling() for law in laws if law)
-    roll = next((roll for roll in rolls if roll and roll.body == body.name), None)
-    if roll is not None:
-        return Message("solution.rolls", body=name, other=describe_track(roll, case))
+    own = (roll for roll in rolls if roll and roll.body == body.name)
+    tracks = dict.fromkeys(describe_track(roll, case) for roll in own)
+    if tracks:
+        return Message("solution.rolls", body=name, other=list_all(tracks))
     return Message("solution.plane", body=name)
 
 
