@@ -56,7 +56,7 @@ def _find_wrong_lengths(template: Template, examples: Sequence[Solution]) -> Ite
         wrong = [pair for pair in values if abs(pair[0] - pair[1]) > _DIFFERENT * pair[0]]
         for stated, shown in wrong[:1]:
             yield Message(
-                "template.says-other-length",
+                "template.length-contradicted",
                 line=claim["start"] + claim["end"],
                 name=given.name,
                 shown=f"{shown:.4g} {given.unit.printed}",
@@ -88,7 +88,7 @@ def _find_wrong_senses(template: Template, examples: Sequence[Solution]) -> Iter
         for claim in _read_claims(template, sense):
             sign, name = rates.get(claim["given"], 0), claim["given"]
             if sign and all(said * sign * each.parameters[name].value < 0 for each in examples):
-                yield Message(f"template.not-{sense}", name=name)
+                yield Message(f"template.does-not-turn-{sense}", name=name)
 
 
 def _read_claims(template: Template, kind: str) -> Iterator[_Claim]:

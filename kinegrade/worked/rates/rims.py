@@ -29,7 +29,7 @@ def state_meshing(mesh: EqualPitchSpeed, case: Case, level: Level) -> Statement:
     body, other = case.naming.body(mesh.body), case.naming.body(mesh.of)
     return Statement(
         Message("solution.title-mesh", body=body, other=other),
-        say_of_carrier(f"solution.mesh-{level}", mesh.carrier, case),
+        say_of_carrier(f"mesh-{level}", mesh.carrier, case),
         _equate_rim_speeds(mesh, case, level),
     )
 
@@ -40,18 +40,18 @@ def state_belt(belt: EqualBeltSpeed, case: Case, level: Level) -> Statement:
     shape = "crossed" if belt.crossed else "open"
     return Statement(
         Message("solution.title-belt", body=body, other=other),
-        say_of_carrier(f"solution.belt-{shape}-{level}", belt.carrier, case),
+        say_of_carrier(f"belt-{shape}-{level}", belt.carrier, case),
         _equate_rim_speeds(belt, case, level),
     )
 
 
-def say_of_carrier(text: str, carrier: str, case: Case) -> Message:
+def say_of_carrier(what: str, carrier: str, case: Case) -> Message:
     """A sentence on rims as they are seen from their carrier, which is not named where it is the
     ground.
     """
     if carrier == GROUND:
-        return Message(f"{text}-on-ground")
-    return Message(text, carrier=case.naming.body(carrier))
+        return Message(f"solution.{what}-from-ground")
+    return Message(f"solution.{what}-from-carrier", carrier=case.naming.body(carrier))
 
 
 def solve_rims(law: EqualRimSpeed, result: Equation, case: Case, level: Level) -> Equation | None:

@@ -130,7 +130,7 @@ def _explain_link(law: Law | None, case: Case) -> Iterator[Message]:
             if roll is not None:
                 yield _explain_roll(roll, case)
             if rims is not None:
-                yield say_of_carrier("solution.idea-rims", rims.carrier, case)
+                yield say_of_carrier("idea-rims", rims.carrier, case)
         case ImposedMotion() | ImposedCircling():
             return
         case SharedPoint() | GuidedPoint() | EqualRotation():
