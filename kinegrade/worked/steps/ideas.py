@@ -62,7 +62,8 @@ def _name_task(imposing: Sequence[Step], asked: Sequence[Ask], case: Case) -> Me
     sought = list_all(dict.fromkeys(_define(ask, case) for ask in asked))
     relations = (index for step in imposing for index in step.relations)
     laws = (case.motion.frames.relations[index].source for index in dict.fromkeys(relations))
-    known = [name for law in laws if law is not None for name in _name_given(law, case)]
+    given = (law for law in laws if law is not None and law.is_given)
+    known = [name for law in given for name in _name_given(law, case)]
     if not known:
         return Message("solution.idea-sought", sought=sought)
     return Message("solution.idea-known", known=list_all(known), sought=sought)
@@ -119,24 +120,15 @@ def _find_reasons(step: Step, stage: Stage) -> Iterator[Message]:
 
 def _explain_link(law: Law | None, case: Case) -> Iterator[Message]:
     """What a relation of rates alone links; nothing for what is given, or turns alike."""
-    match law:
-        case None:
-            return
-        case ImposedRotation(body=body, of=of):
-            if of != GROUND:
-                yield _explain_relative_rotation(body, of, case)
-        case NoSlip() | EqualPitchSpeed() | EqualBeltSpeed():
-            roll, rims = law.find_rolling(), law.find_rims()
-            if roll is not None:
-                yield _explain_roll(roll, case)
-            if rims is not None:
-                yield say_of_carrier("idea-rims", rims.carrier, case)
-        case ImposedMotion() | ImposedCircling():
-            return
-        case SharedPoint() | GuidedPoint() | EqualRotation():
-            return
-        case _:
-            assert_never(law)
+    if law is None:
+        return
+    turning, roll, rims = law.find_imposed_rotation(), law.find_rolling(), law.find_rims()
+    if turning is not None and turning.of != GROUND:
+        yield _explain_relative_rotation(turning.body, turning.of, case)
+    if roll is not None:
+        yield _explain_roll(roll, case)
+    if rims is not None:
+        yield say_of_carrier("idea-rims", rims.carrier, case)
 
 
 def _explain_relative_rotation(body: str, of: str, case: Case) -> Message:
