@@ -41,8 +41,9 @@ def test_a_given_acceleration_is_shown_where_an_ask_needs_it(ask: str, printed: 
 
 
 def test_axes_stand_for_components_that_this_question_asks_for() -> None:
-    assert "x" not in letters(lay_out("slider-crank", VALUES, "omega_AB"))
-    assert "x" in letters(lay_out("slider-crank", VALUES, "a_B"))
+    rolling = {"r": "3/10", "R": "27/50", "v_O": "1", "a_O": "-9"}
+    assert "x" not in letters(lay_out("rolling-wheel-rim-points", rolling, "omega"))
+    assert "x" in letters(lay_out("rolling-wheel-rim-points", rolling, "v_C_x"))
 
 
 @pytest.mark.parametrize("name", find_template_names())

@@ -276,7 +276,7 @@ def test_the_letter_of_an_angle_leaves_its_side_to_the_arrow_along_it() -> None:
 
 def test_the_arc_of_an_angle_leaves_room_for_an_arrow_at_another_point() -> None:
     template = load_template("slotted-bar-between-two-rods")
-    [draw] = drawn(draw_filter(template, "u2"), 1)
+    [draw] = drawn(draw_filter(template, "u5"), 1)
     mechanism = draw.solution.assembly.mechanism.map(float)
     scene = sketch(mechanism, mark_givens(template))
     size = 7.4  # of a shaft

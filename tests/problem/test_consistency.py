@@ -64,7 +64,7 @@ def asking(quantity: str, unit: str) -> list[str]:
         (
             "speed(A)",
             "m/s",
-            'unknown function "speed" - did you mean "pole(AB)", ',
+            'unknown function "speed" - did you mean "magnitude(velocity(B))"',
         ),
         ("omega(A)", "rad/s", "omega(...): argument 1 is a point - expected omega(BODY[, BODY])"),
         (

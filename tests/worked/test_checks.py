@@ -142,9 +142,9 @@ def test_a_wheel_that_its_pole_has_solved_is_checked_from_its_centre() -> None:
 def test_points_of_a_body_are_checked_by_the_projection_theorem() -> None:
     assert read_checks("crossed-belt-drive")[0] == Check(
         r"the projection theorem for $B$ and $A$, multiplied by $\overrightarrow{AB}$",
-        r"0.06\,\unit{m} \cdot 0.1701\,\unit{m/s} + 0.1039\,\unit{m} \cdot 0.5946\,\unit{m/s}"
-        r" \approx 0.072\,\unit{m^2/s}",
-        r"0.12\,\unit{m} \cdot 0.6\,\unit{m/s} = 0.072\,\unit{m^2/s}",
+        r"0.08485\,\unit{m} \cdot 0.6788\,\unit{m/s} + 0.08485\,\unit{m} \cdot 0.3111\,\unit{m/s}"
+        r" \approx 0.084\,\unit{m^2/s}",
+        r"0.12\,\unit{m} \cdot 0.7\,\unit{m/s} = 0.084\,\unit{m^2/s}",
     )
 
 

@@ -53,7 +53,7 @@ def test_the_last_of_two_projections_is_inserted_into_the_first() -> None:
         r"first one, this leaves only $\omega_{O_{1}B}$ unknown:"
     )
     assert inserted.endswith(r"- 0.2309\,\unit{m} \cdot 0.8660\omega_{O_{1}B}")
-    assert second.startswith(r"\omega_{BC} &= -0.8660 \cdot (-0.75\,\unit{rad/s}) \approx 0.6495")
+    assert second.startswith(r"\omega_{BC} &= -0.8660 \cdot (-1\,\unit{rad/s}) \approx 0.8660")
 
 
 def test_a_projection_in_which_one_unknown_is_left_gives_it_at_once() -> None:
