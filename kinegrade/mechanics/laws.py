@@ -66,10 +66,6 @@ class Reason(ABC):
         """The rims of equal speed that it is; None where it is something else."""
         return None
 
-    def find_imposed_rotation(self) -> ImposedRotation | None:
-        """The imposed rotation that it is; None where it is something else."""
-        return None
-
     def find_imposed_direction(self) -> Vector | None:
         """The direction along which a driver imposes a motion; None where none does."""
         return None
@@ -336,10 +332,6 @@ class ImposedRotation(_Imposed):
     driver: int
     body: str
     of: str
-
-    def find_imposed_rotation(self) -> ImposedRotation:
-        """Itself."""
-        return self
 
     def list_factors(self, shares: Shares) -> Turning:
         """The angular velocity of the one minus that of the other."""

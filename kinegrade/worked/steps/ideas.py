@@ -122,13 +122,28 @@ def _explain_link(law: Law | None, case: Case) -> Iterator[Message]:
     """What a relation of rates alone links; nothing for what is given, or turns alike."""
     if law is None:
         return
-    turning, roll, rims = law.find_imposed_rotation(), law.find_rolling(), law.find_rims()
-    if turning is not None and turning.of != GROUND:
-        yield _explain_relative_rotation(turning.body, turning.of, case)
+    roll, rims = law.find_rolling(), law.find_rims()
+    if law.is_given:
+        yield from _explain_imposed(law, case)
     if roll is not None:
         yield _explain_roll(roll, case)
     if rims is not None:
         yield say_of_carrier("idea-rims", rims.carrier, case)
+
+
+def _explain_imposed(law: Law, case: Case) -> Iterator[Message]:
+    """What a given rotation of one body relative to another links; nothing for other givens."""
+    match law:
+        case ImposedRotation(body=body, of=of) if of != GROUND:
+            yield _explain_relative_rotation(body, of, case)
+        case ImposedRotation() | ImposedMotion() | ImposedCircling():
+            return
+        case SharedPoint() | GuidedPoint() | EqualRotation():
+            return
+        case NoSlip() | EqualPitchSpeed() | EqualBeltSpeed():
+            return
+        case _:
+            assert_never(law)
 
 
 def _explain_relative_rotation(body: str, of: str, case: Case) -> Message:
