@@ -29,13 +29,14 @@ RODS, SLEEVES, TUBE = (
 )
 GEAR, LINK = "planetary-gear-external-rim-velocities", "slotted-rocker-and-slider-two-drivers"
 LINKED = "crank-slider-in-floating-link"
-UPRIGHT, FLAT = [70, 250], [213.1301, 286.8699]  # degrees: M is at E (a_rel_A is zero), or at B
-CHANGE = [-0.5]  # m: the rods are in line
+UPRIGHT, FLAT = [75, 255], [206.8103, 303.1897]  # degrees: M is at E, or at B
+CHANGE = [-0.3]  # m: the rods are in line
 GAPS: dict[str, dict[str, list[float]]] = {
     SLEEVES: {
         "v_rel_A": UPRIGHT,
         "v_rel_B": FLAT,
         "v_M_2": UPRIGHT,
+        "a_rel_A": UPRIGHT[:1],  # at the other one it is zero whichever way it is counted
         "a_rel_B": FLAT,
         "a_M_2": UPRIGHT,
     },
@@ -113,12 +114,12 @@ def test_values_on_both_sides_are_those_of_the_formula() -> None:
 @pytest.mark.parametrize(
     ("tag", "name", "said"),
     [
-        ("en", SLEEVES, "v_M_2: no value at 70° and 250°, where M and E coincide"),
-        ("de", SLEEVES, "v_M_2: kein Wert bei 70° und 250°, dort fallen M und E zusammen"),
-        ("zh", SLEEVES, "v_M_2：在 70° 和 250° 处无值，此时 M 和 E 重合"),
-        ("en", RODS, "v_C: no value at -0.5 m, where it is undetermined"),
-        ("de", RODS, "v_C: kein Wert bei -0,5 m, dort ist die Größe unbestimmt"),
-        ("zh", RODS, "v_C：在 -0.5 m 处不确定，无值"),
+        ("en", SLEEVES, "v_M_2: no value at 75° and 255°, where M and E coincide"),
+        ("de", SLEEVES, "v_M_2: kein Wert bei 75° und 255°, dort fallen M und E zusammen"),
+        ("zh", SLEEVES, "v_M_2：在 75° 和 255° 处无值，此时 M 和 E 重合"),
+        ("en", RODS, "v_C: no value at -0.3 m, where it is undetermined"),
+        ("de", RODS, "v_C: kein Wert bei -0,3 m, dort ist die Größe unbestimmt"),
+        ("zh", RODS, "v_C：在 -0.3 m 处不确定，无值"),
     ],
 )
 def test_it_is_said(tag: str, name: str, said: str) -> None:
@@ -129,7 +130,7 @@ def test_it_is_said(tag: str, name: str, said: str) -> None:
 def test_a_table_has_an_empty_cell_there() -> None:
     rows = csv.DictReader(write_table(follow(SLEEVES, "a_M_2")).splitlines())
     empty = [row["input (deg)"] for row in rows if not row["a_M_2 (m/s^2)"]]
-    assert empty == ["70", "250"]
+    assert empty == ["75", "255"]
 
 
 def test_a_small_jump_is_a_gap_too() -> None:
