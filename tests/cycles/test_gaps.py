@@ -30,7 +30,7 @@ RODS, SLEEVES, TUBE = (
 GEAR, LINK = "planetary-gear-external-rim-velocities", "slotted-rocker-and-slider-two-drivers"
 LINKED = "crank-slider-in-floating-link"
 UPRIGHT, FLAT = [75, 255], [206.8103, 303.1897]  # degrees: M is at E, or at B
-CHANGE = [-0.3]  # m: the rods are in line
+CHANGE = [-0.5]  # m: the rods are in line
 GAPS: dict[str, dict[str, list[float]]] = {
     SLEEVES: {
         "v_rel_A": UPRIGHT,
@@ -117,9 +117,9 @@ def test_values_on_both_sides_are_those_of_the_formula() -> None:
         ("en", SLEEVES, "v_M_2: no value at 75° and 255°, where M and E coincide"),
         ("de", SLEEVES, "v_M_2: kein Wert bei 75° und 255°, dort fallen M und E zusammen"),
         ("zh", SLEEVES, "v_M_2：在 75° 和 255° 处无值，此时 M 和 E 重合"),
-        ("en", RODS, "v_C: no value at -0.3 m, where it is undetermined"),
-        ("de", RODS, "v_C: kein Wert bei -0,3 m, dort ist die Größe unbestimmt"),
-        ("zh", RODS, "v_C：在 -0.3 m 处不确定，无值"),
+        ("en", RODS, "v_C: no value at -0.5 m, where it is undetermined"),
+        ("de", RODS, "v_C: kein Wert bei -0,5 m, dort ist die Größe unbestimmt"),
+        ("zh", RODS, "v_C：在 -0.5 m 处不确定，无值"),
     ],
 )
 def test_it_is_said(tag: str, name: str, said: str) -> None:
