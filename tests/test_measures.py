@@ -57,7 +57,7 @@ FAR = {
     "syntax nodes": 748_000,
     "lines of code": 77_500,
     "syntax nodes a line": 9.7,
-    "modules of more than 250 lines": 25,
+    "modules of more than 250 lines": 24,
 }
 COPIED = """
 def total(rows, key):

@@ -8,12 +8,14 @@ from collections.abc import Iterable, Iterator, Sequence
 from typing import assert_never
 
 from kinegrade.language.message import Message, Text, list_all
+from kinegrade.mechanics.drivers.imposed import select_imposed
 from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.laws import (
     EqualBeltSpeed,
     EqualPitchSpeed,
     EqualRotation,
     GuidedPoint,
+    Imposed,
     ImposedCircling,
     ImposedMotion,
     ImposedRotation,
@@ -62,8 +64,8 @@ def _name_task(imposing: Sequence[Step], asked: Sequence[Ask], case: Case) -> Me
     sought = list_all(dict.fromkeys(_define(ask, case) for ask in asked))
     relations = (index for step in imposing for index in step.relations)
     laws = (case.motion.frames.relations[index].source for index in dict.fromkeys(relations))
-    given = (law for law in laws if law is not None and law.is_given)
-    known = [name for law in given for name in _name_given(law, case)]
+    imposed = [law for law in map(select_imposed, laws) if law is not None]
+    known = [name for law in imposed for name in _name_given(law, case)]
     if not known:
         return Message("solution.idea-sought", sought=sought)
     return Message("solution.idea-known", known=list_all(known), sought=sought)
@@ -80,7 +82,7 @@ def _define(ask: Ask, case: Case) -> Text:
     return Message("solution.sought", symbol=symbol, means=means)
 
 
-def _name_given(law: Law, case: Case) -> Iterator[Message]:
+def _name_given(law: Imposed, case: Case) -> Iterator[Message]:
     """The motion that a driver imposes."""
     match law:
         case ImposedRotation(body=body, of=of) if of == GROUND:
@@ -91,10 +93,6 @@ def _name_given(law: Law, case: Case) -> Iterator[Message]:
             yield Message("solution.rotation-relative-to", body=name, other=other)
         case ImposedMotion(point=point) | ImposedCircling(point=point):
             yield Message("solution.motion-along-path", centre=case.naming.point(point))
-        case SharedPoint() | GuidedPoint() | EqualRotation():
-            return
-        case NoSlip() | EqualPitchSpeed() | EqualBeltSpeed():
-            return
         case _:
             assert_never(law)
 
@@ -122,25 +120,21 @@ def _explain_link(law: Law | None, case: Case) -> Iterator[Message]:
     """What a relation of rates alone links; nothing for what is given, or turns alike."""
     if law is None:
         return
-    roll, rims = law.find_rolling(), law.find_rims()
-    if law.is_given:
-        yield from _explain_imposed(law, case)
+    imposed, roll, rims = select_imposed(law), law.find_rolling(), law.find_rims()
+    if imposed is not None:
+        yield from _explain_imposed(imposed, case)
     if roll is not None:
         yield _explain_roll(roll, case)
     if rims is not None:
         yield say_of_carrier("idea-rims", rims.carrier, case)
 
 
-def _explain_imposed(law: Law, case: Case) -> Iterator[Message]:
+def _explain_imposed(law: Imposed, case: Case) -> Iterator[Message]:
     """What a given rotation of one body relative to another links; nothing for other givens."""
     match law:
         case ImposedRotation(body=body, of=of) if of != GROUND:
             yield _explain_relative_rotation(body, of, case)
         case ImposedRotation() | ImposedMotion() | ImposedCircling():
-            return
-        case SharedPoint() | GuidedPoint() | EqualRotation():
-            return
-        case NoSlip() | EqualPitchSpeed() | EqualBeltSpeed():
             return
         case _:
             assert_never(law)

@@ -1,0 +1,10 @@
+"""Which laws a driver imposes."""
+
+from __future__ import annotations
+
+from kinegrade.mechanics.laws import Imposed, ImposedCircling, ImposedMotion, ImposedRotation, Law
+
+
+def select_imposed(law: Law | None) -> Imposed | None:
+    """The law itself where a driver imposes it; None for one of joints, and for none."""
+    return law if isinstance(law, ImposedRotation | ImposedMotion | ImposedCircling) else None
