@@ -14,7 +14,7 @@ from hypothesis import HealthCheck, settings
 from kinegrade.exam.bank.bank import Bank, read_bank
 from kinegrade.exam.printing import class_printing
 from tests.files_in_memory import leave_files_in_memory
-from tests.golden_files import BANK, GOLDEN, Hold
+from tests.golden_files import BANK, GOLDEN, Hold, drop_tests_without_goldens
 from tests.kept_results import keep_results
 from tests.problem.crank import crank_text
 from tests.repeated_secrets import repeat_secrets
@@ -34,7 +34,9 @@ settings.load_profile("suite")
 
 def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption(
-        "--regenerate-golden", action="store_true", help="Write the files of tests/golden/ anew."
+        "--regenerate-golden",
+        action="store_true",
+        help="Write the files of tests/golden/ anew, by the tests that hold them alone.",
     )
 
 
@@ -52,6 +54,8 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
     """
     if not _proves(config):
         drop_unsampled(config, items)
+    if config.getoption("--regenerate-golden"):
+        drop_tests_without_goldens(config, items)
     for item in items:
         if isinstance(item, pytest.Function) and _shares(item):
             item.add_marker(pytest.mark.xdist_group(item.module.__name__))
