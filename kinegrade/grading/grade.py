@@ -151,6 +151,9 @@ def _require_same_exam(exam: ExamFolder, wishes: MarkingWishes, sources: HandSou
         if earlier is not None:
             require_same_exam(exam, earlier)
             require_unmerged(earlier)
+    for path in sources.own_lists:
+        require_same_exam(exam, MarksFolder(path.parent))
+        require_unmerged(MarksFolder(path.parent))
     require_unmerged(MarksFolder(sources.replaced))
     if sources.carried is not None:
         require_same_exam(exam, MarksFolder(sources.carried.parent))
@@ -163,11 +166,12 @@ def _leave_out_names(grades: ClassGrades) -> ClassGrades:
 
 def _write_by_hand(folder: MarksWriter, settled: Settled, exam: ExamFolder) -> None:
     """Writes the marks by hand, and who still lacks one; and by which key of which exam."""
-    folder.exam(identify_exam(exam.head))
+    identity = identify_exam(exam.head)
+    folder.exam(identity)
     folder.corrections(exam.head.corrections)
     folder.by_hand(settled.list_marks())
     names = {each.student: each.name for each in settled.grades.grades}
-    folder.open(settled.still_open, names)
+    folder.open(settled.still_open, names, identity)
     folder.bonus({**exam.head.bonus, **settled.bonus})
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from hmac import digest
 
 from kinegrade.errors import TableError
@@ -11,6 +12,7 @@ from kinegrade.language.message import Fault, Message
 from kinegrade.marks_folder.folder import MarksFolder
 
 _BYTES = 8  # of what an exam is known by: enough to tell apart all that there are
+_KNOWN_AS = re.compile(rf"[0-9a-f]{{{2 * _BYTES}}}")
 
 
 def require_same_key(exam: ExamFolder, marks: MarksFolder) -> None:
@@ -44,6 +46,13 @@ def require_one_exam(first: MarksFolder, second: MarksFolder) -> None:
     if first.exam and second.exam and first.exam != second.exam:
         what, do = Message("marks.of-two-exams", other=str(first.path)), Message("marks.name-both")
         raise TableError(Fault(str(second.path), what, do=do))
+
+
+def is_of_another_exam(cell: str, identity: str) -> bool:
+    """Whether a cell says by what an exam is known, and it is not this one; people may have put
+    anything else there.
+    """
+    return bool(identity and _KNOWN_AS.fullmatch(cell) and cell != identity)
 
 
 def identify_exam(head: ExamHead) -> str:

@@ -99,12 +99,12 @@ PUT: Final = TableFile("variants.csv", ("student", "question", "ask", "key_of"))
 #: The questions of each paper in their order; only where they differ from the bank's.
 PRINTED: Final = TableFile("printed.csv", ("student", "questions"))
 # Earlier versions wrote one line a question, with what it is worth as its points
-#: Who still lacks a mark by hand for which question: points to be filled in, for `--manual`; only
-#: where there are some.
+#: Who still lacks a mark by hand for which question: points to be filled in, for `--manual`, which
+#: takes them for this exam alone; only where there are some.
 OPEN: Final = TableFile(
     "open.csv",
-    ("student", "name", "question", "out_of", "points", "comment"),
-    optional=("student", "name", "out_of", "comment"),
+    ("student", "name", "question", "out_of", "points", "comment", "exam"),
+    optional=("student", "name", "out_of", "comment", "exam"),
 )
 #: Marks by hand, with what the machine gave in the same place, empty where only hands mark; only
 #: where there are some.

@@ -142,13 +142,16 @@ class MarksWriter:
         if identity:
             write_csv(self.path / EXAM.name, EXAM.columns, [(identity,)])
 
-    def open(self, questions: Iterable[OpenQuestion], names: Mapping[str, str]) -> None:
-        """Who is still to be marked by hand for which questions; `names` are by student."""
-        rows = [
-            (student, neutralise(names[student]), each.question, write_amount(each.points), "", "")
-            for each in questions
-            for student in each.students
-        ]
+    def open(
+        self, questions: Iterable[OpenQuestion], names: Mapping[str, str], identity: str
+    ) -> None:
+        """Who is still to be marked by hand for which questions; `names` are by student, and the
+        exam is known by its `identity`.
+        """
+        rows = []
+        for each in questions:
+            to_fill_in = each.question, write_amount(each.points), "", "", identity
+            rows += [(of, neutralise(names[of]), *to_fill_in) for of in each.students]
         if rows:
             write_for_people(self.path / OPEN.name, OPEN.columns, rows)
 

@@ -120,10 +120,42 @@ def test_marks_leave_it_open_and_never_count_it_as_zero(tmp_path: Path) -> None:
         ("3", "4", "7", "7")
     ] * 2
     assert "q2" not in rows[0]
+    (exam,) = (marks / "exam.csv").read_text(encoding="utf-8").splitlines()[1:]
     assert (marks / "open.csv").read_text(encoding="utf-8-sig") == (
-        "student,name,question,out_of,points,comment\n"
-        "1001,Ada Byron,q2,2.5,,\n1002,Sofya Kovalevskaya,q2,2.5,,\n"
+        "student,name,question,out_of,points,comment,exam\n"
+        f"1001,Ada Byron,q2,2.5,,,{exam}\n1002,Sofya Kovalevskaya,q2,2.5,,,{exam}\n"
     )
+
+
+def test_points_typed_for_one_exam_are_not_taken_for_the_next(tmp_path: Path) -> None:
+    assert set_exam(tmp_path, CRANK + THEORY + SLEEVE).exit_code == 0
+    kept = tmp_path / "typed.csv"
+    opened = (mark_right(tmp_path) / "open.csv").read_text(encoding="utf-8-sig")
+    kept.write_text(opened.replace(",2.5,,,", ",2.5,2,,"), encoding="utf-8")
+    (tmp_path / "MARKS").rename(tmp_path / "FIRST")
+    assert set_exam(tmp_path, CRANK + THEORY + SLEEVE, "--force", "--new-numbers").exit_code == 0
+    mark_right(tmp_path)
+    again = "grade", tmp_path / "EXAM", tmp_path / "answers.csv", "-o", tmp_path / "MARKS"
+    refused = kinegrade(*again, "--force", "--manual", kept)
+    assert refused.exit_code == 2
+    assert refused.stderr == (
+        f"error: {kept}: the points in it are for another exam - give the open.csv that marking "
+        "this exam wrote\n"
+    )
+    refused = kinegrade(*again, "--force", "--manual", tmp_path / "FIRST" / "open.csv")
+    assert refused.exit_code == 2
+    assert "these are marks of another exam than" in refused.stderr
+
+
+def test_a_column_exam_of_a_marker_is_their_own(tmp_path: Path) -> None:
+    assert set_exam(tmp_path, CRANK + THEORY + SLEEVE).exit_code == 0
+    mark_right(tmp_path)
+    own = tmp_path / "own.csv"
+    own.write_text("exam,student,question,points\nmidterm,1001,q2,2\n", encoding="utf-8")
+    again = "grade", tmp_path / "EXAM", tmp_path / "answers.csv", "-o", tmp_path / "MARKS"
+    marked = kinegrade(*again, "--force", "--manual", own)
+    assert "another exam" not in marked.stderr
+    assert "1001,q2,2,2.5,," in (tmp_path / "MARKS" / "manual.csv").read_text(encoding="utf-8-sig")
 
 
 def test_feedback_report_and_exports_say_what_is_open(tmp_path: Path) -> None:

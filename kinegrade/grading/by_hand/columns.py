@@ -17,7 +17,7 @@ _QUESTION = Message("marking.columns-question")
 _ASK = Message("marking.columns-ask")
 _POINTS = Message("marking.columns-points")
 _COMMENT = Message("marking.columns-comment")
-_MACHINE = "machine"  # which kinegrade's own files have
+_MACHINE, _EXAM = "machine", "exam"  # which kinegrade's own files have
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,6 +33,7 @@ class HandColumns:
     points: int
     comment: int | None
     machine: int | None
+    exam: int | None
     names: NameColumns
 
     def cell(self, row: Row, place: int | None) -> str:
@@ -65,8 +66,9 @@ def find_hand_columns(table: Table) -> HandColumns:
             )
         )
     ask, comment = (_find(header, list_preferred_spellings(each)) for each in (_ASK, _COMMENT))
-    machine, names = _find(header, [_MACHINE]), find_name_columns(table.header)
-    return HandColumns(student, code, question, ask, points, comment, machine, names)
+    machine, exam = (_find(header, [name]) for name in (_MACHINE, _EXAM))
+    names = find_name_columns(table.header)
+    return HandColumns(student, code, question, ask, points, comment, machine, exam, names)
 
 
 def _find(header: Sequence[str], names: Sequence[str]) -> int | None:

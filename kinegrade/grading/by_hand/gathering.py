@@ -21,7 +21,7 @@ from kinegrade.grading.by_hand.reading import (
 )
 from kinegrade.language.message import Fault, Message
 from kinegrade.marks_folder.hand_marks import ByHand, group_by_student
-from kinegrade.marks_folder.layout import MANUAL, OPEN
+from kinegrade.marks_folder.layout import MANUAL, MARKER, OPEN
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,6 +43,15 @@ class HandSources:
         files = (folder / MANUAL.name for folder in folders)
         found = next((file for file in files if file.exists()), None)
         return None if found is None or _is_among(found, self.given) else found
+
+    @property
+    def own_lists(self) -> tuple[Path, ...]:
+        """The files given that stand as we wrote them, or filled in, in a folder of marks."""
+        return tuple(
+            path
+            for path in self.given
+            if path.name in (OPEN.name, MANUAL.name) and (path.parent / MARKER).exists()
+        )
 
     @property
     def filled(self) -> Path | None:

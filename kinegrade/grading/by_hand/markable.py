@@ -13,6 +13,7 @@ from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.roster.student_ids import StudentIds
 from kinegrade.exam.roster.student_names import StudentNames
 from kinegrade.grading.policy.policy import Policy
+from kinegrade.grading.same_key import identify_exam
 from kinegrade.language.message import Message, list_plainly
 from kinegrade.marks_folder.hand_marks import EXTRA
 from kinegrade.numbers.amounts import add_amounts
@@ -24,9 +25,10 @@ _SHOWN = 4  # names that a message gives as examples
 class Markable:
     """`maxima` are the points under the policy, by question and by ask; `orders` are the questions
     of each paper that has others than the exam, or in another order; the policy `dropped` some
-    questions and asks.
+    questions and asks. The exam is known by its `identity`.
     """
 
+    identity: str
     ids: StudentIds
     people: StudentNames
     names: AskNames
@@ -70,7 +72,8 @@ def find_markable(
     ids, people = StudentIds(exam.students, exam.codes), StudentNames(exam.names)
     names = AskNames(exam.head.columns, by_hand, shuffled)
     dropped = {column for column in maxima if _is_dropped(column, exam, policy)}
-    return Markable(ids, people, names, maxima, orders, by_hand, dropped)
+    identity = identify_exam(head)
+    return Markable(identity, ids, people, names, maxima, orders, by_hand, dropped)
 
 
 def _is_dropped(column: str, exam: ExamFolder, policy: Policy) -> bool:

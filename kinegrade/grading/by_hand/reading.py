@@ -21,6 +21,7 @@ from kinegrade.files.tables import Complaint, Row, Table, drop_headers, read_tab
 from kinegrade.files.workbook_inspection import is_workbook
 from kinegrade.grading.by_hand.columns import HandColumns, find_hand_columns
 from kinegrade.grading.by_hand.markable import Markable
+from kinegrade.grading.same_key import is_of_another_exam
 from kinegrade.language.message import Fault, Message, Quoted, Text, list_choices
 from kinegrade.language.spellings import list_spellings
 from kinegrade.marks_folder.hand_marks import EXTRA, HandMark
@@ -74,10 +75,18 @@ class _Reader:
         surplus = (each for each in self.table.complaints if each.content)
         self.found.faults.extend(map(self._explain_unread, surplus))
         rows = drop_headers(self.table)
+        if self._is_of_another_exam(rows):
+            what, do = Message("marking.hand-of-another-exam"), Message("marking.open-of-this-exam")
+            return HandFile(faults=[Fault(self.path, what, do=do)])
         students = self._find_students(rows)
         for row in rows:
             self._read_row(row, students)
         return self.found
+
+    def _is_of_another_exam(self, rows: Sequence[Row]) -> bool:
+        """Whether rows say so, as those of our own lists do."""
+        said = (self.columns.cell(row, self.columns.exam) for row in rows)
+        return any(is_of_another_exam(cell, self.markable.identity) for cell in said)
 
     def _find_students(self, rows: Sequence[Row]) -> Mapping[str, str]:
         """The students by the cells that name them: ids exactly, or as a spreadsheet left them."""
