@@ -266,10 +266,22 @@ def test_two_templates_of_one_name_cannot_be_kept_in_one_exam(tmp_path: Path) ->
     (tmp_path / "slider-crank.toml").write_text(text, encoding="utf-8")
     shutil.copy(find_shipped("templates") / "slider-crank.de.toml", tmp_path)
     assert len(bank(tmp_path, mine).questions) == 2
-    (tmp_path / "slider-crank.toml").write_text(text + "# mine", encoding="utf-8")
+    (tmp_path / "slider-crank.de.toml").unlink()
     assert faults(tmp_path, mine) == [
         "bank.toml:6: questions[2].template: another template of this bank has the name "
         '"slider-crank" - rename the file'
+    ]
+
+
+def test_a_shipped_template_is_not_taken_for_the_file_of_its_name_beside_the_bank(
+    tmp_path: Path,
+) -> None:
+    text = (find_shipped("templates") / "slider-crank.toml").read_text(encoding="utf-8")
+    (tmp_path / "slider-crank.toml").write_text(text + "# mine", encoding="utf-8")
+    assert faults(tmp_path, HEAD + QUESTION) == [
+        "bank.toml:4: questions[1].template: this is a shipped template, and "
+        '"slider-crank.toml" beside the bank is another - write "slider-crank.toml" for your own, '
+        "or rename the file"
     ]
 
 

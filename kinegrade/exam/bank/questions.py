@@ -32,12 +32,14 @@ from kinegrade.exam.bank.keys import (
 from kinegrade.exam.bank.own_questions import read_own_question
 from kinegrade.exam.bank.shipped_templates import Grouping, Shelf, read_shelf
 from kinegrade.exam.bank.terms import BankTolerance, read_bank_tolerance, read_room
+from kinegrade.files.fields.document import read_text
 from kinegrade.files.fields.faults import Faults
 from kinegrade.files.fields.table import Table
 from kinegrade.files.fields.values import flag, found, text, whole
 from kinegrade.language.message import Message, Quoted, list_all
 from kinegrade.problem.statement_faults import check_statements
 from kinegrade.problem.template.library.library import load_kept_template, load_template
+from kinegrade.problem.template.sections.opening import TEMPLATE
 from kinegrade.problem.template.sections.stepwise_keys import STEPWISE
 from kinegrade.problem.template.template import Template
 
@@ -227,8 +229,19 @@ class Entries:
         if self.kept:
             return load_kept_template(name.removesuffix(".toml"), self.folder)
         template = load_template(str(self.beside / name) if beside else name, self.folder)
+        if not beside:
+            _require_alone(template, self.beside / f"{name}.toml")
         check_statements(template)
         return template
+
+
+def _require_alone(shipped: Template, own: Path) -> None:
+    """Raises FieldError where a file beside the bank has the name of a shipped template, and
+    another text: it may be the one that is meant.
+    """
+    if own.exists() and read_text(own, TEMPLATE) != shipped.file.text:
+        what = Message("bank.own-and-shipped", file=Quoted(own.name))
+        raise FieldError(what, do=Message("bank.name-own", file=Quoted(own.name)))
 
 
 def _read_kind(entry: Table) -> _Kind | None:
