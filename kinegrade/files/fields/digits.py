@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from itertools import chain
 
 from kinegrade.language.message import Message
@@ -33,23 +32,13 @@ def require_bounded(content: object) -> None:
     """Raises Unbounded where tables and lists are nested deeper than DEEPEST, or a whole number has
     more than MOST_DIGITS digits.
     """
-    level = [content]
+    level: list[object] = [content]
     for _ in range(_DEEPEST):
-        parts = chain.from_iterable(map(_parts, level))
-        others = [part for part in parts if not isinstance(part, str)]  # most are texts
-        if any(isinstance(part, int) and abs(part) >= 10**_MOST_DIGITS for part in others):
+        tables = [part for part in level if isinstance(part, dict)]
+        lists = [part for part in level if isinstance(part, list)]
+        parts = chain(chain.from_iterable(map(dict.values, tables)), chain.from_iterable(lists))
+        level = [part for part in parts if not isinstance(part, str)]  # most are texts
+        if any(isinstance(part, int) and abs(part) >= 10**_MOST_DIGITS for part in level):
             raise Unbounded(TOO_LARGE)
-        level = [part for part in others if isinstance(part, dict | list)]
-    if level:
+    if any(isinstance(part, dict | list) for part in level):
         raise Unbounded(TOO_DEEP)
-
-
-def _parts(value: object) -> Iterable[object]:
-    """The items directly inside a table or list."""
-    match value:
-        case dict():
-            return value.values()
-        case list():
-            return value
-        case _:
-            return ()

@@ -67,6 +67,8 @@ class PapersAnswered:
     def _different(self) -> Places:
         """The first student of each lot that has the same paper, as where there are versions."""
         values = [each.value[: len(self.sitting.students)] for each in self.intervals]
+        if any(len(np.unique(each)) == len(each) for each in values):
+            return np.arange(len(self.sitting.students))
         first: Places = np.unique(np.column_stack(values), axis=0, return_index=True)[1]
         first.sort()
         return first
@@ -121,9 +123,9 @@ class PapersAnswered:
         """The rows of which some paper has the number of this ask, and all others that tell."""
         rows, papers = self._sorted[ask].pair(numbers[:, ask])
         for other, intervals in enumerate(self._students):
-            if other == ask or intervals.period:
+            if other == ask or intervals.period or not len(rows):
                 continue
-            fits = intervals.may_fit(numbers[:, other], rows, papers)
+            fits = intervals.may_fit(numbers[rows, other], papers)
             rows, papers = rows[fits], papers[fits]
         return np.unique(rows)
 

@@ -83,11 +83,13 @@ class Rules:
 def tabulate_rules(papers: Sequence[tuple[Tolerance, ...]]) -> Rules:
     """The rules of these papers, one after another; most papers share one tuple of them."""
     known = {id(rules): rules for rules in papers}
-    numbers = {name: number for number, name in enumerate(known)}
-    which = np.array([numbers[id(rules)] for rules in papers], dtype=np.intp)
     counts = np.array([*map(len, known.values())], dtype=np.intp)
     listed = [_list_numbers(rule) for rules in known.values() for rule in rules]
     table = np.array(listed, dtype=np.float64).reshape(-1, 4).T
+    if len(known) == 1:
+        return Rules(np.tile(table, len(papers)))
+    numbers = {name: number for number, name in enumerate(known)}
+    which = np.array([numbers[id(rules)] for rules in papers], dtype=np.intp)
     places = list_runs(find_begins(counts)[which], counts[which])
     return Rules(np.ascontiguousarray(table[:, places]))
 

@@ -62,17 +62,14 @@ class Intervals:
         held: Flags = (away >= np.minimum(*ends) - slack) & (away <= np.maximum(*ends) + slack)
         return held
 
-    def may_fit(self, answers: Numbers, places: Places, papers: Places) -> Flags:
-        """False where the answer at a place is certainly wrong on the paper beside it, full turns
-        aside; a blank may be anything.
+    def may_fit(self, answers: Numbers, papers: Places) -> Flags:
+        """False where an answer is certainly wrong on the paper beside it, full turns aside; a
+        blank may be anything.
         """
         slack = _SAME * np.abs(answers)
-        least, most = answers - slack, answers + slack
-        blank = np.isnan(answers)
-        least[blank], most[blank] = -np.inf, np.inf
-        fits: Flags = self.low[papers] <= most[places]
-        fits &= self.high[papers] >= least[places]
-        return fits
+        beyond: Flags = self.low[papers] > answers + slack
+        beyond |= self.high[papers] < answers - slack
+        return ~beyond
 
     def differ(self, values: Numbers) -> Flags:
         """On which papers another answer is right than each of these: a row for each of them."""

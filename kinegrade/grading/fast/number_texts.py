@@ -80,8 +80,8 @@ def tabulate_numbers(numbers: Numbers) -> NDArray[np.bytes_]:
 
 def _find_width(words: Words) -> int:
     """The most letters that texts have, one of which is not empty."""
-    first, second = np.bitwise_or.reduce(words, axis=0, initial=0).tolist()
-    bits = _WORD + int(second).bit_length() if second else int(first).bit_length()
+    first, second = (int(np.bitwise_or.reduce(each, initial=0)) for each in words.T)
+    bits = _WORD + second.bit_length() if second else first.bit_length()
     return max(1, -(-bits // _LETTER))
 
 
