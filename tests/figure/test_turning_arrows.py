@@ -14,6 +14,7 @@ from kinegrade.figure.marks.turning_arrow import Company, TurningArrow
 from kinegrade.figure.mechanism.paper import scale_to_paper
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.placing.obstacles import Obstacles
+from kinegrade.figure.placing.ownership import Surroundings
 from kinegrade.figure.plane import angle_of, length, polar, shorter_way
 from kinegrade.figure.scene import BOLD, FIRM, THIN, Bow, Disc, Scene, Strokes
 from kinegrade.figure.sketch import sketch
@@ -78,7 +79,7 @@ def test_two_arrows_one_right_after_the_other_read_as_one() -> None:
 def test_the_symbol_of_an_arrow_is_not_beside_another_one_first() -> None:
     arrow = TurningArrow(arc(0, 70), Turning(r"\omega", "AB"), 0.0)
     other = TurningArrow(arc(0, 70, 10.0), Turning(r"\alpha", "AB"), 0.0)
-    wish = arrow.wish_apart([other], [])
+    wish = arrow.wish_apart([other])
     assert wish.demerits is not None
     along = len(arrow.wish().spots)
     rated = list(zip(wish.spots.tolist(), wish.demerits.tolist(), strict=True))[:along]
@@ -91,7 +92,7 @@ def test_a_symbol_without_room_at_its_arrow_does_not_go_to_another_one() -> None
     other = TurningArrow(arc(0, 70, 11.0), Turning(r"\alpha", "AB"), 0.0)
     pin = Disc(ORIGIN, 2.9, FIRM, "black")
     drawn = Layout.of([pin, *arrow.primitives(), *other.primitives()])
-    [letter] = drawn.captioned(arrow.wish_apart([other], [])).labels
+    [letter] = drawn.captioned(arrow.wish_apart([other])).labels
     gaps = [
         min(hypot(*(letter.centre - at)) for at in each.bow.path(0.05)) for each in (arrow, other)
     ]
@@ -100,11 +101,17 @@ def test_a_symbol_without_room_at_its_arrow_does_not_go_to_another_one() -> None
 
 def test_no_circle_parts_a_symbol_from_its_arrow_first() -> None:
     arrow = TurningArrow(arc(0, 70), Turning(r"\omega", "AB"), 0.0)
-    wish = arrow.wish_apart([], [Disc(ORIGIN, 6.0, FIRM)])
+    around = Surroundings(circles=(Disc(ORIGIN, 6.0, FIRM),))
+    wish = replace(arrow, around=around).wish_apart([])
     assert wish.demerits is not None
     assert {demerit > 0 for demerit in wish.demerits.tolist()} == {False, True}
     for (x, y), demerit in zip(wish.spots.tolist(), wish.demerits.tolist(), strict=True):
         assert (demerit > 0) == (hypot(x, y) > 6.0)
+
+
+def test_an_arrow_rather_stands_nearer_to_its_own_pivot_than_to_another_pin() -> None:
+    beside = replace(ALONE, pins=(ORIGIN, polar(0.6, 9.0)))
+    assert beside.rate(arc(0, 70, 8.0)) > beside.rate(arc(180, 70, 8.0)) == 0.0
 
 
 def test_a_dimension_needs_lines_across_it_unless_a_bar_is_there() -> None:

@@ -21,6 +21,7 @@ from tests.figures.on_paper import find_points_on_paper
 from tests.figures.radius_flaws import find_radius_flaws
 from tests.figures.support_flaws import find_support_flaws
 from tests.figures.svg_shapes import Picture, read_picture
+from tests.figures.turning_flaws import find_turning_flaws
 
 
 @dataclass(frozen=True)
@@ -41,7 +42,7 @@ class Printed:
         lettered = find_letter_flaws(self.picture, self.points)
         angles = find_angle_flaws(self.picture, self.points, self.hints.angles)
         drawn = find_flaws(self.picture) + find_support_flaws(self.picture)
-        drawn += find_radius_flaws(self.picture)
+        drawn += find_radius_flaws(self.picture) + find_turning_flaws(self.picture)
         frames = find_frame_flaws(self.picture, self.points, self.hints.frames)
         return [*drawn, *measured, *lettered, *angles, *frames]
 

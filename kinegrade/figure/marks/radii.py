@@ -11,8 +11,8 @@ from typing import assert_never
 from kinegrade.errors import TemplateError, suggest
 from kinegrade.figure.joints.symbol import Rim
 from kinegrade.figure.marks.radius_arrows import FROM_OUTSIDE, RadiusFromCentre, RadiusFromOutside
+from kinegrade.figure.marks.straight.motions import gather_arrows
 from kinegrade.figure.placing.layout import Layout
-from kinegrade.figure.placing.mark import Mark
 from kinegrade.figure.placing.obstacles import COST_BOLD, Obstacles
 from kinegrade.figure.plane import NEAR, angle_of, length, nearest_of, polar, unit
 from kinegrade.figure.scene import THIN, Bow
@@ -37,6 +37,7 @@ _NARROW = HEAD_LENGTH + 1.0  # millimetres of a ring that a head across it would
 # Cost of an arrow with its tail at another wheel, and millimetres between the two
 _FOREIGN, _AT_ANOTHER = 15.0, 2.0
 _INWARD = 9.0  # cost of an arrow at a large circle from outside, less than one firm line
+_ACROSS_ARROW = 12.0  # cost of an arrow across that of a motion
 _AT_POINT = 3.0  # cost of a tip that hides a point on the rim
 # Millimetres beyond a rim in which a bar leaves a narrow wedge, and the cost of a tip beside one
 _WEDGE, _BESIDE_BAR = 2.2, 8.0
@@ -81,7 +82,7 @@ def _add_radius(
     lines = _list_lines_from(rim.at, layout.obstacles)
     arcs = [each for each in layout.lines if isinstance(each, Bow) and each.pen == THIN]
     sectors = [arc for arc in arcs if length(arc.centre - rim.at) < NEAR]
-    marks: list[Mark] = []
+    marks: list[RadiusFromCentre | RadiusFromOutside] = []
     for angle in _list_angles(rim):
         toward, outside = _seat_in_tooth(rim, angle), _seat_in_gap(rim, angle)
         leaning = _LEANING * any(toward.dot(line) > _LEAST_ANGLE for line in lines)
@@ -99,7 +100,10 @@ def _add_radius(
         large = rim.radius >= _SMALL_RADIUS
         if large and not rim.ring and rim.kind != "cam" and rim.find_arc() is None:
             marks.append(inward(leaning + _INWARD + foreign, rim.kind == "gear"))
-    return layout.marked(marks)
+    arrows = gather_arrows(layout.marks)
+    crossed = [_ACROSS_ARROW * (arrows.along(mark.path(), shared=False) > 0) for mark in marks]
+    rated = zip(marks, crossed, strict=True)
+    return layout.marked([replace(mark, demerit=mark.demerit + worse) for mark, worse in rated])
 
 
 def _spans_ring(rim: Rim, found: Iterable[Rim]) -> bool:

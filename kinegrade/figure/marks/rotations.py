@@ -14,11 +14,13 @@ from kinegrade.figure.marks.turning_arrow import Company, TurningArrow
 from kinegrade.figure.marks.turning_radii import BEYOND, RADII, ROOMY, order_radii
 from kinegrade.figure.mechanism.layers import Drawing
 from kinegrade.figure.mechanism.straight_parts import Bar, Rod
+from kinegrade.figure.placing.aligned import list_thin_lines
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.placing.obstacles import Segment
+from kinegrade.figure.placing.ownership import Surroundings, list_places
 from kinegrade.figure.placing.place import Wish
 from kinegrade.figure.plane import NEAR, angle_of, length, mean, shorter_way
-from kinegrade.figure.scene import THIN, Bow, Disc, Primitive
+from kinegrade.figure.scene import PITCH, THIN, Bow, Disc, Label, Primitive
 from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
@@ -33,9 +35,10 @@ _RELATIVE_ARCS = (9.0, 7.0, 5.5)
 _TWELFTHS = tuple(index * pi / 6 for index in range(12))
 # Demerit of each radian between the arrow and the body, or where the rim of a disc is nearest
 _ASTRAY, _AT_RIM = 1.2, 5.0
-_LOOSE = 20.0  # demerit of an arrow off the bar that turns, where another could show that
+_LOOSE = 40.0  # demerit of an arrow off the bar that turns, where another could show that
 # Millimetres about a pivot within which the arrow of a rotation keeps clear of letters
 _LETTERED = 12.0
+_ABOUT = 20.0  # millimetres about a pivot in which thin lines may seem to own a symbol
 
 
 def add_rotations(
@@ -55,22 +58,40 @@ def add_rotations(
     """
     arrows: list[TurningArrow] = []
     spared: list[Sequence[Primitive]] = []
+    likely: list[Label] = []  # the symbols, as long as no later arrow is known
     for hint in hints:
         centre = find_turning_centre(mechanism, hint, drawing)
         lines = find_extension_angles(mechanism.points, lengths, centre, layout.obstacles)
         company = _find_company(layout, hint, drawing, centre, lines)
+        company = replace(company, pins=tuple(mechanism.points.values()))
         close = [wish for wish in named if length(Vector(*wish.spots[0]) - centre) < _LETTERED]
         spared.append(layout.written(close).labels)
+        around = _find_surroundings(layout, mechanism, drawing, centre)
         ways = _list_arrows(mechanism, hint, centre, drawing)
-        layout, _ = layout.chosen([way.among(company) for way in ways], spared[-1])
-        arrows += [mark for mark in layout.marks[-1:] if isinstance(mark, TurningArrow)]
-    discs = [part for part in drawing.primitives if isinstance(part, Disc)]
-    circles = [disc for disc in discs if disc.radius > RADII[0]]
-    bars = [(part.start, part.end) for part in drawing.parts if isinstance(part, Bar | Rod)]
+        rated = [way.among(company, around) for way in ways]
+        layout, _ = layout.chosen(rated, (*spared[-1], *likely))
+        new = [mark for mark in layout.marks[-1:] if isinstance(mark, TurningArrow)]
+        for arrow in new:
+            likely += layout.captioned(arrow.wish_apart(arrows), (*spared[-1], *likely)).labels[-1:]
+        arrows += new
     for arrow, letters in zip(arrows, spared, strict=True):
         others = [other for other in arrows if other != arrow]
-        layout = layout.captioned(arrow.wish_apart(others, circles, bars), letters)
+        layout = layout.captioned(arrow.wish_apart(others), letters)
     return layout
+
+
+def _find_surroundings(
+    layout: Layout, mechanism: Mechanism, drawing: Drawing, centre: Vector
+) -> Surroundings:
+    """What else might own the symbol of an arrow about a pivot, or cut it off."""
+    discs = (part for part in drawing.primitives if isinstance(part, Disc))
+    bars = (part for part in drawing.parts if isinstance(part, Bar | Rod))
+    return Surroundings(
+        tuple(disc for disc in discs if disc.radius > RADII[0] and disc.pen != PITCH),
+        tuple((part.start, part.end) for part in bars),
+        tuple(mechanism.points.values()),
+        tuple(list_places(list_thin_lines(layout.lines), centre, _ABOUT)),
+    )
 
 
 def find_turning_centre(mechanism: Mechanism, hint: Turning, drawing: Drawing) -> Vector:

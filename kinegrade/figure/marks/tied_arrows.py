@@ -30,7 +30,9 @@ _OFF_DISC, _AHEAD = 1.0, 2.0
 _SHIFTS, _SHIFTED = (0.0, 1.5, -1.5, 3.0, -3.0), 0.3
 # Demerit of an arrow whose tail is so many millimetres from where a line meets the bar, or less
 _MEETS, _AT_TAIL = 12.0, 2.0
+_CROSSES = 2.0  # demerit of what a crossed line costs
 _STATIONS = 0.2  # radians between the points of an arrow that are looked at
+_ONWARD, _FARTHER_ON = (0.0, 0.4, 0.8, 1.2, 1.6), 5.0  # radians farther ahead, demerit of each
 
 
 def list_tied_arrows(
@@ -66,7 +68,7 @@ def _rate_crossings(arrow: TurningArrow, thin: Obstacles) -> float:
     tail = arrow.bow.centre + along * arrow.bow.radius
     beside = ((tail - along * _AT_TAIL, tail + along * _AT_TAIL),)
     meets = arrow.tied and thin.along(beside, shared=True) > 0
-    return thin.along(arrow.path(), arrow.shared) + _MEETS * meets
+    return _CROSSES * thin.along(arrow.path(), arrow.shared) + _MEETS * meets
 
 
 def _list_on_bars(
@@ -87,11 +89,12 @@ def _list_ahead(
     for step in steps:
         for disc in (disc for disc in discs if length(disc.at - centre - step) < NEAR):
             gap = 2 * asin(min(1.0, (disc.radius + TOOTH_TIP + _AHEAD) / (2 * length(step))))
-            start = angle_of(step) + copysign(gap, shaft)
-            for shift in _SHIFTS:
-                radius = length(step) + shift
-                bow = Bow(centre, radius, start, shaft / radius, THIN)
-                yield TurningArrow(bow, hint, _SHIFTED * abs(shift))
+            for onward in _ONWARD:
+                start = angle_of(step) + copysign(gap + onward, shaft)
+                for shift in _SHIFTS:
+                    radius = length(step) + shift
+                    bow = Bow(centre, radius, start, shaft / radius, THIN)
+                    yield TurningArrow(bow, hint, _SHIFTED * abs(shift) + _FARTHER_ON * onward)
 
 
 def _touches(bow: Bow, discs: Iterable[Rim]) -> bool:

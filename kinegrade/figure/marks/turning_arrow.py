@@ -6,16 +6,15 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from math import copysign
 
-import numpy as np
-
 from kinegrade.figure.joints.symbol import Rim
 from kinegrade.figure.placing.mark import chords
 from kinegrade.figure.placing.obstacles import Segment
+from kinegrade.figure.placing.ownership import UNCLAIMED, Surroundings
 from kinegrade.figure.placing.place import Wish, list_spots_along_arc, rate_nearness, widen
-from kinegrade.figure.placing.wedge import rate_cut_off
 from kinegrade.figure.plane import length, polar, shorter_way
-from kinegrade.figure.scene import Bow, Disc, Primitive
+from kinegrade.figure.scene import Bow, Primitive
 from kinegrade.figure.symbols import HEADS, draw_curved_arrow
+from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import Turning
 
 _COARSE = 0.7  # radians of an arrow that count as straight when its way is looked at
@@ -41,9 +40,9 @@ _FOREIGN = 4.5  # millimetres between an arrow and the rim of another body, 1 de
 _BESIDE_LINE, _ON_LINE = 1.5, 5.0
 # Demerits of an arrow in the disc of another body, and of one with another body's bar before it
 _ASTRAY, _BEYOND_BAR = 6.0, 12.0
-# Demerits of a symbol about as near to another arrow, or on the other side of a circle
-# or a bar
-_MISTAKEN, _CUT_OFF = 6.0, 9.0
+# Demerit of an arrow nearer than its pivot to another pin, by so many millimetres
+_AT_OTHER, _NEARER = 3.0, 1.0
+_MISTAKEN = 6.0  # demerit of a symbol about as near to another arrow
 _STATIONS = 0.25  # radians between the points of an arrow to which its symbol should be near
 
 
@@ -52,7 +51,7 @@ class Company:
     """What else there is about the pivot of an arrow: the arcs of angles, other arrows, the radii
     of other bodies' rims (millimetres), the directions (radians) in which dimension lines may
     need a line from the pivot, the other bodies' discs that do not lie over the pivot, and bars
-    that do not lead to it.
+    that do not lead to it; the pins of the figure.
     """
 
     arcs: tuple[Bow, ...]
@@ -61,6 +60,7 @@ class Company:
     lines: tuple[float, ...]
     discs: tuple[Rim, ...] = ()
     bars: tuple[Segment, ...] = ()
+    pins: tuple[Vector, ...] = ()
 
     def rate(self, bow: Bow) -> float:
         """The demerit of an arrow in this company."""
@@ -71,13 +71,14 @@ class Company:
             + sum(_ON_LINE for angle in self.lines if _measure_gap(bow, angle) < _BESIDE_LINE)
             + sum(_ASTRAY for disc in self.discs if _stands_in(bow, disc))
             + sum(_BEYOND_BAR for bar in self.bars if _stands_beyond(bow, bar))
+            + _AT_OTHER * any(_stands_at(bow, pin) for pin in self.pins)
         )
 
 
 @dataclass(frozen=True)
 class TurningArrow:
     """A curved arrow along an arc; that of a bar among round bodies may be `tied` to it, its tail
-    on the bar.
+    on the bar. Its symbol stands where it is not taken for that of what else is `around`.
     """
 
     bow: Bow
@@ -85,11 +86,11 @@ class TurningArrow:
     demerit: float
     shared: bool = False
     tied: bool = False
+    around: Surroundings = UNCLAIMED
 
-    def among(self, company: Company) -> TurningArrow:
-        """The arrow with its demerit in some company."""
-        worse = company.rate(self.bow)
-        return replace(self, demerit=self.demerit + worse) if worse else self
+    def among(self, company: Company, around: Surroundings = UNCLAIMED) -> TurningArrow:
+        """The arrow with its demerit in some company, and what is around it."""
+        return replace(self, demerit=self.demerit + company.rate(self.bow), around=around)
 
     def path(self) -> tuple[Segment, ...]:
         """The arc, a little longer at both ends, in few pieces: there are many arrows to choose
@@ -102,30 +103,20 @@ class TurningArrow:
         return chords(whole, _COARSE)
 
     def wish(self) -> Wish:
-        """Along the arc."""
-        return list_spots_along_arc(self.hint.symbol, self.bow)
+        """Along the arc, rather where nothing else could own the symbol."""
+        wish = list_spots_along_arc(self.hint.symbol, self.bow)
+        return wish.worse_by(self.around.rate(wish.symbol, wish.spots, self._list_stations()))
 
-    def wish_apart(
-        self,
-        others: Sequence[TurningArrow],
-        circles: Sequence[Disc],
-        bars: Sequence[Segment] = (),
-    ) -> Wish:
-        """The wish, where the symbol is nearest to its own arrow and no circle or bar parts them
-        first.
-        """
-        wish, own = widen(self.wish()), self.bow.path(_STATIONS)[self.tied :]
+    def wish_apart(self, others: Sequence[TurningArrow]) -> Wish:
+        """The wish, where the symbol is nearest to its own arrow, and around that, first."""
+        wish, own = widen(list_spots_along_arc(self.hint.symbol, self.bow)), self._list_stations()
         near = [at for other in others for at in other.bow.path(_STATIONS)]
-        demerits = _MISTAKEN * rate_nearness(self.hint.symbol, wish.spots, own, near)
-        for circle in circles:
-            within = length(own[len(own) // 2] - circle.centre) < circle.radius
-            steps = wish.spots - np.array(circle.centre)
-            parted = (np.hypot(*steps.T) < circle.radius) != within
-            demerits = demerits + _CUT_OFF * parted
-        steps = wish.spots[:, None] - np.array(own)
-        feet = np.array(own)[np.hypot(steps[..., 0], steps[..., 1]).argmin(axis=1)]
-        demerits = demerits + _CUT_OFF * rate_cut_off(wish.spots, feet, bars)
-        return replace(wish, demerits=demerits)
+        worse = _MISTAKEN * rate_nearness(self.hint.symbol, wish.spots, own, near)
+        return wish.worse_by(worse + self.around.rate(wish.symbol, wish.spots, own))
+
+    def _list_stations(self) -> Sequence[Vector]:
+        """Points along the arrow, without its tail on a bar."""
+        return self.bow.path(_STATIONS)[self.tied :]
 
     def primitives(self) -> tuple[Primitive, ...]:
         """The arc and its arrowhead."""
@@ -155,6 +146,12 @@ def _stands_in(bow: Bow, disc: Rim) -> bool:
     """Whether an arrow stands in the disc of another body, as if that turned."""
     middle = bow.centre + polar(bow.start + bow.sweep / 2, bow.radius)
     return length(middle - disc.at) < disc.radius
+
+
+def _stands_at(bow: Bow, pin: Vector) -> bool:
+    """Whether an arrow is nearer to a pin than to its own pivot, as if it turned about that."""
+    middle = bow.centre + polar(bow.start + bow.sweep / 2, bow.radius)
+    return length(middle - pin) < bow.radius - _NEARER
 
 
 def _rate_twin(bow: Bow, twin: Bow) -> float:

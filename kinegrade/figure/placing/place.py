@@ -34,6 +34,7 @@ _FINE = np.arange(0.0, 2 * pi, pi / 20)
 _FINELY = np.stack((np.cos(_FINE), np.sin(_FINE)), axis=1).round(9)
 _CLOSE_RINGS, _NEAREST = np.arange(1.2, 4.3, 0.3), 1.1
 _BOW_STATIONS = np.array((0.5, 0.38, 0.62, 0.25, 0.75))
+_CORNERS = np.array(((1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)))
 _BOW_SIDES, _BOW_GAPS = np.array((1, -1, 1, -1, 1)), np.array((0.4, 0.5, 1.4, 1.4, 2.4))
 _STATIONS = (0.5, 0.38, 0.62, 0.26, 0.74, 0.12, 0.88)
 
@@ -214,12 +215,20 @@ def list_spots_beside(
 
 def list_spots_along_arc(symbol: str, bow: Bow) -> Wish:
     """Spots for a symbol outside an arc, then inside it, near its middle first; then around it."""
-    size = np.array(measure_symbol(symbol))
+    half = np.array(measure_symbol(symbol)) / 2
     angles = bow.start + bow.sweep * _BOW_STATIONS
     toward = np.stack((np.cos(angles), np.sin(angles)), axis=1)
-    half = np.abs(toward) @ size / 2
-    levels = bow.radius + _BOW_SIDES[:, None] * (half + _BOW_GAPS[:, None])
-    spots = np.array(bow.centre) + toward * levels[:, :, None]
+    outside = bow.radius + np.abs(toward) @ half
+    corners = _CORNERS * half
+    across = (corners @ (toward[:, ::-1] * (1.0, -1.0)).T) ** 2
+    rows = []
+    for side, gap in zip(_BOW_SIDES.tolist(), _BOW_GAPS.tolist(), strict=True):
+        if side > 0:
+            rows.append(outside + gap)
+        else:
+            room = np.sqrt(np.maximum((bow.radius - gap) ** 2 - across, 0.0))
+            rows.append((room - corners @ toward.T).min(axis=0))
+    spots = np.array(bow.centre) + toward * np.array(rows)[:, :, None]
     return Wish(
         symbol, spots.reshape(-1, 2), bow.centre + polar(bow.start + bow.sweep / 2, bow.radius)
     )

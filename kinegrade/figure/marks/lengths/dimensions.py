@@ -13,7 +13,7 @@ from typing import assert_never
 from kinegrade.figure.marks.lengths.dimension_lines import DimensionLine, SymbolBeside
 from kinegrade.figure.marks.lengths.extension_gaps import Around, Gap, find_gap
 from kinegrade.figure.marks.lengths.length_leaders import list_leaders
-from kinegrade.figure.marks.straight.motions import list_arrows
+from kinegrade.figure.marks.straight.motions import gather_arrows
 from kinegrade.figure.placing.joining import Join, find_join
 from kinegrade.figure.placing.layout import Layout, no_others
 from kinegrade.figure.placing.mark import Mark
@@ -96,10 +96,9 @@ class _Company:
     @staticmethod
     def of(layout: Layout, ground: Obstacles, others: tuple[Vector, ...]) -> _Company:
         """What there is in a layout."""
-        arrows = list_arrows(layout.marks)
         return _Company(
             Obstacles.of(layout.labels),
-            Obstacles.of(part for arrow in arrows for part in arrow.primitives()),
+            gather_arrows(layout.marks),
             layout.obstacles.firm(),
             layout.obstacles,
             ground,

@@ -13,7 +13,7 @@ from kinegrade.figure.marks.turning_arrow import TurningArrow
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.placing.letters import trace_leader
 from kinegrade.figure.placing.mark import Mark
-from kinegrade.figure.placing.obstacles import Segment
+from kinegrade.figure.placing.obstacles import Obstacles, Segment
 from kinegrade.figure.placing.place import Wish
 from kinegrade.figure.plane import unit
 from kinegrade.figure.scene import THIN, Label, Primitive, Strokes
@@ -100,6 +100,11 @@ def _stands_off(letter: Wish, layout: Layout) -> bool:
 def list_arrows(marks: Iterable[Mark]) -> tuple[TurningArrow | MovingArrow, ...]:
     """The arrows of straight motions and of rotations among the marks of a figure."""
     return tuple(mark for mark in marks if isinstance(mark, TurningArrow | MovingArrow))
+
+
+def gather_arrows(marks: Iterable[Mark]) -> Obstacles:
+    """Those arrows as obstacles."""
+    return Obstacles.of(part for arrow in list_arrows(marks) for part in arrow.primitives())
 
 
 def list_likely_motions(site: Site, hints: Iterable[Moving]) -> list[Segment]:
