@@ -23,7 +23,8 @@ def write_commands() -> str:
         "is replaced only with `--force`: a folder only where kinegrade wrote it and nobody "
         "added to it, a single file whatever it holds: what a table or a text held is kept beside "
         "it as `NAME.previous-1`, `NAME.previous-2` ..., of any other file the last as "
-        "`NAME.previous`.",
+        "`NAME.previous`, and what was edited by hand in a folder of marks or feedback in "
+        "`NAME.previous-1`.",
         *(block for command in main.commands.values() for block in _describe(command)),
     )
 

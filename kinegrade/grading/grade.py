@@ -14,6 +14,7 @@ import msgspec
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.files.answer_file import AnswerFile
 from kinegrade.files.output import output_folder
+from kinegrade.files.placing.edits import find_edits
 from kinegrade.files.tables import Table, read_table
 from kinegrade.grade_scale.kinds import make_scale
 from kinegrade.grade_scale.scale import Scale
@@ -39,7 +40,7 @@ from kinegrade.grading.typed.decimal_style import Mark as DecimalMark
 from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.marks_folder.folder import MarksFolder, open_marks
-from kinegrade.marks_folder.layout import FILES, MARKER
+from kinegrade.marks_folder.layout import FILES, FILLED_IN, MARKER
 from kinegrade.marks_folder.rows import StudentTotal
 from kinegrade.marks_folder.writing import MarksWriter
 from kinegrade.processes.garbage_collection import bulk_work
@@ -94,13 +95,15 @@ def grade(
     `kinegrade.lms.responses` reads them. Raises ExamError, PolicyError, TableError, OutputError.
     """
     contents = *FILES, *wishes.exports
+    edits = find_edits(output, guarded=FILLED_IN)
     written = output_folder(output, marker=MARKER, contents=contents, force=force)
     with bulk_work(), written as path:
         marks = _mark(exam, answers, MarksWriter(path, exam.language), output, wishes)
         # The cells of the sheet are let go before the marks are read again
         if wishes.exports:
             _write_exports(path, wishes.exports)
-    return marks
+        edits.settle(path)
+    return replace(marks, notes=(*marks.notes, *edits.describe()))
 
 
 def _mark(

@@ -164,6 +164,7 @@ TABLES: Final = (
     CHANGES,
 )
 FILES: Final = (*(file.name for file in TABLES), POLICY)
+FILLED_IN: Final = (OPEN.name, MANUAL.name)  # which people edit, and `grade` reads again
 MARKER: Final = COMPLAINTS.name  # the file by which kinegrade recognises a marks folder
 
 Status = Literal["marked", "absent"]  # absent: answered nothing at all

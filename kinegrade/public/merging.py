@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from kinegrade.files.output import output_folder
+from kinegrade.files.placing.edits import find_edits
 from kinegrade.language.message import Message
 from kinegrade.lms.grades import moodle
 from kinegrade.marks_folder.folder import MarksFolder, open_marks
@@ -28,11 +29,13 @@ def merge_marks(
     """
     merging = Merging(folders, preference)
     complaints = tuple(merging.find_different_maxima())
-    with output_folder(output, marker=MARKER, contents=(*FILES, moodle.FILE), force=force) as path:
+    contents, edits = (*FILES, moodle.FILE), find_edits(output)
+    with output_folder(output, marker=MARKER, contents=contents, force=force) as path:
         merging.write(path)
         (path / moodle.FILE).write_text(
             moodle.export(open_marks(path)), encoding="utf-8", newline=""
         )
+        edits.settle(path)
     first, *_ = folders
     note = Message(
         "terminal.merged",
@@ -41,4 +44,4 @@ def merge_marks(
         others=sum(each is not first for each in merging.chosen.values()),
     )
     scaled = moodle.describe_scaled(output, merging.maxima())
-    return Outcome(output, (note, *scaled), complaints)
+    return Outcome(output, (note, *scaled, *edits.describe()), complaints)

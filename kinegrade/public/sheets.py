@@ -92,8 +92,8 @@ def feedback(
         _list_receivers(exam, marks, place, wishes, options) as notes,
         open_executor(options.jobs, "feedback", cluster=options.cluster) as workers,
     ):
-        count = write_feedback(exam, marks, place, wording, wishes, workers=workers)
-    return _tell(place, count, notes, participants)
+        written = write_feedback(exam, marks, place, wording, wishes, workers=workers)
+    return _tell(place, written.sheets, (*notes, *written.notes), participants)
 
 
 def _choose_solutions(exam: ExamFolder, options: FeedbackOptions) -> bool:

@@ -27,7 +27,7 @@ def keep_previous(target: Path, new: Path, which: Previous) -> None:
     """
     if which is Previous.NONE or not target.exists() or filecmp.cmp(target, new, shallow=False):
         return
-    kept = _name_of_last(target) if which is Previous.LAST else _find_free_name(target)
+    kept = _name_of_last(target) if which is Previous.LAST else find_free_name(target)
     try:
         os.link(target, kept)
     except OSError:  # a file system without second names
@@ -40,6 +40,7 @@ def _name_of_last(target: Path) -> Path:
     return name
 
 
-def _find_free_name(target: Path) -> Path:
+def find_free_name(target: Path) -> Path:
+    """The first name beside it for one more that is kept."""
     names = (target.with_name(f"{target.name}{ENDING}-{number}") for number in count(1))
     return next(name for name in names if not name.exists())

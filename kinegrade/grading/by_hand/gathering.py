@@ -21,7 +21,7 @@ from kinegrade.grading.by_hand.reading import (
 )
 from kinegrade.language.message import Fault, Message
 from kinegrade.marks_folder.hand_marks import ByHand, group_by_student
-from kinegrade.marks_folder.layout import MANUAL, MARKER, OPEN
+from kinegrade.marks_folder.layout import FILLED_IN, MANUAL, MARKER, OPEN
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,7 +50,7 @@ class HandSources:
         return tuple(
             path
             for path in self.given
-            if path.name in (OPEN.name, MANUAL.name) and (path.parent / MARKER).exists()
+            if path.name in FILLED_IN and (path.parent / MARKER).exists()
         )
 
     @property

@@ -12,7 +12,7 @@ from dataclasses import dataclass, field, replace
 from functools import partial
 from itertools import chain
 from pathlib import Path, PurePosixPath
-from typing import Literal, assert_never
+from typing import Literal, NamedTuple, assert_never
 
 from kinegrade.errors import ExamError
 from kinegrade.exam.folder.exam_folder import ExamFolder
@@ -20,6 +20,7 @@ from kinegrade.exam.folder.records import Candidate
 from kinegrade.exam.roster.students import choose_places
 from kinegrade.files.csv_writing import neutralise, write_for_people
 from kinegrade.files.output import output_folder
+from kinegrade.files.placing.edits import find_edits
 from kinegrade.grading.wording import Wording
 from kinegrade.language import Language
 from kinegrade.language.message import Fault, Message
@@ -67,6 +68,13 @@ class _Handout:
     solution: bytes | None
 
 
+class WrittenFeedback(NamedTuple):
+    """How many sheets there are, and what is to be said of those that they replaced."""
+
+    sheets: int
+    notes: tuple[Message, ...]
+
+
 def write_feedback(
     exam: ExamFolder,
     marks: MarksFolder,
@@ -75,8 +83,9 @@ def write_feedback(
     wishes: FeedbackWishes,
     *,
     workers: Executor = THIS_PROCESS,
-) -> int:
-    """Writes the folder `output`, its sheets made by `workers`, and gives the number of sheets.
+) -> WrittenFeedback:
+    """Writes the folder `output`, its sheets made by `workers`; sheets of a folder that it replaces
+    and somebody edited stay beside it.
 
     Raises ExamError, TableError, TypesetError, OutputError; then nothing is written.
     """
@@ -86,6 +95,7 @@ def write_feedback(
         raise ExamError(Fault(str(marks.path), what, expected, do))
     contents = _MARKER, _SHEETS, PACKED
     make = partial(_make_part, wishes.form)
+    edits = find_edits(output)
     with output_folder(output, marker=_MARKER, contents=contents, force=wishes.force) as folder:
         (folder / _SHEETS).mkdir()
         rows, written = [], dict[str, list[Path]]()
@@ -94,17 +104,23 @@ def write_feedback(
         handouts = _print_handouts(sheets, places, exam, wishes)
         parts = map_in_order(workers, make, split_in_parts(handouts, _PART))
         for candidate, files in chain.from_iterable(parts):
-            for name, content in files.items():
-                sheet = folder / _SHEETS / name
-                sheet.parent.mkdir(exist_ok=True)
-                sheet.write_bytes(content)
-            written[candidate.student] = [folder / _SHEETS / name for name in files]
+            written[candidate.student] = _write_sheets(folder / _SHEETS, files)
             whose = candidate.student, neutralise(candidate.name), neutralise(candidate.email)
             rows.append((*whose, f"{_SHEETS}/{next(iter(files))}"))
         write_for_people(folder / _MARKER, ("student", "name", "email", "file"), rows)
         if wishes.pack is not None:
             wishes.pack(folder / PACKED, written)
-    return len(rows)
+        edits.settle(folder)
+    return WrittenFeedback(len(rows), tuple(edits.describe()))
+
+
+def _write_sheets(folder: Path, files: Mapping[str, bytes]) -> list[Path]:
+    """Writes what one student gets, and says where."""
+    sheets = [folder / name for name in files]
+    for sheet, content in zip(sheets, files.values(), strict=True):
+        sheet.parent.mkdir(exist_ok=True)
+        sheet.write_bytes(content)
+    return sheets
 
 
 def list_sheets(

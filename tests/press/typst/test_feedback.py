@@ -134,7 +134,7 @@ def test_a_whole_class_gets_its_sheets(
 
     exam = small_class / "EXAM"
     grade(open_exam(exam), exam / "answers.csv", tmp_path / "MARKS")
-    count = write_feedback(
+    written = write_feedback(
         open_exam(exam),
         MarksFolder(tmp_path / "MARKS"),
         tmp_path / "OUT",
@@ -142,7 +142,10 @@ def test_a_whole_class_gets_its_sheets(
         FeedbackWishes(press.feedback, "en"),
     )
     sheets = sorted(path.name for path in (tmp_path / "OUT" / "sheets").iterdir())
-    assert (count, sheets) == (4, sorted(path.name for path in (exam / "papers").iterdir()))
+    assert (written.sheets, sheets) == (
+        4,
+        sorted(path.name for path in (exam / "papers").iterdir()),
+    )
     assert "no answer" in text_of((tmp_path / "OUT" / "sheets" / sheets[0]).read_bytes())
 
 
