@@ -17,6 +17,7 @@ from kinegrade.grading.grade import Export, MarkingWishes
 from kinegrade.grading.grade import grade as mark_class
 from kinegrade.grading.judging.follow import Follows
 from kinegrade.grading.marks import ClassGrades
+from kinegrade.grading.policy.lapsed import describe_lapsed
 from kinegrade.grading.typed.decimal_style import Mark as DecimalMark
 from kinegrade.language.message import Fault, Message, Part
 from kinegrade.lms.grades import moodle
@@ -30,7 +31,6 @@ from kinegrade.public.folders import expect_own_place
 from kinegrade.public.marking_notes import (
     describe_grades,
     describe_key,
-    describe_lapsed,
     describe_points,
     list_written,
 )

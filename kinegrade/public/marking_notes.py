@@ -4,22 +4,20 @@ subtracted, and the grades.
 
 from __future__ import annotations
 
-import tomllib
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator
 from fractions import Fraction
 from os import PathLike
 from pathlib import Path
-from typing import Any
 
 from kinegrade.errors import Problem
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.grading.marks import ClassGrades
 from kinegrade.grading.policy.reading import read_policy, stated_policy
-from kinegrade.language.message import Fault, Message, list_first, list_plainly
+from kinegrade.language.message import Fault, Message, list_first
 from kinegrade.lms.grades import moodle
 from kinegrade.marks_folder.folder import MarksFolder
 from kinegrade.marks_folder.hand_marks import list_hand_marks
-from kinegrade.marks_folder.layout import KEPT, MANUAL, POLICY, SUBTRACTED
+from kinegrade.marks_folder.layout import KEPT, MANUAL, SUBTRACTED
 from kinegrade.marks_folder.open_questions import describe_open
 from kinegrade.numbers.amounts import write_amount
 
@@ -34,49 +32,6 @@ def describe_key(exam: ExamFolder) -> Iterator[Fault]:
     if exam.has_changed_key:
         what, do = Message("terminal.key-changed"), Message("terminal.verify-key")
         yield Fault(str(exam.key), what, do=do)
-
-
-def describe_lapsed(
-    folders: Iterable[Path], policy: str | PathLike[str] | None
-) -> Iterator[Message]:
-    """Which of these earlier markings were by rules that do not hold under this policy, or without
-    any.
-    """
-    stated = {} if policy is None else _read_rules(Path(policy))
-    for file in dict.fromkeys(folder / POLICY for folder in folders):
-        before = _read_rules(file)
-        if before and policy is None:
-            yield Message("terminal.policy-lapsed", file=str(file), keys=list_plainly(before))
-        elif lost := [key for key in _list_rules(before) if key not in set(_list_rules(stated))]:
-            keys = list_first(lost, _MOST_NAMED)
-            yield Message("terminal.rules-lapsed", file=str(file), policy=str(policy), keys=keys)
-
-
-def _read_rules(file: Path) -> dict[str, Any]:
-    """The tables of a policy; none where there is no file that anybody could mark by."""
-    try:
-        return tomllib.loads(file.read_text(encoding="utf-8"))
-    except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError, RecursionError):
-        return {}
-
-
-def _list_rules(table: Mapping[str, Any]) -> Iterator[str]:
-    """What a policy rules on, by dotted keys; each accepted answer is a rule of its own."""
-    for key, value in table.items():
-        match value:
-            case dict():
-                yield from (f"{key}.{below}" for below in _list_rules(value))
-            case list():
-                yield from (f"{key} ({_show(each)})" for each in value)
-            case _:
-                yield key
-
-
-def _show(rule: Any) -> str:
-    """A rule of a list, such as an accepted answer."""
-    if not isinstance(rule, dict):
-        return str(rule)
-    return ", ".join(f"{key} = {value}" for key, value in rule.items())
 
 
 def describe_points(grades: ClassGrades, marks: MarksFolder) -> Iterator[Problem]:

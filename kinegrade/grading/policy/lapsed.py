@@ -1,0 +1,57 @@
+"""What a policy rules on, told by its keys: rules of an earlier marking that hold no more."""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Iterable, Iterator, Mapping
+from os import PathLike
+from pathlib import Path
+from typing import Any
+
+from kinegrade.language.message import Message, list_first, list_plainly
+from kinegrade.marks_folder.layout import POLICY
+
+_MOST_NAMED = 5
+
+
+def describe_lapsed(
+    folders: Iterable[Path], policy: str | PathLike[str] | None
+) -> Iterator[Message]:
+    """Which of these earlier markings were by rules that do not hold under this policy, or without
+    any.
+    """
+    stated = {} if policy is None else _read_rules(Path(policy))
+    for file in dict.fromkeys(folder / POLICY for folder in folders):
+        before = _read_rules(file)
+        if before and policy is None:
+            yield Message("terminal.policy-lapsed", file=str(file), keys=list_plainly(before))
+        elif lost := [key for key in _list_rules(before) if key not in set(_list_rules(stated))]:
+            keys = list_first(lost, _MOST_NAMED)
+            yield Message("terminal.rules-lapsed", file=str(file), policy=str(policy), keys=keys)
+
+
+def _read_rules(file: Path) -> dict[str, Any]:
+    """The tables of a policy; none where there is no file that anybody could mark by."""
+    try:
+        return tomllib.loads(file.read_text(encoding="utf-8"))
+    except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError, RecursionError):
+        return {}
+
+
+def _list_rules(table: Mapping[str, Any]) -> Iterator[str]:
+    """What a policy rules on, by dotted keys; each accepted answer is a rule of its own."""
+    for key, value in table.items():
+        match value:
+            case dict():
+                yield from (f"{key}.{below}" for below in _list_rules(value))
+            case list():
+                yield from (f"{key} ({_show(each)})" for each in value)
+            case _:
+                yield key
+
+
+def _show(rule: Any) -> str:
+    """A rule of a list, such as an accepted answer."""
+    if not isinstance(rule, dict):
+        return str(rule)
+    return ", ".join(f"{key} = {value}" for key, value in rule.items())
