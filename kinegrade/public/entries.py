@@ -19,7 +19,7 @@ from kinegrade.grading.sheets.part import read_part
 from kinegrade.language.message import Fault, Message
 from kinegrade.lms.responses import long
 from kinegrade.lms.responses.answer_table import DETECTED
-from kinegrade.lms.responses.class_files import read_class
+from kinegrade.lms.responses.class_files import read_class, refuse_one_file_twice
 from kinegrade.lms.responses.sheet import part_times, read_answer_file
 from kinegrade.public.opened import expect_opened
 from kinegrade.reports.double_entry import DoubleEntry, compare_parts
@@ -38,7 +38,7 @@ def compare_entries(
     With the exam, files may come from other systems, name asks as people do, and identify students
     by the codes of their papers. Raises KinegradeError.
 
-    >>> compare_entries("answers.csv", "answers.csv", kinegrade.open_exam("EXAM"))
+    >>> compare_entries("answers.csv", "answers.csv")
     Traceback (most recent call last):
     kinegrade.errors.TableError: answers.csv: is given twice - ...
     >>> from pathlib import Path
@@ -48,6 +48,7 @@ def compare_entries(
     """
     expect_opened(exam=exam)
     paths = Path(first), Path(second)
+    refuse_one_file_twice(paths)
     if exam is not None:
         files: Sequence[AnswerFile] = read_class(paths, exam, DETECTED).files
         sitting: Sitting = exam

@@ -68,6 +68,17 @@ def test_without_the_exam_sheets_are_compared_by_their_headers(tmp_path: Path) -
     assert summary.startswith("1 cell differs; 1 student in one of the files only")
 
 
+def test_a_file_is_not_compared_with_itself(tmp_path: Path) -> None:
+    file = tmp_path / "a.csv"
+    file.write_text(HEAD + "007,1,2,3\n", encoding="utf-8")
+    refused = kinegrade("compare-entries", file, tmp_path / "." / "a.csv")
+    assert refused.exit_code == 2
+    assert refused.stderr == (
+        f"error: {file}: is given twice - expected each file of the class once - leave one out, "
+        "or name the file that was meant\n"
+    )
+
+
 def test_a_student_who_stands_twice_in_a_file_is_compared_with_himself(tmp_path: Path) -> None:
     _, rows, _ = compare(tmp_path, f"{HEAD}007,4,5,6\n007,4,9,6\n", f"{HEAD}007,4,9,6\n")
     assert rows == [["007", "q1.omega_AB", "5", "|", "9", "2", "|", "3", "9", "2"]]

@@ -25,7 +25,7 @@ class ClassFiles:
 
 def read_class(paths: Sequence[Path], exam: ExamFolder, wishes: ReadingWishes) -> ClassFiles:
     """Reads the files of one class. Raises TableError, ExamError."""
-    _refuse_one_file_twice(paths)
+    refuse_one_file_twice(paths)
     read = [
         read_responses(path, exam, wishes, name)
         for path, name in zip(paths, _told_apart(paths), strict=True)
@@ -34,7 +34,8 @@ def read_class(paths: Sequence[Path], exam: ExamFolder, wishes: ReadingWishes) -
     return ClassFiles(tuple(each.answers for each in read), assumed)
 
 
-def _refuse_one_file_twice(paths: Sequence[Path]) -> None:
+def refuse_one_file_twice(paths: Sequence[Path]) -> None:
+    """Raises TableError where two paths lead to one file."""
     seen: set[Path] = set()
     for path in paths:
         if path.resolve() in seen:
