@@ -210,6 +210,7 @@ def test_a_direction_cosine_is_checked_by_its_angle() -> None:
     ]
 
 
+@pytest.mark.sampled(3, first=1)
 @pytest.mark.parametrize("name", find_template_names())
 def test_every_solution_has_a_check(name: str) -> None:
     solutions = drawn(name)
@@ -219,6 +220,7 @@ def test_every_solution_has_a_check(name: str) -> None:
     assert find_checks(asked.blocks)
 
 
+@pytest.mark.sampled(3, first=1)
 @pytest.mark.parametrize("name", find_template_names())
 def test_all_that_a_check_says_of_both_sides_agrees(name: str) -> None:
     for place in range(len(drawn(name))):
@@ -228,6 +230,7 @@ def test_all_that_a_check_says_of_both_sides_agrees(name: str) -> None:
                 assert one.value == pytest.approx(said[0].value, abs=said[0].room + one.room + 1e-9)
 
 
+@pytest.mark.sampled(3, first=1)
 @pytest.mark.parametrize("name", find_template_names())
 def test_a_check_ends_with_the_same_value_on_both_sides(name: str) -> None:
     for check in read_checks(name):
@@ -274,6 +277,7 @@ def test_a_point_in_a_wrong_place_shows() -> None:
 RATE = re.compile(r"(\d+(?:\.\d+)?)\\,\\unit\{(?:m|rad)/s(?:\^2)?\}")
 
 
+@pytest.mark.sampled(3, first=1)
 @pytest.mark.parametrize("name", find_template_names())
 def test_a_check_goes_by_rates_that_stand_on_the_page(name: str) -> None:
     for place in range(len(drawn(name))):
