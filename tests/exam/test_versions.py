@@ -26,7 +26,7 @@ template = "slider-crank"
 asks = { v_B = 3, omega_AB = 2 }
 
 [[questions]]
-family = "planetary-gear"
+family = "trammel"
 points = 10
 
 [[questions]]
@@ -43,7 +43,7 @@ def write_exam(folder: Path, options: str, students: list[str] = CLASS, *argumen
     )
     result = generate(folder, f"EXAM{len(list(folder.iterdir()))}", *arguments)
     assert result.exit_code == 0, result.stderr
-    assert re.search(r"q2: drawn from the bank: \S*(gear|train)", result.stderr)
+    assert re.search(r"q2: drawn from the bank: \S*(trammel|rod-ground)", result.stderr)
     return max(folder.glob("EXAM*"), key=lambda path: int(path.name[4:]))
 
 

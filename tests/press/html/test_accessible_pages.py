@@ -23,13 +23,14 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A marked exam with its pages in each language."""
     folder = tmp_path_factory.mktemp("pages")
     (folder / "roster.csv").write_text("student,name\n1001,Ada\n1002,Emilie\n", encoding="utf-8")
-    paper = ("generate", "demo", folder / "roster.csv", "-o", folder / "EXAM")
-    assert kinegrade(*paper, "--reproducible", "pages").exit_code == 0
-    header, row = (folder / "EXAM" / "answers.csv").read_text(encoding="utf-8").splitlines()[:2]
+    exam = folder / "PAPERS-en"
+    for language in LANGUAGES:
+        _set_exam(folder, language)
+    header, row = (exam / "answers.csv").read_text(encoding="utf-8").splitlines()[:2]
     blanks = row.split(",")
     answers = [header, ",".join([*blanks[:2], *("1.5" for _ in blanks[2:])])]
     (folder / "typed.csv").write_text("\n".join(answers) + "\n", encoding="utf-8")
-    marked = kinegrade("grade", folder / "EXAM", folder / "typed.csv", "-o", folder / "MARKS")
+    marked = kinegrade("grade", exam, folder / "typed.csv", "-o", folder / "MARKS")
     assert marked.exit_code in (0, 1), marked.stderr
     for language in LANGUAGES:
         for done in _write_pages(folder, language):
@@ -37,16 +38,21 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder
 
 
+def _set_exam(folder: Path, language: str) -> None:
+    """The demonstration's papers, of the same numbers in each language."""
+    named = ("demo", folder / "roster.csv", "-o", folder / f"PAPERS-{language}")
+    wishes = ("--also", "html", "--lang", language, "--reproducible", "pages")
+    assert kinegrade("generate", *named, *wishes).exit_code == 0
+
+
 def _write_pages(folder: Path, language: str) -> Iterator[int]:
-    exam, marks = folder / "EXAM", folder / "MARKS"
+    exam, marks = folder / "PAPERS-en", folder / "MARKS"
     report, sheets = folder / f"report-{language}.html", folder / f"feedback-{language}"
     cycle = folder / f"cycle-{language}.html"
     spoken = ("--lang", language)
     yield kinegrade("report", exam, marks, "-o", report, *spoken).exit_code
     yield kinegrade("feedback", exam, marks, "-o", sheets, "--format", "html", *spoken).exit_code
     yield kinegrade("cycle", "slider-crank", "-o", cycle, *spoken).exit_code
-    paper = ("generate", "demo", folder / "roster.csv", "-o", folder / f"PAPERS-{language}")
-    yield kinegrade(*paper, "--also", "html", *spoken).exit_code
 
 
 def find_page(folder: Path, name: str, language: str) -> Path:
