@@ -11,7 +11,7 @@ from typing import Any
 
 import pytest
 from flint import arb, fmpq
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from kinegrade.errors import ExpressionError
@@ -250,7 +250,6 @@ PIECES = st.sampled_from(
 )
 
 
-@settings(max_examples=300)
 @given(st.one_of(st.text(max_size=60), st.lists(PIECES, max_size=25).map("".join)))
 def test_any_text_gives_a_value_or_one_line_that_says_why_not(text: str) -> None:
     field = Field()

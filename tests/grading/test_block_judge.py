@@ -14,7 +14,7 @@ from tempfile import TemporaryDirectory
 from typing import Any
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from kinegrade.exam.folder.columns.part import PartKeys
@@ -161,7 +161,6 @@ def one_and_a_half(student: str, question: str, own: Own, later: str) -> tuple[F
     return (2 * sum(own.values(), Fraction(0)),) if later != "v_A" else ()
 
 
-@settings(max_examples=60, deadline=None)
 @given(st.integers(0, 10**9), st.sampled_from(POLICIES), st.booleans())
 def test_blocks_say_what_deciding_one_by_one_says(seed: int, policy: str, follow: bool) -> None:
     with TemporaryDirectory() as name:

@@ -321,9 +321,7 @@ def total(student: str, points: Fraction, out_of: int) -> StudentTotal:
 AMOUNTS = st.fractions(0, 1, max_denominator=60)
 
 
-@settings(
-    max_examples=100, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
-)
+@settings(suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(
     st.lists(st.tuples(AMOUNTS, st.integers(1, 40)), min_size=3, max_size=3),
     st.sampled_from(["", "[questions.q1]\nvoid = 'drop'", "[questions.q2.asks.phi]\npoints = 7"]),

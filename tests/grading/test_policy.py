@@ -551,9 +551,7 @@ REST = st.sampled_from(
         "credit.mistakes = { transport-for-absolute = 0.5, sense-reversed = 1 }",
     ]
 )
-QUICK = settings(
-    max_examples=60, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
-)
+QUICK = settings(suppress_health_check=[HealthCheck.function_scoped_fixture])
 
 
 def totals(marks: Marks) -> list[Fraction]:

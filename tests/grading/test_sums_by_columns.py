@@ -84,7 +84,6 @@ def both_ways(content: bytes, block: int) -> tuple[object, object]:
             return by_columns, outcome(Path(name))
 
 
-@settings(max_examples=300, deadline=None)
 @given(LINES, st.sampled_from((1, 40, 200, 10**6)))
 @example([("007", "q1", "-", "3", "3")] * 2, 60)
 def test_sums_are_those_of_records(lines: list[Line], block: int) -> None:
@@ -92,7 +91,6 @@ def test_sums_are_those_of_records(lines: list[Line], block: int) -> None:
     assert by_columns == by_records
 
 
-@settings(max_examples=500, deadline=None)
 @given(
     LINES,
     st.sampled_from((1, 40, 200, 10**6)),

@@ -8,7 +8,7 @@ from pathlib import Path
 from random import Random
 from tempfile import TemporaryDirectory
 
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from kinegrade.exam.folder.columns.writing import write_columns
@@ -61,7 +61,6 @@ def write_lines(marks: list[Mark]) -> bytes:
     return encode(text.getvalue())
 
 
-@settings(max_examples=40, deadline=None)
 @given(
     st.integers(0, 10**9),
     st.sampled_from(OTHER_POLICIES),
