@@ -28,6 +28,7 @@ from kinegrade.files.csv_reading import (
 from kinegrade.files.csv_writing import write_csv_text
 from kinegrade.files.decoding import CSV_FILE, Decoded, decode, name_encoding
 from kinegrade.files.header_line import HeaderSign
+from kinegrade.files.opening.regular import explain_unopened, open_regular
 from kinegrade.language import ENGLISH
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.message import Fault, Message, Text
@@ -130,11 +131,10 @@ def read_table(
     first filled line, or the first one that `is_header` takes for it, below titles.
     """
     try:
-        content = path.read_bytes()
+        with open_regular(path) as file:
+            content = file.read()
     except OSError as fault:
-        reason = Message("files.cannot-be-read", reason=str(fault.strerror))
-        do = Message("files.check-the-name")
-        raise TableError(Fault(str(path), reason, CSV_FILE, do)) from fault
+        raise TableError(explain_unopened(path, fault, CSV_FILE)) from fault
     return parse_table(content, path.name, encoding, is_header)
 
 

@@ -14,6 +14,7 @@ from zipfile import BadZipFile, ZipFile
 from zlib import error as DeflateError
 
 from kinegrade.errors import TableError
+from kinegrade.files.opening.regular import explain_unopened, open_regular
 from kinegrade.language.message import Fault, Message
 
 _LARGEST = (
@@ -39,7 +40,7 @@ SEND_ALONE = Message("files.send-sheet-alone")
 def is_workbook(path: Path) -> bool:
     """Whether a file begins like a workbook, new or old, whatever its name."""
     try:
-        with path.open("rb") as stream:
+        with open_regular(path) as stream:
             return stream.read(4) in (_ZIP, _COMPOUND)
     except OSError:
         return False
@@ -50,16 +51,14 @@ def inspect_workbook(path: Path) -> bool:
     unpacks to too much.
     """
     try:
-        with path.open("rb") as stream:
+        with open_regular(path) as stream:
             beginning = stream.read(4)
         if beginning == _COMPOUND:
             raise TableError(Fault(path.name, Message("files.old-workbook"), XLSX, SAVE_AS_XLSX))
         with ZipFile(path) as archive:
             return _inspect_parts(path, archive)
     except OSError as fault:
-        reason = Message("files.cannot-be-read", reason=str(fault.strerror))
-        expected, do = Message("files.a-workbook"), Message("files.check-the-name")
-        raise TableError(Fault(str(path), reason, expected, do)) from fault
+        raise TableError(explain_unopened(path, fault, Message("files.a-workbook"))) from fault
     except (BadZipFile, DeflateError, LZMAError) as fault:
         raise TableError(
             Fault(path.name, Message("files.no-workbook"), XLSX, SAVE_AS_XLSX)

@@ -28,7 +28,11 @@ def grade(folder: Path, name: str, *options: str | Path) -> list[str]:
     files = folder / "EXAM", folder / "answers.csv", "-o", folder / name
     done = kinegrade("grade", *files, *options)
     assert done.exit_code in (0, 1), done.stderr
-    return [line for line in done.stderr.splitlines() if "no longer hold" in line]
+    return [
+        line
+        for line in done.stderr.splitlines()
+        if "no longer hold" in line or "rules nothing" in line
+    ]
 
 
 def lapsed(folder: Path) -> list[str]:
@@ -79,3 +83,14 @@ def test_each_accepted_answer_is_a_rule(folder: Path) -> None:
 def test_a_damaged_copy_holds_no_rules(folder: Path) -> None:
     (folder / "MARKS" / "policy.toml").write_text("= 3", encoding="utf-8")
     assert grade(folder, "MARKS", "--force") == []
+
+
+@pytest.mark.parametrize(
+    ("text", "rules"),
+    [("", False), ('# void = "drop"\n[questions.q1]\n', False), ("\ufeff" + POLICY, True)],
+)
+def test_a_policy_that_rules_nothing_is_said_so(folder: Path, text: str, rules: bool) -> None:
+    policy = folder / "other.toml"
+    policy.write_text(text, encoding="utf-8")
+    nothing = f"{policy} rules nothing: answers are marked as without a policy; if it should, save"
+    assert grade(folder, "NEW", "--policy", policy) == ([] if rules else [f"{nothing} it again"])

@@ -16,6 +16,7 @@ from kinegrade.files.fields.place import Place, Where
 from kinegrade.files.fields.table import Table
 from kinegrade.files.fields.toml_text import read_toml
 from kinegrade.files.fields.values import found
+from kinegrade.files.opening.regular import explain_unopened, open_regular
 from kinegrade.language.message import Fault, Message, Text
 
 _Lines = Callable[[str], Mapping[Place, int]]
@@ -60,16 +61,14 @@ def read_text(path: Path, kind: FileKind) -> str:
     read, is too large or is not UTF-8.
     """
     try:
-        with path.open("rb") as file:
+        with open_regular(path) as file:
             # As much room as the file takes, where it is a file that says so
             size = fstat(file.fileno()).st_size or kind.most_bytes
             data = file.read(min(size, kind.most_bytes) + 1)
         if len(data) <= kind.most_bytes:
             return data.decode("utf-8-sig")
     except OSError as error:
-        reason = Message("files.cannot-be-read", reason=str(error.strerror))
-        do = Message("files.check-the-name")
-        raise kind.error(Fault(str(path), reason, kind.noun, do)) from error
+        raise kind.error(explain_unopened(path, error, kind.noun)) from error
     except UnicodeDecodeError as error:
         reason = Message("fields.not-utf-8", byte=error.start)
         expected = Message("fields.file-in-utf-8", file=kind.noun)

@@ -1,4 +1,4 @@
-"""What a policy rules on, told by its keys: rules of an earlier marking that hold no more."""
+"""What a policy rules on, told by its keys: nothing, or rules that hold no more."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from os import PathLike
 from pathlib import Path
 from typing import Any
 
+from kinegrade.files.opening.regular import open_regular
 from kinegrade.language.message import Message, list_first, list_plainly
 from kinegrade.marks_folder.layout import POLICY
 
@@ -17,10 +18,12 @@ _MOST_NAMED = 5
 def describe_lapsed(
     folders: Iterable[Path], policy: str | PathLike[str] | None
 ) -> Iterator[Message]:
-    """Which of these earlier markings were by rules that do not hold under this policy, or without
-    any.
+    """That this policy rules nothing, and which of these earlier markings were by rules that do not
+    hold under it, or without any.
     """
     stated = {} if policy is None else _read_rules(Path(policy))
+    if policy is not None and not any(_list_rules(stated)):
+        yield Message("terminal.policy-rules-nothing", file=str(policy))
     for file in dict.fromkeys(folder / POLICY for folder in folders):
         before = _read_rules(file)
         if before and policy is None:
@@ -33,7 +36,8 @@ def describe_lapsed(
 def _read_rules(file: Path) -> dict[str, Any]:
     """The tables of a policy; none where there is no file that anybody could mark by."""
     try:
-        return tomllib.loads(file.read_text(encoding="utf-8"))
+        with open_regular(file) as content:
+            return tomllib.loads(content.read().decode("utf-8-sig"))
     except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError, RecursionError):
         return {}
 
