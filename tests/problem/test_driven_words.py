@@ -12,10 +12,11 @@ from kinegrade.errors import TemplateError
 from kinegrade.language import Language
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.statement import write_statement
-from kinegrade.problem.statement_faults import check_statements
+from kinegrade.problem.statement_faults import check_statements, find_statement_faults
 from kinegrade.problem.template.library.library import load_template
 from kinegrade.problem.template.template import Template
 from tests.problem.crank import crank
+from tests.said import all_said
 
 SAID = (
     ("with {{ omega }};", "{{ OA.turning }};"),
@@ -148,6 +149,73 @@ def test_the_size_of_a_given_is_its_value_without_the_sign() -> None:
     template = crank(("turns with {{ omega }};", "goes at {{ omega.size }};"))
     assert r"goes at $\omega = 2\,\unit{rad/s}$;" in printed(template, omega="-2")
     check_statements(template)
+
+
+SIGNED = "draw = [2, 1000000, 20000000]", "draw = [-2, 0, 2]"
+BY_SIGN = (
+    "[points]",
+    """[[text.sense]]
+if = "omega > 0"
+en = "counter-clockwise"
+zh = "逆时针"
+[[text.sense]]
+en = "clockwise"
+zh = "顺时针"
+[points]""",
+)
+
+
+def lost(*statement: str) -> list[str]:
+    """The faults of a crank whose English statement says this of its rotation of both senses."""
+    zh = "以 {{ omega }} 转动{{ sense }}，" if "sense" in statement[0] else "以 {{ omega }} 转动，"
+    changes = ("turns with {{ omega }};", statement[0]), ("以 {{ omega }} 转动，", zh)
+    by_sign = (BY_SIGN,) if "sense" in statement[0] else ()
+    return all_said(find_statement_faults(crank(SIGNED, *by_sign, *changes)))
+
+
+def test_a_sense_that_no_word_says_by_value_is_refused() -> None:
+    assert lost("turns counter-clockwise with {{ omega.size }};") == [
+        "crank.toml: statement.en: {{ omega.size }} is printed without its sign, and the words are "
+        "the same for omega = -2 and omega = 2: say the sense by value, with {{ omega }}, the "
+        ".turning or .moving of what it drives, or a [text] whose wordings are chosen by the sign"
+    ]
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "turns with {{ omega }};",
+        "{{ OA.turning }}, at {{ omega.size }};",
+        "turns {{ sense }} with {{ omega.size }};",
+        "turns with {{ omega.size }}. Its sense is {{ sense }};",
+    ],
+)
+def test_a_sense_that_is_said_by_value_is_told(said: str) -> None:
+    assert lost(said) == []
+
+
+def test_two_senses_that_are_said_only_of_each_other_are_refused() -> None:
+    faults = all_said(
+        find_statement_faults(
+            crank(
+                SIGNED,
+                DRIVEN,
+                GIVEN,
+                CHANGE,
+                (
+                    "[points]",
+                    '[[text.change]]\nif = "omega*alpha > 0"\nen = "faster"\nzh = "快"\n'
+                    '[[text.change]]\nen = "slower"\nzh = "慢"\n[points]',
+                ),
+                ("with {{ omega }};", "with {{ omega.size }}, {{ alpha.size }} {{ change }};"),
+                ("以 {{ omega }} 转动，", "以 {{ omega }} 转动{{ change }}{{ alpha }}，"),
+            )
+        )
+    )
+    assert [fault[:42] for fault in faults] == [
+        "crank.toml: statement.en: {{ alpha.size }}",
+        "crank.toml: statement.en: {{ omega.size }}",
+    ]
 
 
 def test_the_size_of_an_angle_beyond_half_a_turn_is_what_is_left_of_a_turn() -> None:
