@@ -76,7 +76,7 @@ def _find_slots(template: Template) -> Iterator[_Bar]:
     for joint in template.scheme.joints:
         match joint.on:
             case Call(function="line", arguments=(Name(start), Name(end))) if joint.point:
-                if joint.of != GROUND:
+                if joint.of != GROUND and end in template.scheme.points:
                     others = [name for name in points[joint.of] if name != joint.point]
                     yield _Bar(joint.point, joint.of, (start, end), others, between=True)
             case _:

@@ -52,6 +52,11 @@ def test_a_block_that_stays_inside_or_reaches_the_end_is_not_noted(length: str) 
     assert note(rocker(length), "-30", "30", "60", "210") == []
 
 
+def test_a_slot_by_the_angle_of_a_given_has_no_ends() -> None:
+    text = write_starter_text().replace("line(C, B) of CB", "line(C, phi) of CB")
+    assert note(read_template("rocker", text), "90") == []
+
+
 def test_check_remarks_it() -> None:
     remarks = all_said(check(rocker("b"), sample=12).remarks)
     assert any("A lies beyond the ends of CB" in remark for remark in remarks)
