@@ -4,6 +4,7 @@ stay.
 
 from __future__ import annotations
 
+import json
 import shutil
 from pathlib import Path
 
@@ -202,3 +203,86 @@ def test_a_first_proof_is_a_paper_of_the_bank(small_class: Path, tmp_path: Path)
     assert proof.read_bytes() == first
     refused = kinegrade("sample", bank, "-o", tmp_path / "de.pdf", "--lang", "de")
     assert (refused.exit_code, (tmp_path / "de.pdf").exists()) == (2, False)
+
+
+def add_late(folder: Path, bank: Path) -> Result:
+    (folder / "late.csv").write_text("student,name\n0199,Neu\n", encoding="utf-8")
+    files = bank, folder / "roster.csv", "-o", folder / "EXAM", "--add", folder / "late.csv"
+    return kinegrade("generate", *files, "--allow-odd-ids", "--jobs", "1")
+
+
+@pytest.mark.parametrize("given", ["as it was", "as it was corrected"])
+def test_late_students_get_the_corrected_template_whichever_is_given(
+    small_class: Path, tmp_path: Path, given: str
+) -> None:
+    folder = Path(shutil.copytree(small_class, tmp_path / "class"))
+    template = folder / "crank.toml"
+    before = template.read_text(encoding="utf-8")
+    template.write_text(crank_text(VANISHING, TYPO), encoding="utf-8")
+    corrected = kinegrade("reprint", folder / "EXAM", "--template", template, "--jobs", "1")
+    assert corrected.exit_code == 0, corrected.stderr
+    template.write_text(before.replace("turns with", "spins with"), encoding="utf-8")
+    refused = add_late(folder, folder / "bank.toml")
+    assert f"{folder}/EXAM/templates/crank.toml: differs from what was given" in refused.stderr
+    if given == "as it was":
+        template.write_text(before, encoding="utf-8")
+    else:
+        template.write_text(crank_text(VANISHING, TYPO), encoding="utf-8")
+    added = add_late(folder, folder / "bank.toml")
+    assert added.stderr == f"{folder / 'EXAM'}: 1 paper added, 4 stay as they are\n"
+    assert "The corrected crank" in read(folder / "EXAM" / "papers" / "0199.pdf")
+
+
+@pytest.mark.parametrize("named", ["slider-crank", "slider-crank.toml"])
+def test_a_corrected_copy_of_a_shipped_template_may_stand_beside_the_bank(
+    small_class: Path, tmp_path: Path, named: str
+) -> None:
+    folder = Path(shutil.copytree(small_class, tmp_path / "class"))
+    exam, bank, own = folder / "EXAM", folder / "bank.toml", folder / "slider-crank.toml"
+    shipped = (exam / "templates" / "slider-crank.toml").read_text(encoding="utf-8")
+    own.write_text(shipped.replace("The crank $OA$", "The crank arm $OA$"), encoding="utf-8")
+    assert kinegrade("reprint", exam, "--template", own, "--jobs", "1").exit_code == 0
+    if named == "slider-crank":
+        own.unlink()
+    text = bank.read_text(encoding="utf-8")
+    bank.write_text(text.replace('"slider-crank"', f'"{named}"'), encoding="utf-8")
+    added = add_late(folder, bank)
+    assert added.stderr == f"{exam}: 1 paper added, 4 stay as they are\n"
+    assert "The crank arm" in read(exam / "papers" / "0199.pdf")
+
+
+STEPS = """title = "Quiz"
+course = "M"
+[[questions]]
+name = "car"
+statement = "A car starts from rest with {{ a }}. How far does it go in {{ t }}?"
+parameters.a = { unit = "m/s^2", draw = "1.0 .. 3.0 step 0.1" }
+parameters.t = { unit = "s", draw = [4, 5, 6] }
+steps.s = "a*t**2"
+asks.s = { unit = "m", means = "distance", points = 3 }
+"""
+HALVED = ('"a*t**2"', '"a*t**2/2"')
+
+
+@pytest.mark.parametrize("given", [STEPS, STEPS.replace(*HALVED)])
+def test_late_students_get_the_corrected_steps_of_a_question_whichever_bank_is_given(
+    tmp_path: Path, given: str
+) -> None:
+    bank, exam = tmp_path / "bank.toml", tmp_path / "EXAM"
+    bank.write_text(STEPS, encoding="utf-8")
+    (tmp_path / "roster.csv").write_text("student,name\n0101,Ada\n0102,Bo\n", encoding="utf-8")
+    assert kinegrade("generate", bank, tmp_path / "roster.csv", "-o", exam).exit_code == 0
+    kept = exam / "templates" / "car.toml"
+    kept.write_text(kept.read_text(encoding="utf-8").replace(*HALVED), encoding="utf-8")
+    reprint = ("reprint", exam, "--template", kept, "--accept-changes", "--jobs", "1")
+    assert kinegrade(*reprint).exit_code == 1
+    bank.write_text(given, encoding="utf-8")
+    added = add_late(tmp_path, bank)
+    assert added.stderr == f"{exam}: 1 paper added, 2 stay as they are\n"
+    head = json.loads((exam / "exam.json").read_text(encoding="utf-8"))
+    assert (head["corrections"], len(head["students"])) == (1, 3)
+    late = key_lines(exam)[-1]["questions"][0]
+    a, t = (float(late["drawn"][name]) for name in "at")
+    assert late["asks"]["s"]["value"] == pytest.approx(a * t**2 / 2)
+    bank.write_text(given.replace("points = 3", "points = 4"), encoding="utf-8")
+    assert "bank.toml: differs from what was given" in add_late(tmp_path, bank).stderr

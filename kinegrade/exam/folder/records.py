@@ -79,7 +79,8 @@ class ExamHead(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True, di
     velocities of worked solutions, if one was asked for, and they have graphs over the `cycle`. Of
     the questions of `choices` papers hold only some, `spares` have no student, the key had so many
     `corrections`, and where people were `forgotten`, names stand for them and marks have the exam
-    as `known_as`. Papers of an `unprinted` exam are printed when asked for.
+    as `known_as`. Papers of an `unprinted` exam are printed when asked for. `given` are digests by
+    path of sources before correction.
     """
 
     format: int
@@ -116,6 +117,7 @@ class ExamHead(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True, di
     forgotten: bool = False
     known_as: str = ""
     unprinted: bool = False
+    given: dict[str, str] = {}
 
     def __repr__(self) -> str:
         return f"ExamHead({self.title!r}, {self.date!r})"
@@ -215,9 +217,7 @@ class StatedAnswer(msgspec.Struct, frozen=True, gc=False, omit_defaults=True, kw
 
 
 class KeyQuestion(msgspec.Struct, frozen=True, gc=False, omit_defaults=True, kw_only=True):
-    """A question of one paper: `drawn` are the values of its parameters as they were drawn, texts
-    in the parameters' units; none in a folder of format 1.
-    """
+    """A question of one paper: `drawn` are its parameters' values in their units, as drawn."""
 
     question: str
     template: str = ""

@@ -141,7 +141,10 @@ def _grown_head(
 ) -> ExamHead:
     newcomers = map(candidate, students.late.students, keys)
     head = make_exam_head(dealt, (*exam.head.students, *newcomers), run)
-    return structs.replace(head, spares=exam.head.spares)
+    before = exam.head
+    return structs.replace(
+        head, spares=before.spares, corrections=before.corrections, given=before.given
+    )
 
 
 def write_rest(exam: ExamFolder, folder: Path, head: ExamHead) -> tuple[Message, ...]:

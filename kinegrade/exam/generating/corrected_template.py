@@ -30,7 +30,7 @@ from kinegrade.exam.generating.exam_files import (
     write_sources,
 )
 from kinegrade.exam.generating.grown_folder import copy_exam, digest_grown, open_grown_folder
-from kinegrade.exam.generating.hand_work import find_edited, refuse_edited
+from kinegrade.exam.generating.hand_work import digest_editable, find_edited, refuse_edited
 from kinegrade.exam.generating.key_books import list_spare_ids
 from kinegrade.exam.generating.options import Progress
 from kinegrade.exam.printing.class_printing import count_processes
@@ -95,7 +95,8 @@ def correct_template(exam: ExamFolder, file: Path, wishes: CorrectionWishes) -> 
         pages = _print_alike(exam, run, wishes.progress, print_again, folder)
         head = _restate(exam.head, kept.bank)
         corrections = head.corrections + bool(changes)
-        head = structs.replace(head, pages=pages, corrections=corrections)
+        given = _note_given(exam, folder)
+        head = structs.replace(head, pages=pages, corrections=corrections, given=given)
         _write_head(exam, head, template, folder)
     return Corrected(len(exam.students), changes)
 
@@ -130,6 +131,17 @@ def _write_template(template: Template, exam: ExamFolder, folder: Path) -> None:
         stale.unlink(missing_ok=True)
     sources = source_files(corrected) | translation_files(corrected, known_languages())
     write_sources(sources, folder)
+
+
+def _note_given(exam: ExamFolder, folder: Path) -> dict[str, str]:
+    """A digest of each source that is corrected, as it was given: the folder's copy may have been
+    corrected in place, and may have been corrected before.
+    """
+    fresh, stated = digest_editable(folder), exam.head.editable or {}
+    before = {**digest_editable(exam.path), **stated}
+    sources = (name for name in before if name.startswith(f"{TEMPLATES}/"))
+    corrected = {name: before[name] for name in sources if before[name] != fresh.get(name)}
+    return {**corrected, **exam.head.given}
 
 
 def _settle_changes(exam: ExamFolder, kept: KeptExam, *, accept: bool) -> tuple[Problem, ...]:

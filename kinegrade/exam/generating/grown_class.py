@@ -4,13 +4,17 @@ students are added, and who is late.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+import tomllib
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from pathlib import Path
+from hashlib import sha256
+from pathlib import PurePosixPath
+from typing import Any
 
 from kinegrade.errors import BankError, TableError
 from kinegrade.exam.bank.blueprint import Bank, Blueprint
-from kinegrade.exam.folder.contents import HEAD, TEMPLATES
+from kinegrade.exam.bank.keys import OWN_ASK
+from kinegrade.exam.folder.contents import BANK, HEAD, TEMPLATES
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.generating.exam_files import source_files, translation_files
 from kinegrade.exam.generating.paper_changes import compare_students
@@ -20,6 +24,7 @@ from kinegrade.exam.roster.student_ids import find_zero_twins
 from kinegrade.exam.roster.students import Student, choose_places, make_file_names, make_student_key
 from kinegrade.exam.setting.kept_exam import student_of
 from kinegrade.language.message import Fault, Message, Quoted
+from kinegrade.problem.template.sections.stepwise_keys import STEPWISE
 
 _EXPECTED = Message("exam.same-sources")
 _RESTORING = Message("exam.give-same-sources")
@@ -41,7 +46,7 @@ def require_same_sources(exam: ExamFolder, blueprint: Blueprint) -> None:
     faults = [
         Fault(str(exam.path / name), Message("exam.differs-from-given"), _EXPECTED, _RESTORING)
         for name, content in sources.items()
-        if not _holds(exam.path / name, content)
+        if not _is_accepted(exam, name, content)
     ]
     faults += [
         Fault(
@@ -63,9 +68,47 @@ def _same_choice(exam: ExamFolder, blueprint: Blueprint) -> Bank:
     return blueprint.choose(chosen)
 
 
-def _holds(file: Path, content: bytes) -> bool:
-    """Whether that is what stands in a file."""
-    return file.is_file() and file.read_bytes() == content
+def _is_accepted(exam: ExamFolder, name: str, content: bytes) -> bool:
+    """Whether that is a source of the exam: as its folder holds it, or as it was before a template
+    was corrected.
+    """
+    given, file = exam.head.given, exam.path / name
+    if not file.is_file():
+        return False
+    if content == file.read_bytes() or sha256(content).hexdigest() == given.get(name):
+        return True
+    corrected = {PurePosixPath(each).stem for each in given}
+    if name == BANK and corrected:
+        return _read_frame(content, corrected) == _read_frame(file.read_bytes(), corrected)
+    return name in given and _read(content) == _read(file.read_bytes())
+
+
+def _read_frame(text: bytes, corrected: Collection[str]) -> Mapping[str, object]:
+    """What a bank states but for its `corrected` templates, which are held against copies of their
+    own: these may stand in the bank as questions with steps, or in files elsewhere.
+    """
+    content = _read(text)
+    questions = [_reduce(entry, corrected) for entry in content["questions"]]
+    return {**content, "questions": questions}
+
+
+def _reduce(entry: Mapping[str, Any], corrected: Collection[str]) -> Mapping[str, object]:
+    """An entry of a bank without what is read from a template that was corrected."""
+    template = PurePosixPath(str(entry.get("template", ""))).stem
+    if template in corrected:
+        return {**entry, "template": template}
+    if entry.get("name") not in corrected:
+        return entry
+    asks = {
+        ask: {key: value for key, value in stated.items() if key in OWN_ASK}
+        for ask, stated in entry["asks"].items()
+    }
+    return {**{key: entry[key] for key in entry if key not in STEPWISE}, "asks": asks}
+
+
+def _read(text: bytes) -> dict[str, Any]:
+    """A source that was read without a fault."""
+    return tomllib.loads(text.decode())
 
 
 def late_class(exam: ExamFolder, roster: Roster, late: Roster) -> LateClass:

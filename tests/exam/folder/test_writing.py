@@ -93,6 +93,7 @@ HEAD = ExamHead(
     forgotten=True,
     known_as="5c0ffee5",
     unprinted=True,
+    given={"templates/slider-crank.toml": "0e"},
     editable={"bank.toml": "0f"},
 )
 ANSWER = StatedAnswer(
