@@ -16,6 +16,7 @@ from kinegrade.figure.marks.straight.motions import (
 )
 from kinegrade.figure.mechanism.paper import scale_to_paper
 from kinegrade.figure.mechanism.rails import Rail
+from kinegrade.figure.mechanism.straight_parts import Rod
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.placing.place import Wish
 from kinegrade.figure.plane import nearest_of, polar, shorter_way
@@ -30,7 +31,7 @@ from kinegrade.problem.template.library.library import load_template
 from tests.figure.mechanisms import slider_crank
 from tests.problem.draws import draw_filter, drawn
 
-RIGHT = Vector(1.0, 0.0)
+RIGHT, UP = Vector(1.0, 0.0), Vector(0.0, 1.0)
 BOTH = Moving("v", "B"), Moving("a", "B", None, "acceleration")
 ASIDE = Vector(0.0, 2.6), Vector(0.0, -2.6)
 
@@ -349,3 +350,26 @@ def test_the_symbol_of_an_arrow_stays_where_the_letter_of_its_point_has_another_
     letter = Wish("B", np.array([usual, at + Vector(0.0, 3.0)]), names=at)
     layout = add_motions(Layout.of(()), Site(mechanism), BOTH[:1], named=[letter])
     assert layout.labels[-1].centre == usual
+
+
+def test_a_symbol_is_not_cut_off_from_its_arrow_by_a_rod() -> None:
+    mechanism = slider(1, 0)
+    at = mechanism.points["B"]
+    rod = Rod(mechanism.bodies[-1].name, at, at + RIGHT * 30.0, ())
+    above = (at + UP * 6.6 - RIGHT * 20.0, at + UP * 6.6 + RIGHT * 30.0)
+    layout = Layout.of([Strokes(((rod.start, rod.end),), BOLD), Strokes((above,), FIRM)])
+    layout = add_motions(layout, Site(mechanism, (), (rod,)), BOTH[:1])
+    [mark], [label] = layout.marks, layout.labels
+    start, _ = mark.path()[0]
+    assert abs(start.y - at.y) > 1.0
+    assert (start.y - at.y) * (label.centre.y - at.y) > 0
+
+
+def test_a_symbol_does_not_stand_past_a_tip_at_the_end_of_a_line() -> None:
+    mechanism = slider(1, 0)
+    at = mechanism.points["B"]
+    leg = Strokes(((at + RIGHT * 3.0, at + RIGHT * 13.0),), THIN)
+    close = [(at + RIGHT * 3.0 + UP * side, at + RIGHT * 9.0 + UP * side) for side in (1.6, -1.6)]
+    layout = add_motions(Layout.of([leg, Strokes(tuple(close), FIRM)]), Site(mechanism), BOTH[:1])
+    [label] = layout.labels
+    assert abs(label.centre.y - at.y) > 1.0

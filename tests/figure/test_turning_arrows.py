@@ -14,7 +14,7 @@ from kinegrade.figure.marks.turning_arrow import Company, TurningArrow
 from kinegrade.figure.mechanism.paper import scale_to_paper
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.placing.obstacles import Obstacles
-from kinegrade.figure.placing.ownership import Surroundings
+from kinegrade.figure.placing.ownership import Claims
 from kinegrade.figure.plane import angle_of, length, polar, shorter_way
 from kinegrade.figure.scene import BOLD, FIRM, THIN, Bow, Disc, Scene, Strokes
 from kinegrade.figure.sketch import sketch
@@ -101,7 +101,7 @@ def test_a_symbol_without_room_at_its_arrow_does_not_go_to_another_one() -> None
 
 def test_no_circle_parts_a_symbol_from_its_arrow_first() -> None:
     arrow = TurningArrow(arc(0, 70), Turning(r"\omega", "AB"), 0.0)
-    around = Surroundings(circles=(Disc(ORIGIN, 6.0, FIRM),))
+    around = Claims(circles=(Disc(ORIGIN, 6.0, FIRM),))
     wish = replace(arrow, around=around).wish_apart([])
     assert wish.demerits is not None
     assert {demerit > 0 for demerit in wish.demerits.tolist()} == {False, True}

@@ -68,8 +68,9 @@ def test_no_symbol_stands_beside_the_other_arrow_or_just_past_its_tip() -> None:
             assert max(gaps) - min(gaps) > 0.4
 
 
-def test_an_arrow_along_a_rod_starts_at_its_free_end() -> None:
-    mechanism = slider(1, 0)
+@pytest.mark.parametrize("count", [1, 2])
+def test_arrows_along_a_rod_start_at_its_free_end_on_its_line(count: int) -> None:
+    mechanism = slider(1, 1)
     at = mechanism.points["B"]
     body = mechanism.bodies[-1].name
     end = at + RIGHT * 14.0
@@ -79,10 +80,12 @@ def test_an_arrow_along_a_rod_starts_at_its_free_end() -> None:
     )
     beside = [(at + UP * level, end + UP * level) for level in (3.6, -3.6, 5.8, -5.8)]
     layout = Layout.of([Strokes(((at, end), *beside), BOLD)])
-    layout = add_motions(layout, Site(mechanism, (), (rod,)), BOTH[:1])
-    _, (start, tip) = [part.lines[0] for part in layout.lines if isinstance(part, Strokes)]
-    assert (start.y, tip.y) == (at.y, at.y)
-    assert 0.4 < start.x - end.x < 1.5
+    layout = add_motions(layout, Site(mechanism, (), (rod,)), BOTH[:count])
+    _, *shafts = [part.lines[0] for part in layout.lines if isinstance(part, Strokes)]
+    assert len(shafts) == count
+    for start, tip in shafts:
+        assert (start.y, tip.y) == (at.y, at.y)
+        assert 0.2 < start.x - end.x < 0.5
 
 
 def test_at_the_centre_of_a_wheel_no_arrow_stands_beside_it() -> None:

@@ -1,5 +1,5 @@
 """What is wrong with the straight arrows of motions in a printed picture: a symbol nearer to
-another arrow than to its own, or just past the tip of another one.
+another arrow than to its own, or just past the tip of another one, or beyond a bar.
 
 A velocity has one head and the letter v, an acceleration two and the letter a.
 """
@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from shapely import LineString, Point
+from shapely import LineString, Point, shortest_line
 from shapely.geometry.base import BaseGeometry
 
 from tests.figures.dimension_flaws import find_ends
@@ -21,6 +21,7 @@ AT_NECK = 0.5  # millimetres between the end of a shaft and the back of its head
 SECOND = (1.4, 1.8)  # millimetres from one tip to the next behind it
 BEYOND = 3.0  # millimetres past a tip that are the arrow's own
 NEAR = 6.0  # millimetres within which another arrow may be mistaken
+BAR = 0.6, 5.0  # millimetres: least width and length of a bar
 HEADS = {"v": 1, "a": 2}
 
 
@@ -36,7 +37,27 @@ class Arrow:
 def find_arrow_flaws(picture: Picture) -> list[str]:
     """What is wrong with the symbols of straight motions, in words."""
     arrows = list(find_arrows(picture))
-    return [flaw for letters in picture.letters for flaw in _find_flaws_of(letters, arrows)]
+    bars = [ink for ink in picture.ink if _is_bar(ink)]
+    flaws = [flaw for letters in picture.letters for flaw in _find_flaws_of(letters, arrows)]
+    return [*flaws, *(flaw for each in picture.letters for flaw in _find_cut(each, arrows, bars))]
+
+
+def _find_cut(
+    letters: Letters, arrows: Sequence[Arrow], bars: Sequence[BaseGeometry]
+) -> Iterator[str]:
+    """Whether a bar passes between a symbol and its arrow."""
+    own = [arrow.line for arrow in arrows if arrow.heads == HEADS.get(letters.text[:1])]
+    if own:
+        nearest = min(own, key=letters.box.distance)
+        way = shortest_line(letters.box.centroid, nearest)
+        if any(bar.intersects(way) and not bar.intersects(nearest) for bar in bars):
+            yield f"{letters.text} is cut off from its own arrow by a bar"
+
+
+def _is_bar(ink: BaseGeometry) -> bool:
+    """Whether some ink is a strip as wide as a bar."""
+    size = ink.length / 2
+    return bool(size > BAR[1] and BAR[0] * size < ink.area < size)
 
 
 def _find_flaws_of(letters: Letters, arrows: Sequence[Arrow]) -> Iterator[str]:
@@ -47,7 +68,7 @@ def _find_flaws_of(letters: Letters, arrows: Sequence[Arrow]) -> Iterator[str]:
     gap = min(letters.box.distance(arrow.line) for arrow in own)
     for other in arrows:
         away = letters.box.distance(other.line)
-        if other.heads != heads and away < min(gap, NEAR):
+        if other.heads != heads and away < min(gap - 0.05, NEAR):
             yield f"{letters.text} is nearer to another arrow than to its own"
         elif other.heads != heads and letters.box.intersects(other.past) and gap > 1.0:
             yield f"{letters.text} stands past the tip of another arrow"

@@ -53,9 +53,17 @@ def test_symbols_on_the_outer_sides_of_two_arrows_have_no_flaw() -> None:
     assert find(write("v", 8, 9), write("a", 16, 15.5)) == []
 
 
+def test_a_symbol_beyond_a_bar_from_its_arrow_is_found() -> None:
+    bar = '<path d="M2 8L20 8" stroke-width="0.8"/>'
+    cut_off = ["v is cut off from its own arrow by a bar"]
+    assert find_arrow_flaws(draw(VELOCITY, bar, write("v", 8, 6.5))) == cut_off
+    assert find_arrow_flaws(draw(VELOCITY, bar, write("v", 8, 13))) == []
+
+
 @pytest.mark.parametrize(
     "template",
     [
+        "bar-through-swivelling-sleeve",
         "rod-ground-and-incline",
         "rocker-driven-by-two-slider-link",
         "slider-driven-gear-on-rack",

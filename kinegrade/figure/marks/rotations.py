@@ -17,7 +17,7 @@ from kinegrade.figure.mechanism.straight_parts import Bar, Rod
 from kinegrade.figure.placing.aligned import list_thin_lines
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.placing.obstacles import Segment
-from kinegrade.figure.placing.ownership import Surroundings, list_places
+from kinegrade.figure.placing.ownership import Claims, list_places
 from kinegrade.figure.placing.place import Wish
 from kinegrade.figure.plane import NEAR, angle_of, length, mean, shorter_way
 from kinegrade.figure.scene import PITCH, THIN, Bow, Disc, Label, Primitive
@@ -38,7 +38,7 @@ _ASTRAY, _AT_RIM = 1.2, 5.0
 _LOOSE = 40.0  # demerit of an arrow off the bar that turns, where another could show that
 # Millimetres about a pivot within which the arrow of a rotation keeps clear of letters
 _LETTERED = 12.0
-_ABOUT = 20.0  # millimetres about a pivot in which thin lines may seem to own a symbol
+_ABOUT = 20.0  # millimetres about a pivot in which pins and lines may seem to own a symbol
 
 
 def add_rotations(
@@ -58,38 +58,39 @@ def add_rotations(
     """
     arrows: list[TurningArrow] = []
     spared: list[Sequence[Primitive]] = []
-    likely: list[Label] = []  # the symbols, as long as no later arrow is known
+    likely: list[Label] = []  # the symbols of earlier arrows, as long as no later one is known
     for hint in hints:
+        for arrow, letters in zip(arrows[-1:], spared[-1:], strict=True):
+            wish = arrow.wish_apart(arrows[:-1])
+            likely += layout.captioned(wish, (*letters, *likely)).labels[-1:]
         centre = find_turning_centre(mechanism, hint, drawing)
         lines = find_extension_angles(mechanism.points, lengths, centre, layout.obstacles)
         company = _find_company(layout, hint, drawing, centre, lines)
-        company = replace(company, pins=tuple(mechanism.points.values()))
+        pins = [at for at in mechanism.points.values() if length(at - centre) < _ABOUT]
+        company = replace(company, pins=tuple(at for at in pins if length(at - centre) > NEAR))
         close = [wish for wish in named if length(Vector(*wish.spots[0]) - centre) < _LETTERED]
         spared.append(layout.written(close).labels)
-        around = _find_surroundings(layout, mechanism, drawing, centre)
+        around = _find_claims(layout, pins, drawing, centre)
         ways = _list_arrows(mechanism, hint, centre, drawing)
         rated = [way.among(company, around) for way in ways]
         layout, _ = layout.chosen(rated, (*spared[-1], *likely))
-        new = [mark for mark in layout.marks[-1:] if isinstance(mark, TurningArrow)]
-        for arrow in new:
-            likely += layout.captioned(arrow.wish_apart(arrows), (*spared[-1], *likely)).labels[-1:]
-        arrows += new
+        arrows += [mark for mark in layout.marks[-1:] if isinstance(mark, TurningArrow)]
     for arrow, letters in zip(arrows, spared, strict=True):
         others = [other for other in arrows if other != arrow]
         layout = layout.captioned(arrow.wish_apart(others), letters)
     return layout
 
 
-def _find_surroundings(
-    layout: Layout, mechanism: Mechanism, drawing: Drawing, centre: Vector
-) -> Surroundings:
+def _find_claims(
+    layout: Layout, pins: Sequence[Vector], drawing: Drawing, centre: Vector
+) -> Claims:
     """What else might own the symbol of an arrow about a pivot, or cut it off."""
     discs = (part for part in drawing.primitives if isinstance(part, Disc))
     bars = (part for part in drawing.parts if isinstance(part, Bar | Rod))
-    return Surroundings(
+    return Claims(
         tuple(disc for disc in discs if disc.radius > RADII[0] and disc.pen != PITCH),
         tuple((part.start, part.end) for part in bars),
-        tuple(mechanism.points.values()),
+        tuple(pins),
         tuple(list_places(list_thin_lines(layout.lines), centre, _ABOUT)),
     )
 

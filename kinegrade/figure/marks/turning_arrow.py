@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from math import copysign
+from math import copysign, hypot
 
 from kinegrade.figure.joints.symbol import Rim
 from kinegrade.figure.placing.mark import chords
 from kinegrade.figure.placing.obstacles import Segment
-from kinegrade.figure.placing.ownership import UNCLAIMED, Surroundings
+from kinegrade.figure.placing.ownership import UNCLAIMED, Claims
 from kinegrade.figure.placing.place import Wish, list_spots_along_arc, rate_nearness, widen
 from kinegrade.figure.plane import length, polar, shorter_way
 from kinegrade.figure.scene import Bow, Primitive
@@ -43,6 +43,7 @@ _ASTRAY, _BEYOND_BAR = 6.0, 12.0
 # Demerit of an arrow nearer than its pivot to another pin, by so many millimetres
 _AT_OTHER, _NEARER = 3.0, 1.0
 _MISTAKEN = 6.0  # demerit of a symbol about as near to another arrow
+_CLOSE = 15  # places of a symbol by which an arrow is chosen
 _STATIONS = 0.25  # radians between the points of an arrow to which its symbol should be near
 
 
@@ -51,7 +52,7 @@ class Company:
     """What else there is about the pivot of an arrow: the arcs of angles, other arrows, the radii
     of other bodies' rims (millimetres), the directions (radians) in which dimension lines may
     need a line from the pivot, the other bodies' discs that do not lie over the pivot, and bars
-    that do not lead to it; the pins of the figure.
+    that do not lead to it; the other pins there.
     """
 
     arcs: tuple[Bow, ...]
@@ -71,7 +72,7 @@ class Company:
             + sum(_ON_LINE for angle in self.lines if _measure_gap(bow, angle) < _BESIDE_LINE)
             + sum(_ASTRAY for disc in self.discs if _stands_in(bow, disc))
             + sum(_BEYOND_BAR for bar in self.bars if _stands_beyond(bow, bar))
-            + _AT_OTHER * any(_stands_at(bow, pin) for pin in self.pins)
+            + (_AT_OTHER if self.pins and _stands_at_any(bow, self.pins) else 0.0)
         )
 
 
@@ -86,9 +87,9 @@ class TurningArrow:
     demerit: float
     shared: bool = False
     tied: bool = False
-    around: Surroundings = UNCLAIMED
+    around: Claims = UNCLAIMED
 
-    def among(self, company: Company, around: Surroundings = UNCLAIMED) -> TurningArrow:
+    def among(self, company: Company, around: Claims = UNCLAIMED) -> TurningArrow:
         """The arrow with its demerit in some company, and what is around it."""
         return replace(self, demerit=self.demerit + company.rate(self.bow), around=around)
 
@@ -103,9 +104,10 @@ class TurningArrow:
         return chords(whole, _COARSE)
 
     def wish(self) -> Wish:
-        """Along the arc, rather where nothing else could own the symbol."""
+        """Close along the arc, rather where nothing else could own the symbol."""
         wish = list_spots_along_arc(self.hint.symbol, self.bow)
-        return wish.worse_by(self.around.rate(wish.symbol, wish.spots, self._list_stations()))
+        close = replace(wish, spots=wish.spots[:_CLOSE])
+        return close.worse_by(self.around.rate(wish.symbol, close.spots, self._list_stations()))
 
     def wish_apart(self, others: Sequence[TurningArrow]) -> Wish:
         """The wish, where the symbol is nearest to its own arrow, and around that, first."""
@@ -148,10 +150,12 @@ def _stands_in(bow: Bow, disc: Rim) -> bool:
     return length(middle - disc.at) < disc.radius
 
 
-def _stands_at(bow: Bow, pin: Vector) -> bool:
-    """Whether an arrow is nearer to a pin than to its own pivot, as if it turned about that."""
-    middle = bow.centre + polar(bow.start + bow.sweep / 2, bow.radius)
-    return length(middle - pin) < bow.radius - _NEARER
+def _stands_at_any(bow: Bow, pins: Sequence[Vector]) -> bool:
+    """Whether an arrow is nearer to one of some pins than to its own pivot, as if it turned about
+    that.
+    """
+    x, y = bow.centre + polar(bow.start + bow.sweep / 2, bow.radius)
+    return any(hypot(pin.x - x, pin.y - y) < bow.radius - _NEARER for pin in pins)
 
 
 def _rate_twin(bow: Bow, twin: Bow) -> float:

@@ -35,7 +35,7 @@ _CLOSE_BY, _CLOSER = 4.6, 6.0
 _SHORT = 4.0  # millimetres of a gap that still leave room for a line of the least offset
 # Demerits of a symbol alone beside a part of a bar that runs on, and beside a thin line
 _PART, _LEG = 20.0, 3.0
-_ON_ARROW = 20.0  # demerit of a dimension across the arrow of a motion
+_ON_ARROW = 45.0  # demerit of a dimension across the arrow of a motion
 _ON_GROUND = 8.0  # demerit of a dimension across the hatching of the ground
 _HEAD_ON_LINE = 16.0  # demerit of a dimension whose arrowhead lies on something
 # Demerits of a dimension line close beside another, of one that is cut by an extension line, and of

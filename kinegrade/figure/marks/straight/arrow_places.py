@@ -36,7 +36,7 @@ _OFFSETS = {3.6: 1.0, -3.6: 1.3, 2.8: 1.6, -2.8: 1.9, 5.0: 2.0, -5.0: 2.3, 6.6: 
 _SHIFTS = {0.0: 0.0, 2.5: 6.0, 4.0: 9.0}
 _FREER = 3.0  # millimetres by which the mechanism lies on one side for the other to be the free one
 # Millimetres from the free end of a rod to the tail of an arrow there, and the demerit
-_AT_END, _FROM_END = 0.9, 6.0
+_AT_END, _FROM_END = 0.3, 6.0
 _PAIR = 2  # motions of one point that may be twins
 _SAME = 1e-3  # between two unit vectors of one direction
 
@@ -63,6 +63,8 @@ class Site:
             return
         begun = [_list_begun(ways) for ways in usual]
         for first, second in zip(*begun, strict=True):
+            if first.point != self.mechanism.points[hints[0].point]:
+                continue
             own = self.find_rails(first.point)
             if not any(rail.bare for rail in own):
                 side = -own[0].side if own else self._find_open_side(first.point, first.toward)

@@ -5,21 +5,31 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from functools import partial
 
+import numpy as np
+
 from kinegrade.figure.marks.straight.arrow_places import AT_PIN, Site, Ways
 from kinegrade.figure.marks.straight.arrow_surroundings import Surroundings
 from kinegrade.figure.marks.straight.moving_arrow import ARROW, LEAVING, MovingArrow
 from kinegrade.figure.marks.straight.twin_arrows import LONG, list_lanes
 from kinegrade.figure.marks.turning_arrow import TurningArrow
+from kinegrade.figure.mechanism.straight_parts import Bar, Rod
+from kinegrade.figure.placing.aligned import list_thin_lines
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.placing.letters import trace_leader
 from kinegrade.figure.placing.mark import Mark
 from kinegrade.figure.placing.obstacles import Obstacles, Segment
+from kinegrade.figure.placing.ownership import Claims, list_places
 from kinegrade.figure.placing.place import Wish
-from kinegrade.figure.plane import unit
+from kinegrade.figure.plane import length, unit
 from kinegrade.figure.scene import THIN, Label, Primitive, Strokes
+from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import Moving
 
 _LANE = 0.85  # millimetres on either side of an arrow to come that are kept clear of letters
+# Millimetres about a tail in which thin lines may seem to own a symbol, and beside the arrow itself
+_ABOUT, _BESIDE = 18.0, 1.2
+_PAST = 2.4  # millimetres past its tip in which a line on its own line is no other one
+_AT_LINE = 4.0  # demerit of a symbol past a tip on a line that runs on from the arrow
 _MISPLACED = 60.0  # cost from which on an arrow has no good place
 _UNLIKE = 3.0  # demerit of two arrows in one sense that are not twins
 
@@ -84,10 +94,19 @@ def _caption(
     """The layout with the symbols of arrows at one point, each nearest to its own, which keep clear
     of a letter that is still to be written.
     """
+    lines = list_thin_lines(layout.lines)
+    bars = tuple((part.start, part.end) for part in site.parts if isinstance(part, Bar | Rod))
     for arrow in arrows:
         others = [other for other in arrows if other != arrow]
-        own = site.find_rails(arrow.point)
-        layout = layout.captioned(arrow.wish_apart(others, own), kept)
+        wish = arrow.wish_apart(others, site.find_rails(arrow.point))
+        own, places = arrow.list_stations(), list(list_places(lines, arrow.start, _ABOUT))
+        near = [*own, own[-1] + arrow.toward * _PAST]
+        foreign = [at for at in places if min(length(at - each) for each in near) > _BESIDE]
+        claims = Claims(bars=bars, lines=tuple(foreign))
+        worse = claims.rate(wish.symbol, wish.spots, own)
+        if any(arrow.is_past(at) for at in places):
+            worse += _AT_LINE * np.array([arrow.is_past(Vector(*at)) for at in wish.spots])
+        layout = layout.captioned(wish.worse_by(worse), kept)
     return layout
 
 

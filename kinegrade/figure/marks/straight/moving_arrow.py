@@ -179,6 +179,14 @@ class MovingArrow:
         steps = range(round(self.short), int(self.size) + 1)
         return [self.start + self.toward * step for step in steps]
 
+    def is_past(self, at: Vector) -> bool:
+        """Whether a place lies past its tip on its line."""
+        step = at - self.start
+        return bool(
+            step.dot(self.toward) > self.size + _ONE_LINE
+            and abs(step.cross(self.toward)) < _ONE_LINE
+        )
+
     def list_claimed(self) -> list[Vector]:
         """Those and places just past its tip, where the symbol of another one would seem its."""
         beyond = range(int(self.size) + 1, int(self.size + _CLAIMED) + 1)
