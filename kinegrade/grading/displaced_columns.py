@@ -17,6 +17,7 @@ import numpy as np
 
 from kinegrade.exam.folder.keys import Ask
 from kinegrade.files.tables import Complaint
+from kinegrade.grading.class_answers import ClassAnswers
 from kinegrade.grading.fast.another_paper import PapersAnswered
 from kinegrade.grading.fast.bounds import Flags, Numbers, Places
 from kinegrade.grading.fast.intervals import Intervals
@@ -56,11 +57,16 @@ class DisplacedColumns:
         for block in blocks:
             judged, width = block.judged, len(self.asks)
             self.numbers.append(judged.cells.values.reshape(-1, width))
-            self.right.append(judged.are("right", "void").reshape(-1, width))
+            self.right.append(judged.are("right", "void", "accepted").reshape(-1, width))
             self.files += [entry.file for _, entry in judged.rows]
             self.lines += [entry.line or 0 for _, entry in judged.rows]
             yield block
             del block, judged  # so that the next takes its place
+
+    def put_together(self) -> ClassAnswers:
+        """All rows, after all blocks have been watched."""
+        numbers, right = np.concatenate(self.numbers), np.concatenate(self.right)
+        return ClassAnswers(numbers, right, self.files, self.lines)
 
     def list_complaints(
         self, papers: PapersAnswered, columns: Sequence[str]

@@ -1,11 +1,12 @@
-"""Marks whose key was corrected later, where no exam is named to compare them with: it most often
-stands in the folder around them.
+"""Exams that stand beside marks, or beside another exam: in the folder around them, where no
+command names them.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from contextlib import suppress
+from pathlib import Path
 
 from kinegrade.errors import KinegradeError
 from kinegrade.exam.folder.contents import HEAD
@@ -24,10 +25,15 @@ def find_later_keys(folders: Iterable[MarksFolder]) -> Iterator[Fault]:
             yield Fault(str(marks.path), what, do=Message("exam.mark-again"))
 
 
-def _list_beside(marks: MarksFolder) -> Iterator[ExamFolder]:
-    """The folders of the exam of these marks; what is damaged there is not theirs to say."""
-    for file in sorted(marks.path.resolve().parent.glob(f"*/{HEAD}")) if marks.exam else ():
+def list_exams_around(folder: Path) -> Iterator[ExamFolder]:
+    """The exams beside a folder; what is damaged there is passed over."""
+    for file in sorted(folder.resolve().parent.glob(f"*/{HEAD}")):
         with suppress(KinegradeError):
-            exam = open_exam(file.parent)
-            if identify_exam(exam.head) == marks.exam:
-                yield exam
+            yield open_exam(file.parent)
+
+
+def _list_beside(marks: MarksFolder) -> Iterator[ExamFolder]:
+    """The folders of the exam of these marks."""
+    for exam in list_exams_around(marks.path) if marks.exam else ():
+        if identify_exam(exam.head) == marks.exam:
+            yield exam

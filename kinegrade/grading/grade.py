@@ -37,6 +37,7 @@ from kinegrade.grading.sheets.class_sheet import class_sheet
 from kinegrade.grading.sheets.pool import read_pool
 from kinegrade.grading.totals import TotalTerms, work_out_totals
 from kinegrade.grading.typed.decimal_style import Mark as DecimalMark
+from kinegrade.grading.typing_slips import find_typing_slips
 from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.marks_folder.folder import MarksFolder, open_marks
@@ -133,8 +134,8 @@ def _mark(
     grades = collect_grades(exam, sheet, write_marks(folder, blocks))
     if not wishes.own_papers:
         others.refuse(papers, ", ".join(each.table.file for each in files))
-        moved = tuple(displaced.list_complaints(papers, sheet.columns))
-        grades = replace(grades, complaints=(*moved, *grades.complaints))
+        slips = find_typing_slips(exam, displaced, papers, sheet.columns)
+        grades = replace(grades, complaints=(*slips, *grades.complaints))
     settled = by_hand.settle(_leave_out_names(grades) if wishes.pseudonymous else grades)
     scale = None if settled.still_open else _make_scale(rules, exam.language)
     grades = replace(settled.grades, complaints=(*untimed, *settled.grades.complaints))

@@ -237,3 +237,20 @@ def test_a_moment_in_another_zone_is_past_when_it_is() -> None:
     now = datetime(2026, 12, 1, 17, 30, tzinfo=UTC)
     assert is_past(read_moment("2026-12-01 18:00 +01:00"), now)
     assert not is_past(read_moment("2026-12-01 18:00 +00:00"), now)
+
+
+def test_answers_to_an_earlier_sheet_are_told(tmp_path: Path) -> None:
+    write(tmp_path)
+    bank = tmp_path / "bank.toml"
+    bank.write_text(f"{BANK}asks = {{ v_x = 1, v_y = 1 }}\n", encoding="utf-8")
+    assert series(tmp_path, 2).exit_code == 0
+    first, second = (tmp_path / "HW" / f"homework-{number}" for number in (1, 2))
+    values = key_lines(first)[0]["questions"][0]["asks"]
+    typed = ",".join(values[ask]["decimal"] for ask in ("v_x", "v_y"))
+    answers = tmp_path / "answers.csv"
+    answers.write_text(f"student,q1.v_x,q1.v_y\ns0,{typed}\n", encoding="utf-8")
+    marked = kinegrade("grade", second, answers, "-o", tmp_path / "MARKS")
+    assert marked.exit_code == 1
+    assert f"are right on the paper of {first} - marked as answers to this one" in marked.stderr
+    own = kinegrade("grade", first, answers, "-o", tmp_path / "FIRST")
+    assert "marked as answers to this one" not in own.stderr

@@ -380,16 +380,9 @@ def test_nothing_a_student_typed_becomes_markdown(tmp_path: Path) -> None:
 
 def test_the_folder_holds_a_sheet_for_everybody_and_a_list(tmp_path: Path) -> None:
     exam, marks = mark_class(tmp_path, {"a/b": RIGHT, "007": ()})
-    assert (
-        write_feedback(
-            open_exam(exam),
-            MarksFolder(marks),
-            tmp_path / "OUT",
-            WORDING,
-            FeedbackWishes("md", "en"),
-        )
-        == 2
-    )
+    folders, wishes = (open_exam(exam), MarksFolder(marks)), FeedbackWishes("md", "en")
+    written = write_feedback(*folders, tmp_path / "OUT", WORDING, wishes)
+    assert (written.sheets, written.notes) == (2, ())
     listed = list(csv.DictReader((tmp_path / "OUT" / "feedback.csv").open(encoding="utf-8-sig")))
     assert [row["file"] for row in listed] == ["sheets/a%2Fb.md", "sheets/007.md"]
     assert all((tmp_path / "OUT" / row["file"]).is_file() for row in listed)

@@ -84,8 +84,11 @@ class _Reader:
         return self.found
 
     def _is_of_another_exam(self, rows: Sequence[Row]) -> bool:
-        """Whether rows say so, as those of our own lists do."""
-        said = (self.columns.cell(row, self.columns.exam) for row in rows)
+        """Whether rows say so that mark something, as those of our own lists do."""
+        columns = self.columns
+        said = (
+            columns.cell(row, columns.exam) for row in rows if columns.cell(row, columns.points)
+        )
         return any(is_of_another_exam(cell, self.markable.identity) for cell in said)
 
     def _find_students(self, rows: Sequence[Row]) -> Mapping[str, str]:

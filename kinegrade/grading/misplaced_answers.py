@@ -1,0 +1,141 @@
+"""Answers that stand under another title than their own: columns exchanged, typed in another unit
+or without their signs, and rows typed in the order of a shuffled paper or a cell too far.
+
+A column of which hardly any answer is right is told with what its answers fit; so is one that fits
+nothing, as its key may be wrong. A row is told if most of its wrong answers are right elsewhere on
+the student's paper, and more of them than chance explains, which is measured on papers of lines
+farther off. No mark is changed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from math import pi
+from typing import NamedTuple
+
+import numpy as np
+
+from kinegrade.files.tables import Complaint
+from kinegrade.grading.class_answers import ClassAnswers
+from kinegrade.grading.fast.bounds import Flags, Numbers, Places
+from kinegrade.grading.fast.intervals import Intervals
+from kinegrade.grading.poisson import find_tail
+from kinegrade.language.message import Message
+
+_LEAST_ANSWERS = 10  # of a column: fewer may all be wrong
+_HARDLY_ANY = 0.05  # of the answers of a column
+_MOST_OF_THEM = 0.6
+_LEAST_WRONG = 3  # answers of a row: fewer may be right elsewhere by chance
+_LEVEL = 0.01  # chance that any row of a class is told without reason
+_FARTHER = (3, 4, 5, 6, 7, 8)  # lines off, on whose papers numbers are right by chance
+_OTHER_UNIT = (10, 100, 1000, 3.6, 60 / (2 * pi), 180 / pi)
+_FACTORS = (-1.0, *_OTHER_UNIT, *(1 / factor for factor in _OTHER_UNIT))
+
+
+class _Guess(NamedTuple):
+    """What the answers of a column may be, and how many of them fit that."""
+
+    fits: int
+    what: Message
+
+
+@dataclass(frozen=True)
+class MisplacedAnswers:
+    """The answers of a class beside its papers, which are in the order of the rows, with the
+    `titles` of its columns.
+    """
+
+    intervals: Sequence[Intervals]
+    titles: Sequence[str]
+    answers: ClassAnswers
+
+    def list_complaints(self) -> Iterator[Complaint]:
+        """A complaint for each column, then for each row."""
+        told = [ask for ask in range(len(self.titles)) if self._is_missed(ask)]
+        for ask in told:
+            yield self._complain_of_column(ask)
+        others = [ask for ask in range(len(self.titles)) if ask not in told]
+        for row, wrong, elsewhere in self._find_rows(others):
+            problem = Message("marking.row-misplaced", count=elsewhere, wrong=wrong)
+            yield self.answers.complain(row, problem, Message("marking.check-row"))
+
+    @cached_property
+    def _given(self) -> Flags:
+        return ~np.isnan(self.answers.numbers)
+
+    def _is_missed(self, ask: int) -> bool:
+        """Whether hardly any of enough answers is right."""
+        given = int(self._given[:, ask].sum())
+        right = int((self.answers.right & self._given)[:, ask].sum())
+        return given >= _LEAST_ANSWERS and right <= _HARDLY_ANY * given
+
+    def _complain_of_column(self, ask: int) -> Complaint:
+        rows = np.flatnonzero(self._given[:, ask])
+        answers = self.answers.numbers[rows, ask]
+        best = max(self._guess(ask, rows, answers), key=lambda guess: guess.fits)
+        right = int(self.answers.right[rows, ask].sum())
+        problem = Message("marking.column-missed", count=len(rows), right=right)
+        if best.fits >= _MOST_OF_THEM * len(rows):
+            kinds = {"count": len(rows), "right": right, "fits": best.fits}
+            problem = Message("marking.column-misplaced", **kinds, what=best.what)
+        first, done = int(rows[0]), Message("marking.check-column-or-key")
+        return Complaint(self.answers.files[first], None, self.titles[ask], "", problem, done)
+
+    def _guess(self, ask: int, rows: Places, answers: Numbers) -> Iterator[_Guess]:
+        """What the answers of a column may be: those to another ask, or in another unit."""
+        for other, title in enumerate(self.titles):
+            if other != ask:
+                fits = self._count_fits(other, rows, answers)
+                yield _Guess(fits, Message("marking.as-answer-to", column=title))
+        for factor in _FACTORS:
+            fits = self._count_fits(ask, rows, answers * factor)
+            if factor == -1:
+                yield _Guess(fits, Message("marking.with-other-sign"))
+            else:
+                yield _Guess(fits, Message("marking.times-factor", factor=f"{factor:.4g}"))
+
+    def _count_fits(self, ask: int, rows: Places, answers: Numbers) -> int:
+        """How many of these answers are right there; about zero any small number is, which tells
+        nothing.
+        """
+        intervals = self.intervals[ask]
+        telling = intervals.low[rows] * intervals.high[rows] > 0
+        return int((telling & intervals.fit_beside(answers, rows)).sum())
+
+    def _find_rows(self, asks: Sequence[int]) -> Iterator[tuple[int, int, int]]:
+        """The rows to be told, how many of their answers are wrong, and how many of these are
+        right elsewhere on the paper.
+        """
+        wrong = (self._given & ~self.answers.right)[:, asks]
+        counts, right = wrong.sum(axis=1), (self._given & self.answers.right)[:, asks].sum(axis=1)
+        rows = np.flatnonzero((counts >= _LEAST_WRONG) & (counts > right))
+        if not len(rows):
+            return
+        found = self._count_elsewhere(rows, rows, asks, wrong[rows])
+        chance = self._measure_chance(rows, asks, wrong[rows])
+        for row, count, elsewhere in zip(rows.tolist(), counts[rows], found, strict=True):
+            enough = elsewhere >= max(_LEAST_WRONG, _MOST_OF_THEM * count)
+            if enough and len(rows) * find_tail(int(elsewhere), chance * count) <= _LEVEL:
+                yield row, int(count), int(elsewhere)
+
+    def _count_elsewhere(
+        self, rows: Places, papers: Places, asks: Sequence[int], wrong: Flags
+    ) -> Places:
+        """How many wrong answers of each row are right in another place of the paper beside it."""
+        counts = np.zeros(len(rows), dtype=np.intp)
+        for place, ask in enumerate(asks):
+            answers = self.answers.numbers[rows, ask]
+            fits = np.zeros(len(rows), dtype=np.bool_)
+            for other in range(len(self.titles)):
+                if other != ask:
+                    fits |= self.intervals[other].fit_beside(answers, papers)
+            counts += fits & wrong[:, place]
+        return counts
+
+    def _measure_chance(self, rows: Places, asks: Sequence[int], wrong: Flags) -> float:
+        """The share of wrong answers that are right elsewhere on papers of lines farther off."""
+        papers = [(rows + far) % len(self.answers.numbers) for far in _FARTHER]
+        found = sum(int(self._count_elsewhere(rows, each, asks, wrong).sum()) for each in papers)
+        return (found + 1) / (len(_FARTHER) * int(wrong.sum()) + 1)

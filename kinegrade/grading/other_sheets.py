@@ -1,0 +1,61 @@
+"""Answers to another sheet of a series, handed in for this one: right on the paper that the student
+has of an exam which stands beside this one. No mark is changed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+
+from kinegrade.exam.folder.exam_folder import ExamFolder
+from kinegrade.files.tables import Complaint
+from kinegrade.grading.class_answers import ClassAnswers
+from kinegrade.grading.exams_beside import list_exams_around
+from kinegrade.grading.fast.another_paper import PapersAnswered
+from kinegrade.grading.fast.bounds import Numbers
+from kinegrade.language.message import Message
+
+_LEAST_WRONG = 2  # one may be right elsewhere by chance
+
+
+class _OtherSheet(NamedTuple):
+    path: Path
+    papers: PapersAnswered
+
+    def has_all(self, student: str, numbers: Numbers) -> bool:
+        """Whether each of these numbers is right somewhere on a student's paper."""
+        students = self.papers.sitting.students
+        if student not in students:
+            return False
+        own = np.array([students.index(student)])
+        fits = [each.at(own).fit(numbers)[:, 0] for each in self.papers.intervals]
+        return bool(np.any(fits, axis=0).all())
+
+
+def find_other_sheets(exam: ExamFolder, answers: ClassAnswers) -> Iterator[Complaint]:
+    """A complaint for each student of whom most numbers are wrong, and all are right on the paper
+    of another exam.
+    """
+    given = ~np.isnan(answers.numbers)
+    wrong = (given & ~answers.right).sum(axis=1)
+    mostly = 2 * wrong > given.sum(axis=1)
+    missed = np.flatnonzero(mostly & (wrong >= _LEAST_WRONG)).tolist()
+    others = list(_list_others(exam)) if missed else []
+    for row in missed:
+        student, numbers = exam.students[row], answers.numbers[row][given[row]]
+        found = (each.path for each in others if each.has_all(student, numbers))
+        if (where := next(found, None)) is not None:
+            problem = Message(
+                "marking.right-on-other-sheet", count=int(wrong[row]), exam=str(where)
+            )
+            yield answers.complain(row, problem, Message("marking.check-which-sheet"))
+
+
+def _list_others(exam: ExamFolder) -> Iterator[_OtherSheet]:
+    """The other exams beside this one."""
+    for other in list_exams_around(exam.path):
+        if other.path.resolve() != exam.path.resolve():
+            yield _OtherSheet(exam.path.with_name(other.path.name), PapersAnswered(other))

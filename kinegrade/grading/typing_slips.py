@@ -1,0 +1,26 @@
+"""Everything that is told of answers which stand in a wrong place of the sheet, once a class is
+marked: columns, rows, and those to another sheet.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from kinegrade.exam.folder.exam_folder import ExamFolder
+from kinegrade.files.tables import Complaint
+from kinegrade.grading.displaced_columns import DisplacedColumns
+from kinegrade.grading.fast.another_paper import PapersAnswered
+from kinegrade.grading.misplaced_answers import MisplacedAnswers
+from kinegrade.grading.other_sheets import find_other_sheets
+
+
+def find_typing_slips(
+    exam: ExamFolder, displaced: DisplacedColumns, papers: PapersAnswered, titles: Sequence[str]
+) -> Iterator[Complaint]:
+    """The complaints, columns first; `displaced` has watched the marking, by these papers of the
+    exam. Raises ExamError where the papers cannot be read.
+    """
+    answers = displaced.put_together()
+    yield from displaced.list_complaints(papers, titles)
+    yield from MisplacedAnswers(papers.intervals, titles, answers).list_complaints()
+    yield from find_other_sheets(exam, answers)
