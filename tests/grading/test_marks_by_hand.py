@@ -70,6 +70,14 @@ def faults(result: Result, folder: Path) -> list[str]:
     ]
 
 
+def test_a_decimal_comma_without_quotes_is_no_comment(folder: Path) -> None:
+    what = 'points are "1" and the comment is "5", which a decimal comma without quotes leaves too'
+    do = 'if one number is meant, write "1,5" in quotes or with a point; if not, add a word to the'
+    cut = give(folder, f"{ADA},q2,1,5\n")
+    assert faults(cut, folder) == [f"by-hand.csv:2: q2: {what} - {do} comment"]
+    assert give(folder, f'{ADA},q2,"1,5",\n{SOFYA},q2,1,task 5\n').exit_code == 0
+
+
 def test_a_question_an_ask_and_a_bonus_are_marked_and_the_machine_is_kept_beside(
     folder: Path,
 ) -> None:
@@ -325,13 +333,13 @@ def test_feedback_report_diff_and_exports_have_them(folder: Path) -> None:
 
 
 def test_a_spreadsheet_shows_them_on_a_sheet_of_their_own(folder: Path) -> None:
-    assert give(folder, f"{ADA},q2,2,007\n{SOFYA},q2,1,=1+1\n").exit_code == 0
+    assert give(folder, f"{ADA},q2,2,0.07\n{SOFYA},q2,1,=1+1\n").exit_code == 0
     book = folder / "all.xlsx"
     done = kinegrade("export", folder / "MARKS", "--to", "xlsx", "-o", book)
     assert done.exit_code == 0, done.stderr
     rows = [[cell.value for cell in row] for row in load_workbook(book)["manual"].iter_rows()]
     assert rows[1:] == [
-        [ADA, "q2", 2, 2.5, None, "007"],
+        [ADA, "q2", 2, 2.5, None, "0.07"],
         [SOFYA, "q2", 1, 2.5, None, "=1+1"],
     ]
 

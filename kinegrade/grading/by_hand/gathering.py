@@ -12,11 +12,11 @@ from pathlib import Path
 from kinegrade.errors import Problem, TableError
 from kinegrade.exam.roster.student_ids import describe_restoration
 from kinegrade.files.tables import read_table
+from kinegrade.grading.by_hand.contradictions import find_contradictions
 from kinegrade.grading.by_hand.markable import Markable
 from kinegrade.grading.by_hand.reading import (
     HandFile,
     HandRow,
-    find_contradictions,
     read_hand_file,
 )
 from kinegrade.language.message import Fault, Message

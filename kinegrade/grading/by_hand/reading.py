@@ -6,7 +6,7 @@ All that is wrong with them is found at once; then none of their marks counts.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from pathlib import Path
@@ -111,7 +111,7 @@ class _Reader:
         if student is None or named is None:
             return
         amount = self._read_points(row, points, student, named)
-        if amount is None:
+        if amount is None or self._is_cut(row, points, comment, named):
             return
         maximum = self.markable.maxima.get(named.column)
         before = _read_amount(self.columns.cell(row, self.columns.machine))
@@ -178,6 +178,19 @@ class _Reader:
             return None
         return points
 
+    def _is_cut(self, row: Row, points: str, comment: str, named: Named) -> bool:
+        """Whether points and comment may be one number that its decimal comma cut in two, which is
+        a fault.
+        """
+        beside = self.columns.comment == self.columns.points + 1
+        cut = self.table.separator == "," and beside and points.isdecimal() and comment.isdecimal()
+        if cut:
+            whole, decimals = Quoted(points), Quoted(comment)
+            what = Message("marking.points-cut", points=whole, comment=decimals)
+            do = Message("marking.write-points", comma=f'"{points},{comment}"')
+            self._fault(row, named.column, what, do=do)
+        return cut
+
     def _explain_unread(self, complaint: Complaint) -> Fault:
         where = self.path if complaint.line is None else f"{self.path}:{complaint.line}"
         return Fault(where, complaint.problem, do=Message("marking.correct-row"))
@@ -203,43 +216,3 @@ def _explain_unknown(cell: str, ids: StudentIds) -> tuple[Message, Text, Text]:
     what = Message("marking.no-student", student=Quoted(shorten(cell)))
     do = Message("marking.one-of", students=list_choices(map(Quoted, likely))) if likely else ""
     return what, "", do
-
-
-def find_contradictions(rows: Iterable[HandRow]) -> Iterator[Fault]:
-    """Two marks of one student for the same thing with different points, and a mark for a question
-    as a whole beside one for a part of it.
-    """
-    seen: dict[tuple[str, str], HandRow] = {}
-    parts: dict[tuple[str, str], HandRow] = {}
-    for row in rows:
-        mark = row.mark
-        before = seen.setdefault((mark.student, mark.column), row)
-        if before.mark.points != mark.points:
-            yield _explain_twice(before, row)
-        if mark.ask:
-            parts.setdefault((mark.student, mark.question), row)
-    for (student, question), part in parts.items():
-        if (student, question) in seen:
-            yield _explain_whole_and_part(seen[student, question], part)
-
-
-def _explain_twice(first: HandRow, second: HandRow) -> Fault:
-    what = Message(
-        "marking.twice-by-hand",
-        student=Quoted(second.mark.student),
-        column=second.mark.column,
-        here=write_amount(second.mark.points),
-        there=write_amount(first.mark.points),
-        place=first.where,
-    )
-    return Fault(second.where, what, do=Message("marking.keep-one"))
-
-
-def _explain_whole_and_part(whole: HandRow, part: HandRow) -> Fault:
-    what = Message(
-        "marking.whole-and-part",
-        student=Quoted(part.mark.student),
-        column=part.mark.column,
-        place=whole.where,
-    )
-    return Fault(part.where, what, do=Message("marking.keep-one"))
