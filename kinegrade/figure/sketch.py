@@ -211,6 +211,7 @@ def _place_frames_and_angles(
         to_come = [*arrows, *(line for lines in legs[number:] for line in lines)]
         drawn = tuple(part for part in layout.lines if isinstance(part, Bow) and part.pen == THIN)
         near = replace(around, arcs=(*drawn, *usual[number:]), lines=list_thin_lines(layout.lines))
+        near = replace(near, pins=tuple(pin for pin in at.values() if pin != at[angle.at]))
         shown = hide_sides(sides[number - 1], at[angle.at], likely, layout.lines)
         for arcs in mark_angles(at, angle, shown, near):
             layout = layout.marked(arcs, to_come, partial(list_led_arcs, arcs, layout.obstacles))

@@ -21,6 +21,7 @@ AT_END = 1.6  # millimetres between a letter and the end of its leader
 OWN = 0.2  # millimetres by which a letter is nearer to its own arc than to that of another angle
 IN_WHEEL = 0.4  # share of an arc in a wheel beside its angle from which on it reads as of that
 ON_SIDE = 1.0  # millimetres between the centre of a wheel and a side of an angle that leads to it
+TAKEN = 0.8  # millimetres by which another point is nearer to a letter than its own arc
 CENTRED = 0.3  # millimetres between a vertex and the centre of its arc
 GREEK = dict(
     zip(
@@ -52,6 +53,7 @@ def find_angle_flaws(
     for each in printed:
         others = [other.arc for other in printed if other is not each]
         found = [*_find_flaws_of(each, others), *_find_wheels_across(each, picture)]
+        found += _find_taken(each, points)
         flaws += [f"{each.letter.text} {flaw}" for flaw in found]
     return flaws
 
@@ -114,6 +116,14 @@ def _find_flaws_of(angle: PrintedAngle, others: list[LineString]) -> Iterator[st
         yield "stands as near to the arc of another angle"
     if not _lies_within(box.centroid, angle):
         yield "stands outside its angle"
+
+
+def _find_taken(angle: PrintedAngle, points: Mapping[str, Point]) -> Iterator[str]:
+    """The flaw of a letter that is nearer to another point than to its arc."""
+    others = [point for point in points.values() if point.distance(angle.vertex) > CENTRED]
+    away = angle.letter.box.distance(angle.arc)
+    if angle.leader is None and any(angle.letter.box.distance(at) < away - TAKEN for at in others):
+        yield "stands nearer to another point than to its arc"
 
 
 def _find_wheels_across(angle: PrintedAngle, picture: Picture) -> Iterator[str]:

@@ -68,6 +68,7 @@ def test_an_arc_through_a_wheel_is_a_flaw_unless_a_side_leads_to_its_centre() ->
     ("template", "seed"),
     [
         ("bar-pushing-rolling-disc", "q2"),
+        ("bent-rod-tangent-disc", "2911a"),
         ("bar-pushing-rolling-disc", "s1"),
         ("oscillating-flat-faced-follower", "t1"),
         ("stone-crusher", "a3"),
@@ -77,6 +78,16 @@ def test_arcs_keep_out_of_wheels_and_letters_from_arcs_to_come(template: str, se
     [instance] = drawn(draw_filter(load_template(template), seed), 1)
     printed = read_printed(instance.solution)
     assert find_angle_flaws(printed.picture, printed.points, printed.hints.angles) == []
+
+
+def test_a_letter_nearer_to_another_point_than_to_its_arc_is_found() -> None:
+    letter = write("φ", 17.0, 10.5)
+    for beside, flaws in (
+        (Point(17.6, 10.6), ["φ stands nearer to another point than to its arc"]),
+        (Point(22.0, 9.6), []),
+    ):
+        points = {**POINTS, "B": beside}
+        assert find_angle_flaws(draw(ARC, letter), points, ANGLES) == flaws
 
 
 def test_symbols_are_written_as_they_are_printed() -> None:

@@ -37,6 +37,7 @@ _LEAVES = 0.6  # millimetres of a leader at its arc
 # Demerits of a letter beyond a bar from its arc, and of one about as near to another arc; radians
 # between the points of an arc to which its letter should be near
 _PARTED, _MISTAKEN, _STATIONS = 20.0, 6.0, 0.25
+_AT_PIN = 5.0  # demerit of a letter nearer to a pin than to its arc
 # Demerit of a leader through a side, and millimetres from the end of a side to one that passes it
 _THROUGH, _PAST_SIDE = 20.0, 2.0
 _AT_OTHER = 3.2  # millimetres from the middle of a letter to the arc of an angle that it would name
@@ -51,13 +52,15 @@ _TWELFTHS = tuple(turn * pi / 6 for turn in range(12))
 @dataclass(frozen=True)
 class Neighbours:
     """What else there is about an angle: circles along which its arc would merge with them, the
-    axes of bars, the arcs of other angles, which its letter must not seem to name, and thin lines.
+    axes of bars, the arcs of other angles, which its letter must not seem to name, thin lines, and
+    pins, to which it must not seem to belong.
     """
 
     circles: tuple[Disc | Bow, ...] = ()
     bars: tuple[Segment, ...] = ()
     arcs: tuple[Bow, ...] = ()
     lines: tuple[Segment, ...] = ()
+    pins: tuple[Vector, ...] = ()
 
 
 ALONE = Neighbours()
@@ -120,6 +123,7 @@ class AngleArc:
         worse = _PARTED * rate_parted(wish.spots, self.bow, near.bars)
         worse += _PARTED * rate_parted_by_rims(wish.spots, self.bow, near.circles)
         worse += _MISTAKEN * rate_nearness(wish.symbol, wish.spots, own, others)
+        worse += _AT_PIN * rate_nearness(wish.symbol, wish.spots, own, near.pins, 0.0)
         if wish.demerits is not None:
             worse += wish.demerits
         return replace(wish, demerits=worse)
