@@ -277,7 +277,13 @@ def test_the_letter_of_an_angle_leaves_its_side_to_the_arrow_along_it() -> None:
 
 def test_the_arc_of_an_angle_leaves_room_for_an_arrow_at_another_point() -> None:
     template = load_template("slotted-bar-between-two-rods")
-    [draw] = drawn(draw_filter(template, "u5"), 1)
+    stated = {
+        "theta": ("25", "35", "40", "55"),
+        "v_A": ("-60", "-50", "-40", "-30", "-20"),
+        "v_B": ("20", "30", "40", "50", "60"),
+        "a_B": ("20", "30", "40"),
+    }
+    [draw] = drawn(draw_filter(template, "u5", stated), 1)
     mechanism = draw.solution.assembly.mechanism.map(float)
     scene = sketch(mechanism, mark_givens(template))
     size = 7.4  # of a shaft

@@ -42,6 +42,12 @@ def print_figure(template: str, seed: str) -> str:
     return _draw(deal(template, seed))
 
 
+def deal_figures(template: str, seed: str, papers: int) -> list[str]:
+    """The SVG of the figure of each of so many papers that are dealt at a seed."""
+    dealt = drawn(draw_filter(load_template(template), seed), papers)
+    return [_draw(instance.solution) for instance in dealt]
+
+
 def deal(template: str, seed: str) -> Solution:
     """The first instance that is dealt at a seed."""
     [instance] = drawn(draw_filter(load_template(template), seed), 1)

@@ -30,6 +30,7 @@ from tests.prove import (
     sound_templates,
     sufficient_descriptions,
     tactile_sheets,
+    unlike_figures,
     whole_papers,
     whole_tests,
 )
@@ -59,6 +60,7 @@ PROOFS = (
     Proof("solution pages", solution_pages.hold, cases=510, batch=51, sample=0),
     Proof("short solutions", solution_pages.hold_short, cases=2, batch=1, sample=0),
     Proof("graded figures", graded_figures.hold, cases=51, batch=51, sample=0),
+    Proof("unlike figures", unlike_figures.hold, cases=EACH, batch=6, sample=0),
     Proof("round trips", round_trips.hold, cases=500, batch=25, sample=2),
     Proof("by hand", by_hand.hold, cases=len(TAUGHT), batch=1, sample=0),
     Proof("whole papers", whole_papers.hold, cases=10, batch=1, sample=0),

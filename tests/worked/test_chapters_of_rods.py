@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from tests.worked.chapters import as_read, find_untold, read_chapter, solve_small
-from tests.worked.draws import kept
+from tests.worked.draws import kept, stated
 from tests.worked.telling import displayed
 
 LADDER = """
@@ -114,9 +114,9 @@ def test_velocities_by_the_instantaneous_centre() -> None:
 
 
 def test_a_pole_has_its_distances_from_a_triangle_and_its_coordinates_where_asked() -> None:
-    coupler, crusher = (
-        displayed(kept(name)) for name in ("pole-four-bar-coupler", "stone-crusher")
-    )
+    lengths = {"b": "0.8", "l_BC": "1.3", "l_CD": "2.1", "d": "1.9"}
+    coupler = displayed(stated("pole-four-bar-coupler", **lengths))
+    crusher = displayed(kept("stone-crusher"))
     starts = (
         r"SB &= \frac{l_{BC}\sin(\psi_{BC} + \psi_{DC})}{\cos\psi_{DC}} = ",
         r"x_{S} &= x_{B} = 0",

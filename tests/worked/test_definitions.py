@@ -4,8 +4,10 @@ stands for one thing.
 
 from __future__ import annotations
 
-from tests.worked.draws import kept
+from tests.worked.draws import kept, stated
 from tests.worked.telling import displayed, proses
+
+COUPLER = {"b": "0.8", "l_BC": "1.3", "l_CD": "2.1", "d": "1.9"}
 
 
 def find_rules(name: str) -> list[str]:
@@ -57,7 +59,7 @@ def test_an_arm_has_the_symbol_of_the_statement_or_is_worked_out_once() -> None:
 
 def test_a_coordinate_that_is_zero_is_not_put_in() -> None:
     # d = 1.9 m and x_B = 0: no "(1.9 m - 0)"
-    told = displayed(kept("pose-four-bar-coupler"))
+    told = displayed(stated("pose-four-bar-coupler", **COUPLER))
     (side,) = (line for line in told if line.startswith("BD &="))
     assert r"\sqrt{(1.9\,\unit{m})^{2} + (0.8\,\unit{m})^{2}}" in side
 
@@ -70,7 +72,7 @@ def test_a_component_follows_from_what_is_known_of_the_vector() -> None:
 
 
 def test_a_given_length_is_not_worked_out_from_coordinates() -> None:
-    told = displayed(kept("pose-four-bar-coupler"))
+    told = displayed(stated("pose-four-bar-coupler", **COUPLER))
     assert [line for line in told if line.startswith("BC &=")] == [r"BC &= l_{BC} = 1.3\,\unit{m}"]
 
 
@@ -84,7 +86,7 @@ def test_a_direction_beside_an_answer_is_named_and_a_formula() -> None:
 
 
 def test_an_angle_that_a_triangle_has_given_is_not_found_again_by_its_tangent() -> None:
-    told = displayed(kept("pose-four-bar-coupler"))
+    told = displayed(stated("pose-four-bar-coupler", **COUPLER))
     assert not any(r"\tan\varphi_{2}" in line for line in told)
     (line,) = (line for line in told if line.startswith(r"\varphi_{2} &="))
     assert r"&= \angle(x,\overrightarrow{BD}) + \angle DBC \approx 50.58^\circ" in line

@@ -11,7 +11,7 @@ from kinegrade.problem.template.library.library import find_template_names, load
 from kinegrade.worked.case import write_row
 from kinegrade.worked.document import Display
 from kinegrade.worked.solution import write_worked_solution
-from tests.worked.draws import kept, told
+from tests.worked.draws import kept, stated, told
 from tests.worked.reader.laws import find_faults
 from tests.worked.telling import displayed, lines, proses
 
@@ -46,7 +46,8 @@ def test_an_answer_in_the_opposite_sense_names_the_convention_of_the_question(
     language: Language, convention: str
 ) -> None:
     """One symbol has one value: v_r was -0.45 m/s by the step, then 0.45 m/s."""
-    blocks = kept("eccentric-cam-offset-follower", language=language)
+    values = {"r": "0.5", "e": "0.2", "h": "0.17", "omega": "1"}
+    blocks = stated("eccentric-cam-offset-follower", language, **values)
     place = next(number for number, block in enumerate(blocks) if convention in proses([block]))
     value = displayed([blocks[place + 1]])[0].replace("{,}", ".")
     assert value.startswith(r"-v_{\mathrm{r}} &= 0.5\,\unit{m/s}")
