@@ -20,6 +20,7 @@ from kinegrade.grading.typed.amount import Amount, convert, make_rational_amount
 from kinegrade.grading.typed.conversion import Conversion, WrongUnit, find_conversion
 from kinegrade.grading.typed.keyboard import BLANKS, fold, show
 from kinegrade.grading.typed.number_text import MOST_DIGITS, DecimalStyle, TypedNumber, Unreadable
+from kinegrade.grading.typed.raised_dot import find_raised_dot
 from kinegrade.grading.typed.sense import find_direction, names_sense, split_sense
 from kinegrade.grading.typed.value import Formula, scan_value
 from kinegrade.language.message import Message, Quoted, Text
@@ -94,6 +95,9 @@ def read(
     text = typed.strip(BLANKS)
     if len(text) > _LONGEST_ANSWER:
         return Reading("unreadable", typed, reason=_TOO_LONG)
+    raised = find_raised_dot(text)
+    if raised is not None:
+        return Reading("unreadable", typed, reason=raised)
     text = fold(text)
     if not text.strip("- "):
         return Reading("blank", typed)

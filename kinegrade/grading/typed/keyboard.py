@@ -7,9 +7,10 @@ import re
 from kinegrade.files.cell_text import INVISIBLE
 
 BLANKS = "".join(chr(code) for code in range(0x3001) if chr(code).isspace()) + INVISIBLE
-_SUPERSCRIPTS = "⁰¹²³⁴⁵⁶⁷⁸⁹"
-_RAISED = re.compile(rf"[⁺⁻]?[{_SUPERSCRIPTS}]+(?=([0-9])?)")
-_PLAIN = str.maketrans(f"{_SUPERSCRIPTS}⁺⁻", "0123456789+-")
+RAISED_NUMBERS = "⁰¹²³⁴⁵⁶⁷⁸⁹"
+RAISED_DOTS = "·⋅•∙・"
+_RAISED = re.compile(rf"[⁺⁻]?[{RAISED_NUMBERS}]+(?=([0-9])?)")
+_PLAIN = str.maketrans(f"{RAISED_NUMBERS}⁺⁻", "0123456789+-")
 _SIGNS = {
     # Full-width letters, digits and signs
     **{code: chr(code - 0xFEE0) for code in range(0xFF01, 0xFF5F)},
@@ -21,7 +22,7 @@ _SIGNS = {
     # A tab or the end of a line stays what it is, as in ASCII: it groups no digits
     **{ord(sign): " " for sign in BLANKS if not sign.isascii()},
     **{ord(sign): None for sign in INVISIBLE},
-    **{ord(sign): "*" for sign in "×·⋅•∙・✕✖"},
+    **{ord(sign): "*" for sign in f"×{RAISED_DOTS}✕✖"},
     **{ord(sign): "/" for sign in "÷\u2044\u2215"},
     **{ord(sign): "'" for sign in "\u2019\u2018\u02bc"},
     **{ord(sign): bracket for sign, bracket in zip("【】〔〕", "[]()", strict=True)},
