@@ -94,10 +94,13 @@ def test_another_answer_is_refused_for_each_student(exam: Path) -> None:
     assert (result.exit_code, result.stdout) == (2, "")
     lines = result.stderr.splitlines()
     whose = [line.split(" is ")[0] for line in lines[:-1]]
-    assert whose[0] == 'error: student "007", q2: v_y'
+    students = ["007", "0012", "a/b", "=2"]
+    assert whose == [f'error: student "{each}", q2: v_y' for each in students]  # once each
     assert lines[-1].endswith(
-        "key.jsonl: the correction changes answers, givens or points - correct the words alone, or "
-        "use --accept-changes if no paper has been handed out"
+        "key.jsonl: the correction changes answers, givens or points - correct the words alone; "
+        "where the key was wrong, let a policy accept what is right or void the question (kinegrade "
+        "grade --policy) if papers have been handed out, or use --accept-changes and mark all "
+        "answers again"
     )
     assert ".EXAM" not in result.stderr
     assert contents(exam) == before
@@ -107,7 +110,7 @@ def test_accepted_changes_are_said_and_stand_in_the_key(exam: Path) -> None:
     old = {line["student"]: line for line in key_lines(exam)}
     result = correct(exam, OTHER_ANSWER, options=("--accept-changes",))
     assert result.exit_code == 1
-    assert 'complaint: student "=2", q2: v_y is 4.0 by the key, but 8 follows' in result.stderr
+    assert 'complaint: student "=2", q2: v_y is 4 by the key, but 8 follows' in result.stderr
     last = result.stderr.splitlines()[-1]
     assert "marks that were given before follow the old key - mark all answers again" in last
     for line in key_lines(exam):

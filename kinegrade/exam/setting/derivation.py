@@ -132,7 +132,8 @@ def _name_both(derived: Collection[str], kept: Collection[str]) -> dict[str, Par
 def _find_value_differences(
     name: str, derived: Quantity, kept: StatedNumber | StatedAnswer, room: Fraction
 ) -> Iterator[Message]:
-    """Where a quantity differs from the key: in its unit, or in one of the forms of its value.
+    """Where a quantity differs from the key: in its unit, or in one of the forms of its value,
+    which is said once.
 
     An exact form that is no plain number is not compared: it may be printed in many ways, and
     marks go by its decimal.
@@ -148,6 +149,7 @@ def _find_value_differences(
     for way, found, allowed in stated:
         if found is not None and not _agree(way, found, derived, allowed):
             yield describe_difference(name, str(found), derived.decimal(_DIGITS_SHOWN))
+            return
     if all(found is None for _, found, _ in stated):
         yield Message("exam.no-value", name=name)
 
