@@ -6,6 +6,8 @@ from collections.abc import Mapping
 from typing import Literal, assert_never
 
 from kinegrade.description.subject import Subject
+from kinegrade.figure.marks.sweep import find_sweep
+from kinegrade.figure.plane import angle_of
 from kinegrade.language.math.reading import read_math
 from kinegrade.language.math.tree import Letter
 from kinegrade.language.message import Message
@@ -91,7 +93,7 @@ def say_mark(mark: Mark, subject: Subject) -> Message:
 def _say_angle(angle: MarkedAngle, subject: Subject) -> Message:
     """An angle with the sense in which it is drawn."""
     first, second = (find_way(angle.at, end, subject.doubles) for end in (angle.start, angle.end))
-    turns = first.cross(second) >= 0 if angle.sense is None else angle.sense == "ccw"
+    turns = find_sweep(angle, angle_of(second) - angle_of(first)) >= 0
     return Message(
         "description.angle",
         at=subject.instance.letter(angle.at),

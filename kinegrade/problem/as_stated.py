@@ -11,9 +11,9 @@ from kinegrade.expressions.tree import Call, Expression
 from kinegrade.numbers.angle import Angle
 from kinegrade.problem.quantity import Quantity
 from kinegrade.problem.solution import Solution
-from kinegrade.problem.statement import find_unsigned_givens
 from kinegrade.problem.template.sentences import DriverSentence, JointSentence
 from kinegrade.problem.template.template import Scheme, Template
+from kinegrade.problem.template.texts import find_unsigned_givens
 
 
 def restate(solution: Solution) -> Solution:

@@ -24,7 +24,7 @@ from kinegrade.problem.needs import find_needs
 from kinegrade.problem.printed_givens import is_needed
 from kinegrade.problem.quantity import Quantity
 from kinegrade.problem.template.driven import find_driven
-from kinegrade.problem.template.slots import find_slots, find_slots_in_formulas
+from kinegrade.problem.template.slots import find_slots_in_formulas
 from kinegrade.problem.template.template import Template
 from kinegrade.problem.template.texts import list_prose
 from kinegrade.problem.template.translated import (
@@ -102,19 +102,6 @@ def write_specimens(template: Template, language: Language) -> Iterator[tuple[Pl
     for where, text in list_written_texts(template, language):
         if not find_slots_in_formulas(text):
             yield where, filling.fill(text, first)
-
-
-def find_unsigned_givens(template: Template) -> frozenset[str]:
-    """The givens that statements print without their sign, which their words say."""
-    driven = find_driven(template.scheme.drivers, template.parameters)
-    return frozenset(
-        given
-        for place, prose in list_prose(template)
-        for _, text in prose.list_written(place)
-        for slot in find_slots(text)
-        if slot.part not in {"", "value"}
-        for given in slot.list_givens(driven)
-    )
 
 
 def list_written_texts(template: Template, language: Language) -> Iterator[tuple[Place, str]]:

@@ -12,7 +12,7 @@ from kinegrade.language.message import Fault, Message
 from kinegrade.numbers.text import write_decimal
 from kinegrade.problem.holding import choose_wording, condition_holds
 from kinegrade.problem.statement import list_statement_languages, list_written_texts
-from kinegrade.problem.template.domain import find_digits
+from kinegrade.problem.template.domain import find_doubles
 from kinegrade.problem.template.driven import find_driven
 from kinegrade.problem.template.slots import (
     find_slots,
@@ -169,7 +169,8 @@ def _reverse(text: str) -> str:
 
 
 def _find_value(text: str) -> float:
-    return float(find_digits(text))
+    (value,) = find_doubles((text,))
+    return value
 
 
 def _find_unused_texts(template: Template) -> list[Fault]:

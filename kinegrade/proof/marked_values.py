@@ -7,19 +7,23 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from functools import partial
-from math import acos, cos, degrees, radians
+from math import acos, cos, degrees, pi, radians
 
 from kinegrade.figure.marks.lengths.dimensions import find_measured_direction
+from kinegrade.figure.marks.sweep import find_sweep
 from kinegrade.figure.placing.mark import direction
-from kinegrade.figure.plane import length, unit
+from kinegrade.figure.plane import angle_of, length
 from kinegrade.language.math.reading import read_math
 from kinegrade.language.message import Fault, Message
 from kinegrade.numbers.floats import Floats
 from kinegrade.problem.solution import Solution
+from kinegrade.problem.template.given_marks import mark_givens
 from kinegrade.problem.template.hints import Angle, Length, Radius
 from kinegrade.problem.template.template import Parameter, Template
+from kinegrade.problem.template.texts import find_unsigned_givens
 
 _DIFFERENT = 1e-6  # of a length, or of a cosine: less is what doubles leave
+_SEEN = 0.01  # radians by which an arc may be off: a cosine shows no less about half a turn
 
 
 @dataclass(frozen=True)
@@ -56,11 +60,17 @@ class _Instance:
         drawn = (length(at[each.through] - at[each.centre]) for each in rims)
         return [*(each.radius for each in circles if each.centre == mark.centre), *drawn]
 
-    def cosine(self, mark: Angle) -> float:
-        """The cosine of the angle between the sides of an arc."""
+    def rotation(self, mark: Angle) -> float:
+        """The rotation that an arc shows."""
         at = self.solution.doubles.points
         first, last = (direction(at, at[mark.at], name) for name in (mark.start, mark.end))
-        return float(unit(first).dot(unit(last)))
+        return find_sweep(mark, angle_of(last) - angle_of(first))
+
+    def printed_rotation(self, given: Parameter) -> float:
+        """The size of a given angle as statements print it."""
+        if given.name in find_unsigned_givens(self.solution.template):
+            return radians(self.solution.parameters[given.name].size.value)
+        return abs(self.value(given))
 
 
 def find_wrong_marks(template: Template, examples: Iterable[Solution]) -> Iterator[Fault]:
@@ -79,7 +89,7 @@ def find_wrong_marks(template: Template, examples: Iterable[Solution]) -> Iterat
         if given is not None and given.unit.is_length:
             nearest = partial(_Instance.nearest_radius, mark=radius)
             yield from _find_wrong_size(radius.centre, given, instances, nearest)
-    for angle in template.figure.angles:
+    for angle in mark_givens(template).angles:
         given = _find_given(template, angle.symbol)
         if given is not None and given.unit.angle and not given.unit.time:
             yield from _find_wrong_angle(angle, given, instances)
@@ -115,13 +125,19 @@ def _find_wrong_angle(
     mark: Angle, given: Parameter, instances: Iterable[_Instance]
 ) -> Iterator[Fault]:
     """A fault at the first instance in which the angle of an arc is not that of its letter, with
-    any sign and number of turns.
+    any sign and number of turns; where the sides are right but not the way from one to the other,
+    the angle of the arc itself.
     """
+    measured = f"{mark.start}, {mark.at}, {mark.end}"
     for each in instances:
-        stated, shown = cos(each.value(given)), each.cosine(mark)
-        if abs(shown - stated) > _DIFFERENT:
-            measured = f"{mark.start}, {mark.at}, {mark.end}"
-            yield _explain(given, measured, *map(degrees, map(acos, (shown, stated))))
+        stated, shown = each.value(given), each.rotation(mark)
+        if abs(cos(shown) - cos(stated)) > _DIFFERENT:
+            between = (degrees(acos(cos(angle))) for angle in (shown, stated))
+            yield _explain(given, measured, *between)
+            return
+        printed = each.printed_rotation(given)
+        if abs(shown) and printed <= 2 * pi and abs(abs(shown) - printed) > _SEEN:
+            yield _explain(given, measured, degrees(abs(shown)), degrees(printed))
             return
 
 

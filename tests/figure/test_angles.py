@@ -31,8 +31,11 @@ from kinegrade.mechanics.joints import GROUND, Pin
 from kinegrade.mechanics.mechanism import Body, Mechanism
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.printed_givens import mark_question
+from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.hints import Angle
 from kinegrade.problem.template.library.library import load_template
+from kinegrade.problem.template.library.reading import read_template
+from kinegrade.problem.template.library.starter import write_starter_text
 from tests.figure.clear import heads
 from tests.figure.mechanisms import Case, hinted, polar
 from tests.problem.draws import draw_filter, drawn
@@ -73,6 +76,16 @@ def test_an_arc_does_not_end_on_the_pin_of_its_bar(length: float) -> None:
     scene = sketch(*crank(50, length))
     arc, reach = find_arc(scene), length * scene.scale
     assert abs(reach - arc.radius) > 1.5
+
+
+@pytest.mark.parametrize(("phi", "swept"), [("-30", -30), ("150", 150), ("210", 210)])
+def test_an_angle_beyond_half_a_turn_is_drawn_as_it_is_counted(phi: str, swept: float) -> None:
+    """The starter counts 210 degrees counter-clockwise; the shorter way would be 150 clockwise."""
+    template = read_template("rocker", write_starter_text())
+    solution = solve_template(template, {"phi": phi}, ())
+    hints = mark_question(template, template.asked())
+    arc = find_arc(sketch(solution.assembly.mechanism.map(float), hints))
+    assert degrees(arc.sweep) == pytest.approx(swept)
 
 
 def test_the_head_of_a_signed_angle_is_drawn_on_a_short_arc_too() -> None:

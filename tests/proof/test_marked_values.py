@@ -57,6 +57,19 @@ def test_a_mark_at_another_place_is_a_fault(before: str, after: str, said: str) 
     assert find(starter(before, after), AT) == [f"{said} - {OWN}"]
 
 
+@pytest.mark.parametrize(("phi", "shown"), [("30", "330°"), ("-30", "")])
+def test_an_arc_the_other_way_round_than_its_given_is_a_fault(phi: str, shown: str) -> None:
+    arc = 'at = "O", from = "right", to = "A"'
+    said = [f"figure: phi stands at right, O, A, which is {shown} where phi is 30° - {OWN}"]
+    turned = starter(arc, f'{arc}, sense = "cw"')
+    assert find(turned, {**AT, "phi": phi}) == (said if shown else [])
+
+
+def test_an_arc_as_its_given_is_counted_is_none() -> None:
+    for phi in ("-30", "30", "210"):
+        assert find(starter("", ""), {**AT, "phi": phi}) == []
+
+
 def test_a_fault_of_a_mark_is_one_of_the_check() -> None:
     wrong = starter('symbol = "r", from = "O", to = "A"', 'symbol = "r", from = "C", to = "A"')
     assert any("r stands at CA" in said for said in all_said(check(wrong, sample=12).faults))

@@ -11,17 +11,17 @@ from operator import itemgetter
 
 from kinegrade.figure.marks.angle_arc import ALONE, AngleArc, Neighbours, add_leaders
 from kinegrade.figure.marks.sides import Side
+from kinegrade.figure.marks.sweep import SMALLEST_ANGLE, find_sweep
 from kinegrade.figure.mechanism.layers import Drawing
 from kinegrade.figure.mechanism.straight_parts import Bar, Rod
 from kinegrade.figure.placing.mark import Mark
 from kinegrade.figure.placing.obstacles import Obstacles
 from kinegrade.figure.placing.wedge import Wedge, measure_narrow
-from kinegrade.figure.plane import NEAR, angle_of, length, polar, shorter_way, unit
+from kinegrade.figure.plane import NEAR, angle_of, length, polar, unit
 from kinegrade.figure.scene import THIN, Bow, Disc, Primitive, Strokes
 from kinegrade.mechanics.vector import Vector
-from kinegrade.problem.template.hints import TURN, Angle
+from kinegrade.problem.template.hints import Angle
 
-_SMALLEST_ANGLE = pi / 180  # an angle below one degree shows no arc
 # Millimetres, the preferred radius first
 _RADII = (7.0, 6.2, 5.5, 4.5, 8.5, 10.0, 12.0, 14.0, 17.0, 20.0, 3.2)
 _WIDEST = 17.0  # millimetres that are still preferred for a narrow angle
@@ -57,7 +57,7 @@ def mark_angles(
     """
     reaches = _measure_reaches(at[hint.at], legs, at.values())
     nicest = choose_bow(at, hint, legs)
-    if abs(nicest.sweep) > _SMALLEST_ANGLE:
+    if abs(nicest.sweep) > SMALLEST_ANGLE:
         bows = [_reach_ground(nicest, radius, legs) for radius in (nicest.radius, *_RADII)]
         yield [
             AngleArc(
@@ -101,10 +101,7 @@ def _reach_ground(bow: Bow, radius: float, legs: Sequence[Side]) -> Bow:
 def choose_bow(at: Mapping[str, Vector], hint: Angle, legs: tuple[Side, ...]) -> Bow:
     """The arc of the preferred radius: far enough out that its letter fits between the sides."""
     start, end = (leg.angle for leg in legs)
-    sweep = shorter_way(end - start)
-    if hint.sense is not None and abs(sweep) > _SMALLEST_ANGLE:
-        turn = TURN[hint.sense]
-        sweep = turn * ((turn * sweep) % (2 * pi))
+    sweep = find_sweep(hint, end - start)
     reaches = _measure_reaches(at[hint.at], legs, at.values())
     nicest = min(_RADII[0], max(_RADII[3], _SHARE * min(reaches, default=inf)))
     bow = Bow(at[hint.at], nicest, start, sweep, THIN)

@@ -11,8 +11,9 @@ from kinegrade.figure.marks.imposed import find_imposed_sense
 from kinegrade.figure.marks.lengths.dimensions import find_measured_direction
 from kinegrade.figure.marks.rotations import find_turning_centre
 from kinegrade.figure.marks.straight.arrow_places import Site
+from kinegrade.figure.marks.sweep import find_sweep
 from kinegrade.figure.placing.mark import direction
-from kinegrade.figure.plane import angle_of, length, polar, shorter_way, unit
+from kinegrade.figure.plane import angle_of, length, polar, unit
 from kinegrade.figure.scene import Bow, Outline, Primitive, Strokes
 from kinegrade.figure.symbols import HEADS
 from kinegrade.figure.tactile.letters import alone, list_along_arc, list_beside
@@ -80,9 +81,7 @@ def list_angle_ways(at: Mapping[str, Vector], given: Angle, cells: str) -> Itera
     vertex = at[given.at]
     legs = [unit(direction(at, vertex, name)) for name in (given.start, given.end)]
     first = angle_of(legs[0])
-    sweep = shorter_way(angle_of(legs[1]) - first)
-    if given.sense is not None:
-        sweep = TURN[given.sense] * ((TURN[given.sense] * sweep) % (2 * pi))
+    sweep = find_sweep(given, angle_of(legs[1]) - first)
     for radius in _ARCS:
         bow = Bow(vertex, radius, first, sweep, MARK)
         lines = [Strokes(((vertex, vertex + leg * (radius + 6.0)),), MARK) for leg in legs]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from functools import lru_cache
 from typing import Any
 
 from flint import arb, fmpq
@@ -61,6 +62,12 @@ def find_digits(text: str) -> str:
             found(text), Message("template.number-too-large"), Message("template.another-unit")
         )
     return write_decimal(value, 30)
+
+
+@lru_cache(maxsize=1024)
+def find_doubles(choices: tuple[str, ...]) -> tuple[float, ...]:
+    """The values of drawable texts as doubles."""
+    return tuple(float(find_digits(choice)) for choice in choices)
 
 
 def _read_range(text: str) -> list[str]:

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping, Set
 from dataclasses import replace
+from math import radians
 from typing import assert_never
 
 from kinegrade.expressions.reading import read_expression
@@ -14,11 +15,14 @@ from kinegrade.language.math.reading import read_math
 from kinegrade.language.math.tree import Number as Digits
 from kinegrade.language.math.tree import Row
 from kinegrade.mechanics.vector_equation import Level
+from kinegrade.problem.template.domain import find_doubles
 from kinegrade.problem.template.hints import Axes, FigureHints, Moving, Turning
 from kinegrade.problem.template.sentences import DriverSentence
 from kinegrade.problem.template.template import Parameter, Template
+from kinegrade.problem.template.texts import find_unsigned_givens
 from kinegrade.sign_conventions import ALONG_AXES
 
+_HALF_TURN = 180
 _X_AXIS = "$x$"  # as a statement names the axis from which an angle is measured
 
 
@@ -45,7 +49,9 @@ def mark_givens(
             if _is_printed(mark.symbol, hidden)
         ),
         angles=tuple(
-            replace(mark, signed=_read(mark.symbol) in signed)
+            replace(
+                mark, signed=_read(mark.symbol) in signed, least=_find_least(template, mark.symbol)
+            )
             for mark in author.angles
             if _is_printed(mark.symbol, hidden)
         ),
@@ -85,6 +91,18 @@ def _is_printed(symbol: str, hidden: Set[Row]) -> bool:
     row = _read(symbol)
     letters = {(node,) for node in row if not isinstance(node, Digits)}
     return row not in hidden and not (hidden and letters <= hidden)
+
+
+def _find_least(template: Template, symbol: str) -> float | None:
+    """The least value drawn, in radians, of a given angle of that symbol that statements print with
+    its sign and some values of which are beyond half a turn.
+    """
+    for name, given in template.parameters.items():
+        if given.unit.degrees and _read(given.symbol) == _read(symbol):
+            values = find_doubles(given.choices)
+            if max(map(abs, values)) > _HALF_TURN and name not in find_unsigned_givens(template):
+                return radians(min(values))
+    return None
 
 
 def _read(symbol: str) -> Row:

@@ -60,8 +60,9 @@ class Length:
 class Angle:
     """An angle at a point between two directions, each a side of the paper or another point.
 
-    Drawn the shorter way, or in the given sense from `start` to `end`; an arrowhead shows the sense
-    of one that is `signed`.
+    Drawn the shorter way, or in the given sense from `start` to `end`; where `least` is the least
+    value drawn of a given beyond half a turn, as that is counted. An arrowhead shows the sense of
+    one that is `signed`.
     """
 
     symbol: str
@@ -70,6 +71,7 @@ class Angle:
     end: str
     sense: Sense | None = None
     signed: bool = False
+    least: float | None = None
 
 
 @dataclass(frozen=True)

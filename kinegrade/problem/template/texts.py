@@ -10,6 +10,8 @@ from kinegrade.files.fields.place import Place, key_path
 from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.message import Fault, Message, Quoted, list_choices, list_first
+from kinegrade.problem.template.driven import find_driven
+from kinegrade.problem.template.slots import find_slots
 from kinegrade.problem.template.template import Template
 from kinegrade.problem.template.translated import (
     Translated,
@@ -28,6 +30,19 @@ def list_prose(template: Template) -> Iterator[tuple[Place, Translated]]:
         for number, wording in enumerate(wordings):
             yield ("text", name, number), wording.text
     yield ("statement",), template.words.statement
+
+
+def find_unsigned_givens(template: Template) -> frozenset[str]:
+    """The givens that statements print without their sign, which their words say."""
+    driven = find_driven(template.scheme.drivers, template.parameters)
+    return frozenset(
+        given
+        for place, prose in list_prose(template)
+        for _, text in prose.list_written(place)
+        for slot in find_slots(text)
+        if slot.part not in {"", "value"}
+        for given in slot.list_givens(driven)
+    )
 
 
 def list_lines(template: Template) -> Iterator[tuple[Place, Translated]]:
