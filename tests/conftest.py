@@ -16,6 +16,7 @@ from kinegrade.exam.printing import class_printing
 from tests.files_in_memory import leave_files_in_memory
 from tests.golden_files import BANK, GOLDEN, Hold, drop_tests_without_goldens
 from tests.kept_results import keep_results
+from tests.one_process import work_in_one_process
 from tests.problem.crank import crank_text
 from tests.repeated_secrets import repeat_secrets
 from tests.sampling import drop_unsampled
@@ -45,6 +46,7 @@ def pytest_configure(config: pytest.Config) -> None:
         repeat_secrets(config)
         keep_results()
         leave_files_in_memory()
+        work_in_one_process()
 
 
 @pytest.hookimpl(tryfirst=True)

@@ -1,6 +1,7 @@
 """What follows from shipped files and stated numbers alone, found once in each process of tests: the
-templates, which mistakes their draws keep apart, the paths along which mechanisms move, and the
-pictures of their vectors. `make prove` finds it anew, as users do.
+templates, which mistakes their draws keep apart, what equal banks deal by equal secrets, the paths
+along which mechanisms move, and the pictures of their vectors. `make prove` finds it anew, as users
+do.
 """
 
 from __future__ import annotations
@@ -8,9 +9,15 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import partial
+from hashlib import sha256
 from typing import Any, TypeVar
 
 from kinegrade.draws import draw_filter
+from kinegrade.draws.deal import Look
+from kinegrade.exam.setting import dealing
+from kinegrade.exam.setting.alike_deal import AlikeDeal, deal_alike
+from kinegrade.exam.setting.kept_deal import Stated
+from kinegrade.exam.setting.setting import Exam
 from kinegrade.figure.scene import Scene
 from kinegrade.figure.vectors.mechanism import draw_with_vectors
 from kinegrade.mechanics.plan import Plan
@@ -38,6 +45,7 @@ class KeptResults:
 
     templates: dict[object, Template] = field(default_factory=dict)
     separations: dict[object, Separation] = field(default_factory=dict)
+    deals: dict[str, AlikeDeal] = field(default_factory=dict)
     traces: dict[str, Trace] = field(default_factory=dict)
     scenes: dict[str, Scene] = field(default_factory=dict)
     shipped: set[int] = field(default_factory=set)  # the identities of those templates
@@ -81,6 +89,18 @@ class KeptResults:
             self.separations[key] = find_separation(*given)
         return self.separations[key]
 
+    def deal_alike(
+        self, exam: Exam, places: Mapping[str, int], stated: Stated, look: Look
+    ) -> AlikeDeal:
+        """As `deal_alike` of exams; where no other process is to have the figures, an equal exam is
+        dealt once.
+        """
+        given = exam, places, stated, look
+        if exam.sketchbook is not None:
+            return deal_alike(*given)
+        key = sha256(repr((exam.bank, exam.secret, places, stated)).encode()).hexdigest()
+        return _keep(self.deals, key, lambda: deal_alike(*given))
+
     def trace_path(self, system: System) -> Trace:
         """As `trace_path` of motion; that of equal conditions is found once."""
         key = repr((system.frames, system.input, system.rates))
@@ -106,5 +126,6 @@ def keep_results() -> None:
     results = KeptResults()
     library.read_template = results.read_template  # type: ignore[assignment]
     draw_filter.find_separation = results.find_separation
+    dealing.deal_alike = results.deal_alike
     path.trace_path = results.trace_path
     pictures.draw_with_vectors = results.draw_with_vectors

@@ -6,8 +6,6 @@ from __future__ import annotations
 
 import csv
 import json
-import subprocess
-import sys
 from collections import Counter
 from dataclasses import dataclass
 from decimal import Decimal
@@ -15,6 +13,7 @@ from pathlib import Path
 from statistics import mean, stdev
 
 import pytest
+from click.testing import Result
 
 from tests.demo.type_answers import (
     ABSENT,
@@ -33,8 +32,9 @@ from tests.demo.type_answers import (
     read_keys,
     write_answers,
 )
+from tests.small_class import kinegrade
 
-pytestmark = pytest.mark.xdist_group("demo")  # one worker sets the exam, once
+pytestmark = pytest.mark.xdist_group("docs")  # one worker deals the exam, for README as well
 ROOT = Path(__file__).parents[2]
 BANK = ROOT / "banks" / "demo.toml"
 ROSTER = ROOT / "banks" / "demo-roster.csv"
@@ -53,15 +53,8 @@ class Demo:
 
     exam: Path
     marks: Path
-    generated: subprocess.CompletedProcess[str]
-    graded: subprocess.CompletedProcess[str]
-
-
-def kinegrade(*arguments: object) -> subprocess.CompletedProcess[str]:
-    command = [sys.executable, "-m", "kinegrade", *map(str, arguments)]
-    return subprocess.run(
-        command, cwd=ROOT, capture_output=True, text=True, encoding="utf-8", check=False
-    )
+    generated: Result
+    graded: Result
 
 
 def lines_of(path: Path) -> Lines:
@@ -100,7 +93,7 @@ def counted(demo: Demo) -> Typed:
 
 
 def test_every_paper_is_typeset_without_complaint(demo: Demo) -> None:
-    assert demo.generated.returncode == 0, demo.generated.stderr
+    assert demo.generated.exit_code == 0, demo.generated.stderr
     assert "complaint" not in demo.generated.stderr
     papers = sorted((demo.exam / "papers").iterdir())
     assert len(papers) == len(lines_of(ROSTER)) == 60
@@ -118,7 +111,7 @@ def test_the_shipped_answers_are_those_of_this_exam(demo: Demo, tmp_path: Path) 
 
 def test_grading_ends_with_complaints_and_says_them_all(demo: Demo) -> None:
     said = [line for line in demo.graded.stderr.splitlines() if line.startswith("complaint: ")]
-    assert (demo.graded.returncode, len(said)) == (1, len(lines_of(demo.marks / "complaints.csv")))
+    assert (demo.graded.exit_code, len(said)) == (1, len(lines_of(demo.marks / "complaints.csv")))
 
 
 def line_numbers(student: str) -> list[str]:
@@ -308,7 +301,7 @@ def test_the_chinese_papers_put_the_same_questions(demo: Demo, tmp_path: Path) -
         *("generate", BANK, ROSTER, "-o", tmp_path / "EXAM", "--reproducible", "demo"),
         *("--lang", "zh", "--no-papers"),
     )
-    assert run.returncode == 0, run.stderr
+    assert run.exit_code == 0, run.stderr
     assert (
         json.loads((tmp_path / "EXAM" / "exam.json").read_text(encoding="utf-8"))["language"]
         == "zh"
