@@ -174,7 +174,9 @@ def test_a_name_of_another_type_is_one_line(exam: Path, marks: Path, tmp_path: P
 
 
 @pytest.mark.parametrize(
-    "deep", ["a." * 20_000 + "a = 1\n", "a." * 100 + "a = 1\n", f"x = {'[' * 5000}{']' * 5000}\n"]
+    "deep",
+    ["a." * 20_000 + "a = 1\n", "a." * 100 + "a = 1\n", f"x = {'[' * 5000}{']' * 5000}\n"],
+    ids=["20,000 keys", "100 keys", "5,000 lists"],
 )
 def test_deep_keys_are_one_line_in_every_file_that_people_write(
     deep: str, exam: Path, tmp_path: Path

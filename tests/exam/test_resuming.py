@@ -84,9 +84,8 @@ def test_killed_again_and_again_it_ends_as_if_nothing_had_happened(
     unbroken: dict[str, bytes], tmp_path: Path
 ) -> None:
     folder, seed = write_files(tmp_path), ("--reproducible", "spring", "--resume")
-    moments = ("unfinished", "papers/03.pdf", "papers/24.pdf", "key.pdf", "INSTRUCTOR-ONLY.txt")
-    killed = [interrupt(folder, has(moment), *seed) for moment in moments]
-    assert killed[:4] == [True] * 4
+    moments = "unfinished", "papers/24.pdf", "key.pdf"  # "resumed papers" of `make prove`: any
+    assert all(interrupt(folder, has(moment), *seed) for moment in moments)
     assert not (folder / "EXAM").exists()
     result = generate(folder, "EXAM", "--resume")
     assert result.exit_code == 0, result.stderr
