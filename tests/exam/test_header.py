@@ -14,6 +14,7 @@ import pytest
 from pypdf import PdfReader
 
 from kinegrade.press.typst.compiler import make_compiler
+from tests.exam.engines import ENGINES
 from tests.small_class import generate, kinegrade, write_class, write_short_class
 
 CREST = (
@@ -79,7 +80,7 @@ def test_the_head_stands_on_papers_of_every_kind(
         assert [words for words in SHOWN[language] if words not in squeeze(text)] == []
 
 
-@pytest.mark.parametrize("engine", ["typst", pytest.param("latex", marks=pytest.mark.needs_tex)])
+@pytest.mark.parametrize("engine", ENGINES)
 def test_a_paper_is_printed_again_where_bank_and_logo_are_gone(tmp_path: Path, engine: str) -> None:
     folder = tmp_path / "class"
     folder.mkdir()

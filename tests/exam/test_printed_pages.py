@@ -24,12 +24,12 @@ from kinegrade.press.join import count_pages
 from kinegrade.press.protocol import Engine, Press
 from kinegrade.press.sheet import Paper, PaperSize
 from kinegrade.problem.template.library.library import find_shipped, list_names
+from tests.exam.engines import ENGINES, pair_with_engines
 from tests.exam.printed_pages import MOST_WHITE, list_faults, measure_white
 from tests.press.papers import CHINESE, ENGLISH
 from tests.said import said
 from tests.small_class import BANK, generate, kinegrade, write_class
 
-ENGINES = ["typst", pytest.param("latex", marks=pytest.mark.needs_tex)]
 BANKS = list_names(find_shipped("banks"))
 
 
@@ -95,15 +95,7 @@ def test_a_paper_that_is_long_enough_stays_byte_for_byte(engine: Engine) -> None
 
 
 @pytest.mark.sampled(3, by="size")  # each size, and each engine
-@pytest.mark.parametrize(
-    ("size", "engine"),
-    [
-        ("a4", "typst"),
-        ("letter", "typst"),
-        pytest.param("a4", "latex", marks=pytest.mark.needs_tex),
-        pytest.param("letter", "latex", marks=pytest.mark.needs_tex),
-    ],
-)
+@pytest.mark.parametrize(("size", "engine"), pair_with_engines("a4", "letter"))
 def test_room_is_left_between_statement_and_answers(engine: Engine, size: PaperSize) -> None:
     press: Press = PressOrder(engine, size).press()
     question = ENGLISH.questions[0]

@@ -17,6 +17,7 @@ from kinegrade.exam.setting.dealing import deal_exam
 from kinegrade.exam.setting.setting import SetPaper
 from kinegrade.language import Language
 from kinegrade.press.protocol import Engine
+from tests.exam.engines import pair_with_engines
 
 NAMES = ("Zoë", "Ann Lee", "王伟", "O'Neil")
 CLASS = Roster(tuple(Student(name, name, "", str(at)) for at, name in enumerate(NAMES)), ())
@@ -31,16 +32,8 @@ def papers(golden_bank: Bank) -> tuple[Bank, list[SetPaper]]:
     return bank, list(deal_exam(bank, CLASS, FromWords("printing")).papers())
 
 
-@pytest.mark.sampled(3, by="engine")  # each engine, and each language
-@pytest.mark.parametrize(
-    ("engine", "language"),
-    [
-        ("typst", "en"),
-        ("typst", "zh"),
-        pytest.param("latex", "en", marks=pytest.mark.needs_tex),
-        pytest.param("latex", "zh", marks=pytest.mark.needs_tex),
-    ],
-)
+@pytest.mark.sampled(3, by="language")  # each engine, and each language
+@pytest.mark.parametrize(("language", "engine"), pair_with_engines("en", "zh"))
 def test_a_paper_printed_alone_is_the_same_as_among_others(
     papers: tuple[Bank, list[SetPaper]], engine: Engine, language: Language
 ) -> None:
