@@ -29,6 +29,7 @@ from kinegrade.public.options import require_known, require_word
 from kinegrade.public.outcome import Outcome
 
 _ORDINARY = ExportOptions()
+_NAMED = 5  # students that a message names
 
 
 def export(
@@ -105,10 +106,15 @@ def _export_workbook(
 
 
 def _list_untold(grades: ClassGrades, place: Path) -> Iterator[Fault]:
-    """That the points of questions do not show what is subtracted from totals."""
+    """That the points of questions do not show what is subtracted from totals, and which stand."""
     count = sum(bool(each.subtracted) for each in grades.students)
     if count:
         what = Message("terminal.untold", count=count)
+        yield Fault(str(place), what, do=Message("terminal.export-totals"))
+    kept = [each.student for each in grades.students if each.earlier]
+    if kept:
+        named = list_plainly([*map(Quoted, kept[:_NAMED]), *(["..."] if kept[_NAMED:] else [])])
+        what = Message("terminal.untold-earlier", count=len(kept), students=named)
         yield Fault(str(place), what, do=Message("terminal.export-totals"))
 
 

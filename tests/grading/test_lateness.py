@@ -289,6 +289,20 @@ def test_a_system_is_told_what_is_missing_from_the_sum(exam: Path) -> None:
     assert "points are subtracted from 2 totals, and questions do not show it" in done.stderr
 
 
+def test_a_system_is_told_that_an_earlier_total_stands(exam: Path) -> None:
+    grade(exam, "attempts = 'last'", name="FIRST")
+    grade(exam, LATE, IN_TIME, "STANDS", "--never-lower", str(exam.parent / "FIRST"))
+    moodle = (exam.parent / "STANDS" / "moodle.csv").read_text("utf-8")
+    assert "1: 7/7; 2: 2.5/2.5; -1.9; an earlier total stands" in moodle
+    wishes = "--to", "generic", "-o", exam.parent / "sheet.csv", "--per-question"
+    done = kinegrade("export", exam.parent / "STANDS", *wishes)
+    assert done.exit_code == 1
+    said = (
+        'earlier totals stand for 2 students ("8" and "9"), and questions do not show it - export'
+    )
+    assert said in done.stderr
+
+
 def test_the_report_says_from_how_many_points_are_subtracted(exam: Path) -> None:
     grade(exam, LATE)
     page = exam.parent / "report.html"

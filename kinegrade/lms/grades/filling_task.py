@@ -80,7 +80,7 @@ def _collect_comments(
     channel = task.download.channel
     if channel is None:
         return {}
-    text = feedback_text(grade, grades.questions)
+    text = feedback_text(grade, grades.questions, grades.language)
     shown = escape(text, quote=False) if channel.html else text
     return {
         row.cells[place]: channel.format_text if is_format else shown

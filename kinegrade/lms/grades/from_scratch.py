@@ -126,7 +126,8 @@ def _plan(
             for item in several
         ]
         columns += [] if several else [(column, _write_header(header, title, set()), TOTAL)]
-    return _Plan(dialect, layout, tuple(columns), targets, key, FeedbackTexts(grades.questions))
+    feedback = FeedbackTexts(grades.questions, grades.language)
+    return _Plan(dialect, layout, tuple(columns), targets, key, feedback)
 
 
 def _write_grades(header: str, title: str, item: str, maxima: Mapping[str, set[Fraction]]) -> str:

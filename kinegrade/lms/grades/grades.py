@@ -21,6 +21,7 @@ from kinegrade.exam.folder.records import Candidate
 from kinegrade.files.cell_text import trim
 from kinegrade.files.csv_writing import neutralise
 from kinegrade.language import ENGLISH, Language
+from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.message import Fault, Message, Quoted
 from kinegrade.lms.grades.dialect import Field
 from kinegrade.marks_folder.folder import MarksFolder
@@ -38,7 +39,8 @@ class StudentGrade(msgspec.Struct, frozen=True, gc=False):  # there are many
     `name` is that of grades.csv, neutralised against spreadsheets; `email` is empty where no exam
     was read. `printed` are the questions in the order of the paper, empty where that is the bank's;
     the points of those that are a `bonus` come on top of the maximum. `scale_grade` is "" where no
-    scale was stated; `subtracted` is missing from the total.
+    scale was stated; `subtracted` is missing from the total, which is `earlier` where one of an
+    earlier marking stands.
     """
 
     student: str
@@ -51,6 +53,7 @@ class StudentGrade(msgspec.Struct, frozen=True, gc=False):  # there are many
     bonus: Set[str] = frozenset()
     scale_grade: str = ""
     subtracted: Fraction = Fraction(0)
+    earlier: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -159,13 +162,16 @@ def _make_student_grade(
         held,
         total.grade,
         total.subtracted,
+        total.kept is not None,
     )
 
 
-def feedback_text(grade: StudentGrade, questions: tuple[str, ...]) -> str:
+def feedback_text(
+    grade: StudentGrade, questions: tuple[str, ...], language: Language = ENGLISH
+) -> str:
     """What the system shows a student: points by the number of the question on the student's paper,
     and nothing that the student typed; those of a bonus have a plus sign, and what is subtracted
-    from the total a minus sign.
+    from the total a minus sign; and that an earlier total stands, if one does.
 
     >>> points = {"q1": Fraction(5, 2), "q2": Fraction(0)}
     >>> out_of = {"q1": Fraction(4), "q2": Fraction(3)}
@@ -179,7 +185,8 @@ def feedback_text(grade: StudentGrade, questions: tuple[str, ...]) -> str:
     numbered += [(find_bank_number(name), name) for name in others]
     shown = (_write_points(grade, number, name) for number, name in numbered)
     less = f"-{write_amount(grade.subtracted)}" if grade.subtracted else ""
-    return "; ".join(filter(None, (*shown, less)))
+    stands = open_catalogue(language).text("grades.earlier-stands") if grade.earlier else ""
+    return "; ".join(filter(None, (*shown, less, stands)))
 
 
 @dataclass(frozen=True, slots=True)
@@ -189,14 +196,15 @@ class FeedbackTexts:
     """
 
     questions: tuple[str, ...]
+    language: Language = ENGLISH
     known: dict[tuple[object, ...], str] = field(default_factory=dict)
 
     def write(self, grade: StudentGrade) -> str:
         """The feedback on a grade, which has to be kept as long as this is."""
         amounts = grade.points, grade.out_of, grade.subtracted
-        which = grade.printed, grade.bonus, *map(id, amounts)
+        which = grade.printed, grade.bonus, grade.earlier, *map(id, amounts)
         if which not in self.known:
-            self.known[which] = feedback_text(grade, self.questions)
+            self.known[which] = feedback_text(grade, self.questions, self.language)
         return self.known[which]
 
 
