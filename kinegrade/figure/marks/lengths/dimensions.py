@@ -29,12 +29,15 @@ _OFFSETS = tuple(
     for offset in (5.5, 8.0, 10.5, 13.0, 16.0, 19.5, 23.0, 26.5)
     for side in (1.0, -1.0)
 )
+_LIKELY = 3.5  # demerit below which a dimension is judged before those farther off
 _HIDDEN = 1.0  # demerit of a millimetre in which nothing leads to an extension line
 # Millimetres, of a dimension line close to its points, short of what is farther, its demerit
 _CLOSE_BY, _CLOSER = 4.6, 6.0
 _SHORT = 4.0  # millimetres of a gap that still leave room for a line of the least offset
 # Demerits of a symbol alone beside a part of a bar that runs on, and beside a thin line
 _PART, _LEG = 20.0, 3.0
+# Demerits of a symbol alone beside the line that joins two points, if any does
+_JOINED: Mapping[Join, float] = {"whole": 0.0, "part": _PART, "none": inf}
 _ON_ARROW = 45.0  # demerit of a dimension across the arrow of a motion
 _ON_GROUND = 8.0  # demerit of a dimension across the hatching of the ground
 _HEAD_ON_LINE = 16.0  # demerit of a dimension whose arrowhead lies on something
@@ -67,14 +70,22 @@ def add_length(layout: Layout, at: Mapping[str, Vector], hint: Length, around: A
     """
     start, end = at[hint.start], at[hint.end]
     company = _Company.of(layout, around.ground, _list_beside(at, hint))
-    dimensions = [company.rate(mark) for mark in _list_dimensions(at, hint, around)]
-    demerit = _rate_join(find_join(around.drawn, start, end, _DRAWN_GAP))
+    dimensions = _list_dimensions(at, hint, around)
+    demerit = _JOINED[find_join(around.drawn, start, end, _DRAWN_GAP)]
     if find_join(layout.obstacles, start, end, _DRAWN_GAP) == "whole":
         demerit = min(demerit, _LEG)
     letters = _list_letters(at, hint, demerit)
     led = demerit < _PART and letters
     leaders = partial(list_leaders, layout, (start, end), hint.symbol) if led else no_others
-    return layout.marked([*dimensions, *letters], (), leaders)
+    close = [company.rate(mark) for mark in dimensions if mark.demerit < _LIKELY]
+    far = [mark for mark in dimensions if mark.demerit >= _LIKELY]
+    least = min((mark.demerit for mark in far), default=inf)
+    usual: list[Mark] = [*close, *letters]
+    if any(mark.demerit < least for mark in usual):
+        found = layout.marked(usual, (), leaders)
+        if found.costs[-1] < least and found.crowded == layout.crowded:
+            return found  # none that is farther off can be better
+    return layout.marked([*close, *map(company.rate, far), *letters], (), leaders)
 
 
 @dataclass(frozen=True)
@@ -177,19 +188,6 @@ def _draw_close_dimension(
     level = max(across.dot(point) for point in points) + _CLOSE_BY
     feet = [point + across * (level - across.dot(point)) for point in points]
     return DimensionLine(points, (feet[0], feet[1]), symbol, _CLOSER, _measure(gaps))
-
-
-def _rate_join(join: Join) -> float:
-    """The demerit of a symbol alone beside the line that joins two points."""
-    match join:
-        case "whole":
-            return 0.0
-        case "part":
-            return _PART
-        case "none":
-            return inf
-        case _:
-            assert_never(join)
 
 
 def _list_letters(at: Mapping[str, Vector], hint: Length, demerit: float) -> list[Mark]:
