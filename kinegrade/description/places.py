@@ -10,7 +10,7 @@ from kinegrade.worked.positions.algebra import ZERO
 from kinegrade.worked.positions.circles_meeting import turns_left
 from kinegrade.worked.positions.construction_steps import Step
 from kinegrade.worked.positions.instance import Instance
-from kinegrade.worked.positions.polar import find_polar_way
+from kinegrade.worked.positions.polar import find_polar_way, write_positive
 from kinegrade.worked.positions.shapes import describe_circle, describe_line, describe_side
 from kinegrade.worked.positions.vectors import describe_vector, negate, write_way
 
@@ -80,16 +80,15 @@ def _say_reached(
 ) -> Message:
     """A point at a distance from one point towards another, or along a vector."""
     start, end, distance = parts
-    named = {
-        "point": point,
-        "start": instance.text(start),
-        "distance": instance.text(distance),
-    }
+    size, against = write_positive(distance, instance)
+    named = {"point": point, "start": instance.text(start), "distance": size}
     match end:
         case Name():
-            return Message("description.on-ray", **named, end=instance.text(end))
+            ray = "on-opposite-ray" if against else "on-ray"
+            return Message(f"description.{ray}", **named, end=instance.text(end))
         case Number() | Operation() | Call():
-            way = describe_vector(write_way(start, end, instance), instance)
+            vector = write_way(start, end, instance)
+            way = describe_vector(negate(vector, instance) if against else vector, instance)
             return Message("description.along-vector", **named, vector=way)
         case _:
             assert_never(end)

@@ -272,6 +272,8 @@ def test_an_angle_without_a_field_gives_decimals_that_say_they_are_rounded() -> 
         ("foot((r, r), line(A, B))", r"the perpendicular from $(r,\ r)$ to the line $AB$"),
         ("foot(B, line((0, r), 0))", "the foot of the perpendicular from $B$"),
         ("toward(A, B, 3*r)", "on the ray from $A$ through $B$, at the distance $3 r$ from $A$"),
+        ("toward(A, B, -r)", "on the line from $B$ through $A$, beyond $A$ at the distance $r$"),
+        ("toward(B, B - (r, r), -r/2)", r"in the direction of the vector $(r,\ r)$"),
         ("toward(B, B - (r, r), r/2)", r"in the direction of the vector $(-r,\ -r)$"),
         (
             "midpoint(B, polar(B, r, pi/2))",

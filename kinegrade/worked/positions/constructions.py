@@ -19,7 +19,7 @@ from kinegrade.worked.positions.construction_steps import Step
 from kinegrade.worked.positions.instance import Instance
 from kinegrade.worked.positions.intersections import explain_foot, explain_meeting
 from kinegrade.worked.positions.parts import Coordinates, Part, Stated, write_parts
-from kinegrade.worked.positions.polar import find_polar_way
+from kinegrade.worked.positions.polar import find_polar_way, write_positive
 from kinegrade.worked.positions.vectors import describe_vector, negate, write_way
 
 
@@ -115,24 +115,19 @@ def _explain_toward(step: Step, instance: Instance) -> tuple[Block, ...]:
 def _describe_reached_place(step: Step, vector: Expression, instance: Instance) -> Message:
     """Where a point lies that is reached along a vector: on the way to another point, or not."""
     start, end, distance = list_parts(step.tree)
-    point, base = instance.letter(step.point), instance.text(start)
+    size, against = write_positive(distance, instance)
+    named = {
+        "point": instance.letter(step.point),
+        "start": instance.text(start),
+        "distance": size,
+    }
     match end:
         case Name():
-            return Message(
-                "solution.on-ray",
-                point=point,
-                start=base,
-                end=instance.text(end),
-                distance=instance.text(distance),
-            )
+            ray = "on-opposite-ray" if against else "on-ray"
+            return Message(f"solution.{ray}", **named, end=instance.text(end))
         case Number() | Operation() | Call():
-            return Message(
-                "solution.along-vector",
-                point=point,
-                start=base,
-                vector=describe_vector(vector, instance),
-                distance=instance.text(distance),
-            )
+            way = describe_vector(negate(vector, instance) if against else vector, instance)
+            return Message("solution.along-vector", **named, vector=way)
         case _:
             assert_never(end)
 

@@ -35,14 +35,20 @@ def find_polar_way(
     """
     centre, radius, angle = parts
     quarters = count_quarter_turns(angle)
-    against = instance.sign(radius) < 0
+    distance, against = write_positive(radius, instance)
     return PolarWay(
         instance.text(centre),
-        instance.text(minus(ZERO, radius) if against else radius),
+        distance,
         instance.text(_put_positive_first(angle), degrees=True),
         None if quarters is None else _HEADINGS[(quarters + 2 * against) % 4],
         against,
     )
+
+
+def write_positive(distance: Expression, instance: Instance) -> tuple[str, bool]:
+    """A distance without its sign, and whether it counts the other way."""
+    against = instance.sign(distance) < 0
+    return instance.text(minus(ZERO, distance) if against else distance), against
 
 
 def _put_positive_first(angle: Expression) -> Expression:
