@@ -55,6 +55,7 @@ def test_every_proof_has_a_sample() -> None:
         "solution pages",
         "short solutions",
         "graded figures",
+        "unlike figures",
         "by hand",
         "whole papers",
         "resumed papers",
