@@ -183,6 +183,12 @@ def _read(cell: Any) -> _Cell:
         return _Cell(str(value).upper())
     if isinstance(value, int | float):
         return _write_number(value, cell.number_format)
+    if (
+        isinstance(value, datetime)
+        and value.time() == time()
+        and "h" not in cell.number_format.lower()
+    ):
+        value = value.date()  # a day alone, of which no hour is known
     if isinstance(value, datetime | date | time | timedelta):
         return _Cell(str(value), Message("files.cell-date"))
     return _Cell(str(value))

@@ -5,9 +5,12 @@ are given; refused where it is not.
 from __future__ import annotations
 
 import csv
+from collections.abc import Sequence
+from datetime import date
 from pathlib import Path
 
 import pytest
+from openpyxl import Workbook
 
 from kinegrade.files.tables import read_table
 from kinegrade.lms.responses.moodle_columns import moodle_columns
@@ -25,6 +28,9 @@ DUE = "2026-12-01 18:00"
         (["20.10.2026 18:10", "1.12.2026 9:05"], ["2026-10-20 18:10", "2026-12-01 09:05"]),
         (["1/2/2026 6:10 PM", "2/13/2026 6:10 PM"], ["2026-01-02 18:10", "2026-02-13 18:10"]),
         (["20.10.2026 18:10", "10.20.2026 18:10"], ["20.10.2026 18:10", "10.20.2026 18:10"]),
+        (["20.10.2026 18:10", "1/2/2026 9:05"], ["2026-10-20 18:10", "1/2/2026 9:05"]),
+        (["31.1.2026 8:10", "1/31/2026 9:05"], ["2026-01-31 08:10", "2026-01-31 09:05"]),
+        (["20.10/2026 18:10"], ["20.10/2026 18:10"]),
         (["1.12.2026 9:05"], ["1.12.2026 9:05"]),
         (["31.2.2026 9:05", "late"], ["31.2.2026 9:05", "late"]),
     ],
@@ -32,7 +38,7 @@ DUE = "2026-12-01 18:00"
 def test_one_certain_time_says_for_its_column_which_number_is_the_day(
     column: list[str], read: list[str]
 ) -> None:
-    assert read_times(column) == read
+    assert read_times(column)[0] == read
 
 
 @pytest.mark.parametrize(
@@ -73,7 +79,9 @@ def test_the_end_of_an_attempt_is_found_in_what_moodle_wrote(language: str) -> N
     assert read_time(download.rows[1].cell(place)) == "2026-11-21 02:10"
 
 
-def mark_download(folder: Path, rows: list[list[str]], due: str = DUE) -> tuple[int, str]:
+def mark_download(
+    folder: Path, rows: Sequence[Sequence[object]], due: str = DUE
+) -> tuple[int, str]:
     """A class marked by a download and a late rule: exit status and what was said."""
     exam, _ = mark_class(folder / "class", {"7": RIGHT, "8": RIGHT})
     download, policy = folder / "download.csv", folder / "policy.toml"
@@ -114,6 +122,40 @@ def test_moodle_in_a_language_that_is_not_known_is_refused_by_its_first_time(
     assert status == 2
     assert 'download.csv:2: handed in "mardi 1 décembre 2026, 18:00"' in said
     assert "download the file in English" in said
+
+
+def sheet(student: str, submitted: object) -> list[object]:
+    return [student, submitted, *RIGHT]
+
+
+SHEET: list[object] = ["student", "submitted", "q1.v_B", "q1.omega_AB", "q2.a_B"]
+
+
+def test_the_row_that_decides_on_the_order_of_times_is_named(tmp_path: Path) -> None:
+    for first, order in ("30/11/2026 17:00", "day"), ("11/30/2026 17:00", "month"):
+        folder = tmp_path / order
+        folder.mkdir()
+        status, said = mark_download(
+            folder, [SHEET, sheet("7", first), sheet("8", "1/1/2026 9:05")]
+        )
+        assert status == 0, said
+        assert (
+            f'download.csv:2: "{first}" can be read only with the {order} first; so the times of the '
+            "file with this separator are read"
+        ) in said
+
+
+def test_a_day_without_an_hour_is_refused_in_a_workbook_too(tmp_path: Path) -> None:
+    exam, _ = mark_class(tmp_path / "class", {"7": RIGHT})
+    policy, book = tmp_path / "policy.toml", Workbook()
+    policy.write_text(f'[late]\ndue = "{DUE}"\npenalty = "10 %"\n', encoding="utf-8")
+    for row in SHEET, sheet("7", date(2026, 12, 2)):
+        book.worksheets[0].append(row)
+    book.save(tmp_path / "answers.xlsx")
+    marks = "-o", tmp_path / "MARKS", "--policy", policy
+    refused = kinegrade("grade", exam, tmp_path / "answers.xlsx", *marks)
+    assert refused.exit_code == 2
+    assert 'answers.xlsx:2: handed in "2026-12-02": what day and hour' in refused.stderr
 
 
 CANVAS = [

@@ -17,7 +17,7 @@ from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.records import Candidate
 from kinegrade.exam.roster.student_ids import describe_restoration
 from kinegrade.files.answer_file import AnswerFile, LeftOut, Sources
-from kinegrade.files.cell_text import trim
+from kinegrade.files.cell_text import shorten, trim
 from kinegrade.files.tables import Complaint, Row, Table, drop_headers, pack_rows
 from kinegrade.language.message import (
     Fault,
@@ -31,7 +31,7 @@ from kinegrade.lms.responses.detection import DIALECTS, detected, is_header
 from kinegrade.lms.responses.people import Columns, Found, People
 from kinegrade.lms.responses.pooled import Pairs, own_papers_only, pool_of, put_to
 from kinegrade.lms.responses.sheet import read_answer_file
-from kinegrade.lms.responses.times import read_times
+from kinegrade.lms.responses.times import DecidedOrder, read_times
 from kinegrade.lms.responses.typed_rows import Attempts, TypedRow, TypedRows, whole
 
 if TYPE_CHECKING:
@@ -98,9 +98,9 @@ def read_responses(
     found = people.find_all(everybody, table.header, columns)
     _refuse_another_class(table, everybody, columns, found, exam.head.students)
     variants = None if wishes.own_papers or system not in _POOLED else pool_of(exam)
-    answers = _answers(_Read(table, typed, columns, found), variants, exam)
+    answers, orders = _answers(_Read(table, typed, columns, found), variants, exam)
     assumed = list_assumptions(table, system, wishes.source, typed, columns)
-    return Responses(answers, system, (*assumed, *_restored(table.file, found)))
+    return Responses(answers, system, (*assumed, *orders, *_restored(table.file, found)))
 
 
 def _refuse_shuffled(file: str, exam: ExamFolder) -> None:
@@ -144,9 +144,11 @@ class _Read:
     found: Sequence[Found]
 
 
-def _answers(read: _Read, variants: Variants | None, exam: ExamFolder) -> AnswerFile:
-    """The answer sheet. Raises TableError where it is not certain which questions the answers
-    belong to.
+def _answers(
+    read: _Read, variants: Variants | None, exam: ExamFolder
+) -> tuple[AnswerFile, Sequence[Message]]:
+    """The answer sheet, and what decided on the order of its times. Raises TableError where it is
+    not certain which questions the answers belong to.
     """
     table, typed = read.table, read.typed
     pairs: Pairs = list(zip(typed.rows, read.found, strict=False))
@@ -165,10 +167,20 @@ def _answers(read: _Read, variants: Variants | None, exam: ExamFolder) -> Answer
     header = ("student", *typed.columns)
     sheet = replace(table, header=header, rows=pack_rows(_rows(pairs)), complaints=complaints)
     timed = [each for each, _ in pairs if each.submitted]
-    moments = read_times(each.submitted for each in timed)
+    moments, decided = read_times(each.submitted for each in timed)
+    lines = [timed[each.place].row.line for each in decided]
+    orders = [_tell_order(table.file, *each) for each in zip(lines, decided, strict=True)]
     times = {each.row.line: time for each, time in zip(timed, moments, strict=True)}
     taken = tuple(each for each in left if each.student)
-    return AnswerFile(sheet, put, taken, typed.lines, times)
+    return AnswerFile(sheet, put, taken, typed.lines, times), orders
+
+
+def _tell_order(file: str, line: int, decided: DecidedOrder) -> Message:
+    """By which row the times of a file are read day first, or month first."""
+    where, time = f"{file}:{line}", Quoted(shorten(decided.time))
+    if decided.day_first:
+        return Message("responses.day-first", where=where, time=time)
+    return Message("responses.month-first", where=where, time=time)
 
 
 def _known(source: str, path: Path) -> str:

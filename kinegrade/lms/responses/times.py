@@ -1,15 +1,16 @@
 """When something was handed in, as systems write it: read only where it is certain which day and
 which hour is meant.
 
-A date of three numbers is certain where the year comes first, or where one of its column can be
-read in one order alone and all others can be read so; one with the name of a month, in any language
-of the catalogues, always.
+A date of three numbers is certain where the year comes first, or where one of its column with the
+same separator can be read in one order alone and no other in the other alone; one with the name of
+a month, in any language of the catalogues, always.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
 from datetime import datetime
 from functools import cache
 
@@ -30,8 +31,11 @@ _YEAR_FIRST = re.compile(
     rf"[,， ]*(?:(?:星期|周).)?[,， ]*{_CLOCK}{_HALF}{_ZONE}"
 )
 _OF_YEAR = rf"(?P<year>[0-9]{{4}}),? {_CLOCK}{_HALF}{_ZONE}"
-_DAY_FIRST = re.compile(rf"(?P<day>[0-9]{{1,2}})[./-](?P<month>[0-9]{{1,2}})[./-]{_OF_YEAR}")
-_MONTH_FIRST = re.compile(rf"(?P<month>[0-9]{{1,2}})[./-](?P<day>[0-9]{{1,2}})[./-]{_OF_YEAR}")
+_NUMBER = r"[0-9]{1,2}"
+_DAY_FIRST = re.compile(rf"(?P<day>{_NUMBER})([./-])(?P<month>{_NUMBER})\2{_OF_YEAR}")
+_MONTH_FIRST = re.compile(rf"(?P<month>{_NUMBER})([./-])(?P<day>{_NUMBER})\2{_OF_YEAR}")
+_ORDERS = {True: _DAY_FIRST, False: _MONTH_FIRST}
+_SEPARATORS = "./-"
 _MONTHS_A_YEAR = 12
 _MONTHS = (
     Message("responses.month-1"),
@@ -60,25 +64,55 @@ def read_time(cell: str) -> str:
     return text if moment is None else write_moment(moment)
 
 
-def read_times(cells: Iterable[str]) -> list[str]:
-    """The times of one column; where the first or the second number of one is no month, it says
-    for all of them which number is the day.
+@dataclass(frozen=True, slots=True)
+class DecidedOrder:
+    """That the time at a `place` of a column can be read in one order alone, by which all others
+    with its separator are read.
+    """
 
-    >>> read_times(["20.10.2026 18:10", "1.12.2026 9:05"]), read_times(["1.12.2026 9:05"])
+    place: int
+    time: str
+    day_first: bool
+
+
+def read_times(cells: Iterable[str]) -> tuple[list[str], tuple[DecidedOrder, ...]]:
+    """The times of one column, and what decided on their order: where the first or the second
+    number of one is no month, it says for all with its separator which number is the day.
+
+    >>> read_times(["20.10.2026 18:10", "1.12.2026 9:05"])[0], read_times(["1.12.2026 9:05"])[0]
     (['2026-10-20 18:10', '2026-12-01 09:05'], ['1.12.2026 9:05'])
     """
     texts = [read_time(cell) for cell in cells]
-    told = [
-        order
-        for order in (_DAY_FIRST, _MONTH_FIRST)
-        if any(
-            (found := order.fullmatch(text)) and int(found["day"]) > _MONTHS_A_YEAR
+    decided = tuple(order for mark in _SEPARATORS for order in _decide(texts, mark))
+    for order in decided:
+        pattern, mark = _ORDERS[order.day_first], _find_separator(order.time)
+        texts = [
+            _read_in_order(text, pattern) if _find_separator(text) == mark else text
             for text in texts
-        )
+        ]
+    return texts, decided
+
+
+def _decide(texts: Sequence[str], mark: str) -> Iterator[DecidedOrder]:
+    """The first time with this separator that can be read in one order alone, unless another can be
+    read in the other alone.
+    """
+    told = [
+        DecidedOrder(place, text, day_first)
+        for place, text in enumerate(texts)
+        for day_first, order in _ORDERS.items()
+        if _find_separator(text) == mark
+        and (found := order.fullmatch(text))
+        and int(found["day"]) > _MONTHS_A_YEAR
     ]
-    if len(told) != 1:
-        return texts
-    return [_read_in_order(text, told[0]) for text in texts]
+    if len({each.day_first for each in told}) == 1:
+        yield told[0]
+
+
+def _find_separator(text: str) -> str:
+    """What stands between the numbers of a date, "" where it is none of two of them first."""
+    found = _DAY_FIRST.fullmatch(text)
+    return "" if found is None else text[found.end("day")]
 
 
 def _read_in_order(text: str, order: re.Pattern[str]) -> str:
