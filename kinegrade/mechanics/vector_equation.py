@@ -76,6 +76,7 @@ class VectorEquation:
     level: Level
     first: int = 0
     among: int = 1
+    turned: bool = False  # whether its base point is not that of the body's chain
 
     @property
     def parts(self) -> tuple[Part, ...]:
@@ -227,9 +228,7 @@ def _list_acceleration_parts(
 
 
 def _place_part(part: Part, chain: Chain, place: int) -> Part:
-    """The part with the role that its place in the chain gives it: first terms are absolute, or
-    transport.
-    """
+    """The part in the role of its place in the chain: first terms are absolute, or transport."""
     match part.role:
         case "absolute" | "transport" | "relative" | "coriolis":
             return part

@@ -13,7 +13,8 @@ from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Level
 from kinegrade.worked.formulas.atoms import Symbol, VectorSymbol
 
-Key: TypeAlias = tuple[Level, tuple[tuple[Rate, str, str], ...]]
+Ways: TypeAlias = tuple[tuple[Rate, str, str], ...]  # what distinguishes chains of terms
+Key: TypeAlias = tuple[Level, Ways]
 
 
 @dataclass(frozen=True)
@@ -74,7 +75,8 @@ class Findings:
     lead to, so that speeds are left out; `seen` the directions that triangles have given, each from
     one point to another; `poles_sought` the bodies about whose poles answers are; `distances` the
     printed symbols of the distances of poles that have been worked out; `corners` the letters of
-    polygons that have been explained; `told` the formulas within sentences.
+    polygons that have been explained; `told` the formulas within sentences; `spared` the rates that
+    no answer and no later step needs, so that a check alone may ask for them.
     """
 
     facts: dict[Key, Fact] = field(default_factory=dict)
@@ -95,3 +97,10 @@ class Findings:
     distances: set[Row] = field(default_factory=set)
     corners: set[str] = field(default_factory=set)
     told: list[Row] = field(default_factory=list)
+    spared: dict[Level, frozenset[Rate]] = field(
+        default_factory=lambda: {"velocity": frozenset(), "acceleration": frozenset()}
+    )
+
+    def spares(self, rate: Rate, level: Level) -> bool:
+        """Whether neither an answer nor a later step needs a rate."""
+        return rate in self.spared[level]

@@ -13,6 +13,7 @@ from dataclasses import replace
 from kinegrade.language import Language
 from kinegrade.language.message import Message
 from kinegrade.mechanics.plan import Step
+from kinegrade.mechanics.relations import Chain
 from kinegrade.mechanics.vector_equation import Level
 from kinegrade.problem.as_stated import restate
 from kinegrade.problem.pole_names import find_poles
@@ -27,6 +28,7 @@ from kinegrade.worked.case import Case
 from kinegrade.worked.checks.chapters import check_places
 from kinegrade.worked.contacts import find_contact, introduce_contacts
 from kinegrade.worked.document import Block, Heading, WorkedSolution
+from kinegrade.worked.findings import Ways
 from kinegrade.worked.formulas.symbols import read_symbol
 from kinegrade.worked.numbering import number_steps
 from kinegrade.worked.positions.parts import list_lines
@@ -44,6 +46,8 @@ from kinegrade.worked.vectors.needed_rates import (
     Needs,
     are_places,
     find_needs,
+    find_paths,
+    find_spared,
     select_steps,
 )
 from kinegrade.worked.vectors.relatives import choose_coriolis_letters, claim_plain_symbols
@@ -97,6 +101,8 @@ def _write_blocks(case: Case, asked: Sequence[Ask], boxes: AnswerBoxes) -> Itera
     still = tuple(ask for ask in asked if is_positional(ask))
     moving = tuple(ask for ask in asked if ask not in still)
     velocities, accelerations = _select_steps(case, moving)
+    needed = collect_needs(case, moving, find_paths(case.motion))
+    case.findings.spared = find_spared(case.motion, velocities, accelerations, needed)
     given = [step for step in velocities if is_given(step, case)]
     stages = find_stages(velocities, case, "velocity", list_found(given))
     places = are_places(ask.quantity for ask in moving)
@@ -164,11 +170,13 @@ def _leave_out_held(steps: Iterable[Step], case: Case) -> Iterator[Step]:
             yield replace(step, unknowns=left)
 
 
-def collect_needs(case: Case, asked: Iterable[Ask]) -> Needs:
+def collect_needs(
+    case: Case, asked: Iterable[Ask], paths: Mapping[Ways, Chain] | None = None
+) -> Needs:
     """The rates that all answers together need."""
     needs = NOTHING
     for ask in asked:
-        needs |= find_needs(ask.quantity, case.reader)
+        needs |= find_needs(ask.quantity, case.reader, paths)
     return needs
 
 

@@ -13,7 +13,7 @@ from tests.worked.telling import lines, proses
 
 def test_a_sum_has_its_value_before_the_law_of_sines_takes_it() -> None:
     first, *taken = (line for line in lines(kept("stone-crusher")) if "21.14" in line)
-    assert r"$\psi_{EG} + \delta = 6.14^\circ + 15^\circ \approx 21.14^\circ$" in first
+    assert r"$\delta + \psi_{EG} = 15^\circ + 6.14^\circ \approx 21.14^\circ$" in first
     assert any("cos" in line for line in taken)
 
 

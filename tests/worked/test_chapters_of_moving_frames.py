@@ -73,20 +73,21 @@ def test_a_composition_of_velocities() -> None:
         Here $O_{1}A = x_{A} = 4\,\unit{m}$, $OA = \sqrt{x_{A}^{2} + y_{A}^{2}} =
             \sqrt{(4\,\unit{m})^{2} + (3\,\unit{m})^{2}} = 5\,\unit{m}$.
         $a'$ in the polygon: the point of $OB$ at $A$.
-        $OA$ makes the acute angle $\psi_{OA}$ with the $x$ axis:
-        \tan\psi_{OA} &= \frac{y_{A}}{x_{A}} = \frac{3\,\unit{m}}{4\,\unit{m}} = 0.75
-        \psi_{OA} &\approx 36.87^\circ
-        Projecting on the direction from $O$ to $A$, which is perpendicular to
-            $\boldsymbol{v}_{\mathrm{e}}$, eliminates $\boldsymbol{v}_{\mathrm{e}}$:
-        v_{\mathrm{r}} &= v_{\mathrm{a}}\sin\psi_{OA} = 8\,\unit{m/s} \cdot \sin 36.87^\circ =
-            4.8\,\unit{m/s}\quad(\text{from }O\text{ to }B)
+        $OB$ makes the acute angle $\psi_{OB}$ with the $x$ axis:
+        \tan\psi_{OB} &= \frac{y_{B}}{x_{B}} = \frac{6\,\unit{m}}{8\,\unit{m}} = 0.75
+        \psi_{OB} &\approx 36.87^\circ
         Projecting on the normal to $\boldsymbol{v}_{\mathrm{r}}$ (its positive direction
             turned counter-clockwise) eliminates
             $\boldsymbol{v}_{\mathrm{r}}$:
-        v_{\mathrm{e}} &= v_{\mathrm{a}}\cos\psi_{OA} = 8\,\unit{m/s} \cdot \cos 36.87^\circ =
+        v_{\mathrm{e}} &= v_{\mathrm{a}}\cos\psi_{OB} = 8\,\unit{m/s} \cdot \cos 36.87^\circ =
             6.4\,\unit{m/s}
         \omega &= \frac{v_{\mathrm{e}}}{OA} = \frac{6.4\,\unit{m/s}}{5\,\unit{m}} =
             1.28\,\unit{rad/s}\quad\text{(counter-clockwise)}
+        $\boldsymbol{v}_{\mathrm{r}}$ is needed for the check alone.
+        Projecting on the direction from $O$ to $A$, which is perpendicular to
+            $\boldsymbol{v}_{\mathrm{e}}$, eliminates $\boldsymbol{v}_{\mathrm{e}}$:
+        v_{\mathrm{r}} &= v_{\mathrm{a}}\sin\psi_{OB} = 8\,\unit{m/s} \cdot \sin 36.87^\circ =
+            4.8\,\unit{m/s}\quad(\text{from }O\text{ to }B)
         """
     )
 
@@ -113,13 +114,6 @@ def test_a_composition_of_accelerations_with_coriolis() -> None:
         Right-hand rule: $\boldsymbol{a}_{\mathrm{C}}$ has the direction of
             $\boldsymbol{v}_{\mathrm{r}}$ turned through $90^\circ$ counter-clockwise, with
             $\omega$.
-        Projecting on the direction from $A$ to $O$, which is perpendicular to
-            $\boldsymbol{a}_{\mathrm{e}}^{\mathrm{t}}$, eliminates
-            $\boldsymbol{a}_{\mathrm{e}}^{\mathrm{t}}$:
-        a_{\mathrm{a}}^{\mathrm{n}}\cos\psi_{OA} &= a_{\mathrm{e}}^{\mathrm{n}} - a_{\mathrm{r}}
-        a_{\mathrm{r}} &= a_{\mathrm{e}}^{\mathrm{n}} - a_{\mathrm{a}}^{\mathrm{n}}\cos\psi_{OA} =
-            8.192\,\unit{m/s^2} - 16\,\unit{m/s^2} \cdot \cos 36.87^\circ
-        &= -4.608\,\unit{m/s^2}\quad(\text{from }B\text{ to }O)
         Projecting on the normal to $\boldsymbol{a}_{\mathrm{r}}$ (its positive direction
             turned counter-clockwise) eliminates
             $\boldsymbol{a}_{\mathrm{r}}$:
@@ -129,6 +123,14 @@ def test_a_composition_of_accelerations_with_coriolis() -> None:
         &= -2.688\,\unit{m/s^2}\quad\text{(clockwise about }O\text{)}
         \alpha &= \frac{a_{\mathrm{e}}^{\mathrm{t}}}{OA} = \frac{-2.688\,\unit{m/s^2}}{5\,\unit{m}}
             = -0.5376\,\unit{rad/s^2}\quad\text{(clockwise)}
+        $\boldsymbol{a}_{\mathrm{r}}$ is needed for the check alone.
+        Projecting on the direction from $A$ to $O$, which is perpendicular to
+            $\boldsymbol{a}_{\mathrm{e}}^{\mathrm{t}}$, eliminates
+            $\boldsymbol{a}_{\mathrm{e}}^{\mathrm{t}}$:
+        a_{\mathrm{a}}^{\mathrm{n}}\cos\psi_{OA} &= a_{\mathrm{e}}^{\mathrm{n}} - a_{\mathrm{r}}
+        a_{\mathrm{r}} &= a_{\mathrm{e}}^{\mathrm{n}} - a_{\mathrm{a}}^{\mathrm{n}}\cos\psi_{OA} =
+            8.192\,\unit{m/s^2} - 16\,\unit{m/s^2} \cdot \cos 36.87^\circ
+        &= -4.608\,\unit{m/s^2}\quad(\text{from }B\text{ to }O)
         """
     )
 
@@ -158,6 +160,7 @@ def test_a_composition_of_velocities_in_a_translating_frame() -> None:
             eliminates $\boldsymbol{v}_{\mathrm{r}}$:
         v_{D} &= -v_{\mathrm{a}}\sin\psi_{OC} = -10\,\unit{m/s} \cdot \sin 53.13^\circ =
             -8\,\unit{m/s}\quad\text{(to the left)}
+        $\boldsymbol{v}_{\mathrm{r}}$ is needed for the check alone.
         Projecting on the $y$ axis, which is perpendicular to $\boldsymbol{v}_{D}$, eliminates
             $\boldsymbol{v}_{D}$:
         v_{\mathrm{r}} &= v_{\mathrm{a}}\cos\psi_{OC} = 10\,\unit{m/s} \cdot \cos 53.13^\circ =
@@ -187,6 +190,7 @@ def test_a_composition_of_accelerations_without_coriolis() -> None:
             eliminates $\boldsymbol{a}_{\mathrm{r}}$:
         a_{D} &= -a_{\mathrm{a}}^{\mathrm{n}}\cos\psi_{OC} = -20\,\unit{m/s^2} \cdot \cos
             53.13^\circ = -12\,\unit{m/s^2}\quad\text{(to the left)}
+        $\boldsymbol{a}_{\mathrm{r}}$ is needed for the check alone.
         Projecting on the $y$ axis, which is perpendicular to $\boldsymbol{a}_{D}$, eliminates
             $\boldsymbol{a}_{D}$:
         a_{\mathrm{r}} &= -a_{\mathrm{a}}^{\mathrm{n}}\sin\psi_{OC} = -20\,\unit{m/s^2} \cdot \sin

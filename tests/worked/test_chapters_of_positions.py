@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from tests.worked.chapters import as_read, find_untold, read_chapter, solve_small
+from tests.worked.draws import kept
+from tests.worked.telling import lines
 
 FOUR_BAR = """
 joints = ["pin O: ground OA", "pin A: OA AB", "pin B: AB BC", "pin C: ground BC"]
@@ -71,9 +73,7 @@ def test_an_angle_in_degrees() -> None:
     assert not find_untold(
         r"""
         The angle is counted counter-clockwise from the $x$ axis to $\overrightarrow{AC}$.
-        \tan\gamma &= -\frac{y_{A}}{x_{C}} = -\frac{6\,\unit{m}}{8\,\unit{m}} = -0.75
-        The cosine is positive, the sine negative: the angle lies between $-90^\circ$ and $0^\circ$.
-        \gamma &\approx -36.87^\circ
+        \gamma &= \angle(x,\overrightarrow{AC}) \approx -36.87^\circ
         """,
         solution,
     )
@@ -105,3 +105,10 @@ def test_a_component_along_a_direction() -> None:
         """,
         solution,
     )
+
+
+def test_an_angle_that_a_triangle_has_given_is_not_found_by_coordinates_again() -> None:
+    page = list(lines(kept("watt-linkage")))
+    (found,) = (line for line in page if line.strip().startswith(r"\psi_{BC} &"))
+    assert r"&= \angle(x,\overrightarrow{BD}) + \angle DBC" in found
+    assert not any(r"\tan\psi_{BC}" in line for line in page)

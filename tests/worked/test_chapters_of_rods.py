@@ -67,6 +67,9 @@ def test_velocities_by_the_projection_theorem() -> None:
         r"""
         Velocity projection theorem: the velocities of $B$ and $A$ of $AB$ have equal projections on
             the line $BA$.
+        $BA$ makes the acute angle $\psi_{BA}$ with the $x$ axis:
+        \tan\psi_{BA} &= \frac{y_{A}}{x_{B}} = \frac{3\,\unit{m}}{4\,\unit{m}} = 0.75
+        \psi_{BA} &\approx 36.87^\circ
         v_{A}\sin\psi_{BA} &= -v_{B}\cos\psi_{BA}
         v_{A} &= -\frac{v_{B}\cos\psi_{BA}}{\sin\psi_{BA}} = -\frac{2\,\unit{m/s} \cdot \cos
             36.87^\circ}{\sin 36.87^\circ} \approx -2.667\,\unit{m/s}\quad\text{(downwards)}
@@ -77,16 +80,11 @@ def test_velocities_by_the_projection_theorem() -> None:
         [+] \boldsymbol{v}_{AB} | ? $(BA \cdot \omega_{AB})$ | $\perp BA$
         Here $BA = \sqrt{x_{B}^{2} + y_{A}^{2}} = \sqrt{(4\,\unit{m})^{2} + (3\,\unit{m})^{2}} =
             5\,\unit{m}$.
-        $BA$ makes the acute angle $\psi_{BA}$ with the $x$ axis:
-        \tan\psi_{BA} &= \frac{y_{A}}{x_{B}} = \frac{3\,\unit{m}}{4\,\unit{m}} = 0.75
-        \psi_{BA} &\approx 36.87^\circ
         Projecting on the normal to $\boldsymbol{v}_{A}$ (to the left) eliminates
             $\boldsymbol{v}_{A}$:
         0 &= -v_{B} + v_{AB}\sin\psi_{BA}
         v_{AB} &= \frac{v_{B}}{\sin\psi_{BA}} = \frac{2\,\unit{m/s}}{\sin 36.87^\circ} \approx
             3.333\,\unit{m/s}
-        \omega_{AB} &= \frac{v_{AB}}{BA} = \frac{3.333\,\unit{m/s}}{5\,\unit{m}} \approx
-            0.6667\,\unit{rad/s}\quad\text{(counter-clockwise)}
         """
     )
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
@@ -108,7 +109,7 @@ def test_a_sum_of_angles_is_worked_out_once_where_no_check_does_without(
     checks = find_checks(blocks)
     assert [check.agrees for check in checks] == [True, True]
     assert all(rf"\cos {total}^\circ" in check.right for check in checks)
-    said = rf"Here $\varphi + \theta = {phi}^\circ + 45^\circ = {total}^\circ$."
+    said = rf"Here $\theta + \varphi = 45^\circ + {phi}^\circ = {total}^\circ$."
     assert list(lines(blocks)).count(said) == 1
 
 
@@ -218,6 +219,39 @@ def test_every_solution_has_a_check(name: str) -> None:
     published = solutions[0]
     asked = write_worked_solution(published, published.template.asked(), "en")
     assert find_checks(asked.blocks)
+
+
+TERM = re.compile(r"(?:^| )([+-]) ?")
+
+
+def list_signed(side: str, sign: int) -> list[tuple[str, int]]:
+    """The terms of a side, each with its sign."""
+    first = side if side.startswith("-") else f"+{side}"
+    _, *parts = TERM.split(f" {first}")
+    return [
+        (term.strip(), sign if mark == "+" else -sign)
+        for mark, term in zip(parts[::2], parts[1::2], strict=True)
+    ]
+
+
+@pytest.mark.sampled(3, first=1)
+@pytest.mark.parametrize("name", find_template_names())
+def test_no_check_cancels_out_what_it_checks(name: str) -> None:
+    for check in read_checks(name):
+        left = Counter[str]()
+        for side, sign in ((check.left, 1), (check.right, -1)):
+            for term, counts in list_signed(RELATION.split(side)[0].strip(), sign):
+                left[term] += counts
+        assert any(left.values()), check
+
+
+def test_what_a_check_alone_needs_is_found_before_it_and_without_its_rotation() -> None:
+    template = load_template("toggle-press")
+    asked = template.asked()
+    page = list(lines(write_worked_solution(solve_template(template, {}), asked, "en").blocks))
+    said = page.index(r"$\boldsymbol{v}_{DB}$ is needed for the check alone.")
+    assert any("v_{DB} &=" in line for line in page[said:])
+    assert not any(r"\omega_{BD} &=" in line for line in page)
 
 
 @pytest.mark.sampled(3, first=1)

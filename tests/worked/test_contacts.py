@@ -34,16 +34,16 @@ def test_a_pin_is_a_point_of_both_bodies() -> None:
 
 
 @pytest.mark.parametrize(
-    ("language", "rack"),
+    ("language", "racks"),
     [
-        ("en", "at the contact with the rack $B$ at any time; differentiated"),
-        ("zh", "与齿条 $B$ 的接触点在任意时刻无滑动，对时间求导，相对于齿条 $B$，"),
-        ("de", "am Berührpunkt mit der Zahnstange $B$ nichts gleitet, gilt jederzeit;"),
+        ("en", "at the contacts with the rack $A$ and the rack $B$ at any time; differentiated"),
+        ("zh", "与齿条 $A$ 和齿条 $B$ 的接触点在任意时刻均无滑动，对时间求导，分别相对于它们，"),
+        ("de", "an den Berührpunkten mit der Zahnstange $A$ und der Zahnstange $B$ nichts gleitet"),
     ],
 )
-def test_no_slip_between_moving_bodies_says_which_at_accelerations_too(
-    language: Language, rack: str
+def test_no_slip_between_moving_bodies_says_once_which_at_accelerations_too(
+    language: Language, racks: str
 ) -> None:
     """Of a pinion between two racks the same sentence led to two different equations."""
     said = proses(kept("pinion-between-two-racks", 0, None, language))
-    assert sum(rack in text for text in said) == 1
+    assert sum(racks in text for text in said) == 1

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 
 import pytest
@@ -222,3 +223,26 @@ def test_two_frames_one_on_the_other_have_their_reason() -> None:
         "Seen from $AE$, $M$ moves along a known path, and so does the fixed point $B$ seen from "
         "$CMD$. The two compositions together leave two unknown magnitudes."
     )
+
+
+@pytest.mark.sampled(3, first=1)
+@pytest.mark.parametrize("name", find_template_names())
+def test_the_base_points_of_the_idea_are_those_of_the_steps(name: str) -> None:
+    said = kept(name)[1]
+    titles = " ".join(block.text for block in kept(name) if isinstance(block, Heading))
+    assert isinstance(said, Prose)
+    for point in re.findall(r"With \$(.*?)\$ as base point", said.text):
+        assert f"base point ${point}$" in titles
+
+
+def test_the_base_point_is_the_one_whose_velocity_is_known() -> None:
+    """Though the chain of AB begins at B, which CB carries."""
+    said = read_idea("toggle-press")
+    assert "the velocity of $A$ is given and that of $B$ has a known direction" in said
+    assert "With $A$ as base point only two magnitudes are unknown." in said
+
+
+def test_what_rolls_on_two_bodies_is_told_once() -> None:
+    said = read_idea("stepped-drum-on-two-ropes")
+    assert said.count("rolls without slipping") == 1
+    assert "on the rope $A$ and the rope $B$" in said

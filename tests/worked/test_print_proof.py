@@ -16,6 +16,7 @@ from kinegrade.problem.template.texts import find_languages
 from kinegrade.worked.document import Block, Display, Picture, Pictures, Prose
 from kinegrade.worked.solution import write_worked_solution
 from tests.worked.draws import drawn, kept, told
+from tests.worked.reader.economy import find_repeated, find_unused
 from tests.worked.reader.known import KNOWN
 from tests.worked.reader.laws import LAWS, Law, find_faults
 from tests.worked.telling import lines
@@ -72,6 +73,8 @@ WRONG: dict[Law, tuple[Block, ...]] = {
     "angle": (Prose(r"Projected on the axis at $330^\circ$"),),
     "point": (Display((read_math(r"x_{X} = 2\,\unit{m}", ""),)),),
     "closed": (_draw([ALONG], [ACROSS]),),
+    "used": (Display((read_math(r"s = 1 + 1 = 2", ""),)),),
+    "once": (Prose("The rope $A$ does not turn here, so that is zero."),) * 2,
     "label": (Display((read_math(r"v_S = 2\,\unit{m}", ""),)), _draw([ALONG], [ACROSS, BACK])),
 }
 
@@ -82,6 +85,20 @@ def test_a_page_that_breaks_a_law_is_found(law: Law) -> None:
     assert law in {fault.law for fault in find_faults(WRONG[law], solution)}
 
 
+def test_a_sentence_with_other_points_is_another_one() -> None:
+    page = (
+        Prose("The velocity of $B$ is that of the base point $A$."),
+        Prose("The velocity of $C$ is that of the base point $B$."),
+    )
+    assert list(find_repeated(page)) == []
+
+
+def test_what_a_check_alone_takes_up_is_used() -> None:
+    found = Display((read_math(r"v_{DB} = 1\,\unit{m/s} + 1.5\,\unit{m/s} = 2.5\,\unit{m/s}", ""),))
+    assert list(find_unused((found,))) != []
+    assert list(find_unused((found, Prose(r"left side $2.5\,\unit{m/s}$")))) == []
+
+
 def test_a_page_without_faults_has_none() -> None:
     page_lines = (
         r"s = r\cos\varphi = 1\,\unit{m} \cdot \cos 60^\circ = 0.5\,\unit{m}",
@@ -90,7 +107,8 @@ def test_a_page_without_faults_has_none() -> None:
         r"u = s\cos(\varphi + \psi) = 0.5\,\unit{m} \cdot \cos 90^\circ = 0",
     )
     page = Display(tuple(read_math(line, "") for line in page_lines))
-    assert list(find_faults((page,), drawn("slider-crank")[0])) == []
+    end = Prose("Here $u = h$.")
+    assert list(find_faults((page, end), drawn("slider-crank")[0])) == []
 
 
 @pytest.mark.parametrize(
@@ -99,7 +117,8 @@ def test_a_page_without_faults_has_none() -> None:
 def test_a_polygon_that_closes_has_no_faults_with_arrows_drawn_aside_or_not(
     right: list[Arrow],
 ) -> None:
-    page = (Display((read_math(r"v_S = 1\,\unit{m}", ""),)), _draw([ALONG], right))
+    symbol = Display((read_math(r"v_S = 1\,\unit{m}", ""),))
+    page = (symbol, _draw([ALONG], right), Prose("Here $v_S = v_U$."))
     assert list(find_faults(page, drawn("slider-crank")[0])) == []
 
 

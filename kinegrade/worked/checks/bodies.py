@@ -58,7 +58,8 @@ def _list_pairs(level: Level, case: Case) -> Iterator[_Pair]:
     """The pairs of points of each body, those found last first."""
     frames, facts = case.motion.frames, case.findings.facts
     for body in reversed(tuple(frames.bases)):
-        if make_turning(body) not in case.motion.rates:
+        turning = make_turning(body)
+        if turning not in case.motion.rates or case.findings.spares(turning, level):
             continue
         found = {
             point: facts[key]

@@ -11,8 +11,11 @@ from typing import Any
 
 from kinegrade.language.math.width import measure_row
 from kinegrade.language.message import Message
+from kinegrade.mechanics.rates import Rate
 from kinegrade.worked.case import Case
+from kinegrade.worked.deductions.deductions import explain_deduction
 from kinegrade.worked.document import Block
+from kinegrade.worked.formulas.atoms import ZERO, list_summands
 from kinegrade.worked.formulas.equation import WIDEST, Equation, approximate
 from kinegrade.worked.formulas.exactness import is_rounded
 from kinegrade.worked.formulas.formula import Formula
@@ -21,6 +24,9 @@ from kinegrade.worked.formulas.notation import PLAIN
 from kinegrade.worked.formulas.numbers import state_number
 from kinegrade.worked.vectors.angle_sums import work_out_sums
 from kinegrade.worked.vectors.inclinations import Cosine
+from kinegrade.worked.vectors.projection import Deduction
+from kinegrade.worked.vectors.stage import Stage
+from kinegrade.worked.vectors.vectors import name_part
 
 _AT_A_GLANCE = 2 * WIDEST  # letters of both sides
 _LONGEST = 4 * WIDEST  # of those that are told where no shorter one is found
@@ -28,15 +34,33 @@ _CLOSE = 1e-9  # relative: far below a digit that is printed
 
 
 @dataclass(frozen=True)
+class Lacking:
+    """A vector that the answers do without, with the deduction that gives it."""
+
+    stage: Stage
+    deduction: Deduction
+    solved: frozenset[Rate]
+
+    def explain(self) -> Iterator[Block]:
+        """The deduction, under what it is for."""
+        (rate,) = self.deduction.unknowns
+        ((equation, part),) = self.stage.occurrences(rate)
+        vector = self.stage.case.text(name_part(equation, part, self.stage.case, bold=True))
+        yield self.stage.case.say(Message("solution.check-needs", vector=vector))
+        yield from explain_deduction(self.stage, self.deduction, self.solved)
+
+
+@dataclass(frozen=True)
 class Check:
     """By which way, and what either side amounts to; `sums` are cosines of angles that are sums
-    which no line before has worked out.
+    which no line before has worked out, `lacking` what the check alone needs.
     """
 
     way: Message
     left: Equation
     right: Equation
     sums: tuple[Cosine, ...] = ()
+    lacking: tuple[Lacking, ...] = ()
 
     @cached_property
     def letters(self) -> float:
@@ -45,8 +69,20 @@ class Check:
 
     @property
     def is_telling(self) -> bool:
-        """Whether the sides are not the same from the start, and can be read."""
-        return self.left.left != self.right.left and self.letters <= _LONGEST
+        """Whether the sides are not the same from the start, term by term, and can be read."""
+        return bool(self._list_uncancelled()) and self.letters <= _LONGEST
+
+    def _list_uncancelled(self) -> list[Formula]:
+        """What is left where each term goes against the same one on the other side, or beside
+        itself with the other sign.
+        """
+        left = list[Formula]()
+        for one in (*list_summands(self.left.left), *list_summands(-self.right.left)):
+            if -one in left:
+                left.remove(-one)
+            elif one != ZERO:
+                left.append(one)
+        return left
 
     @property
     def is_short(self) -> bool:
@@ -54,7 +90,9 @@ class Check:
         return self.letters <= _AT_A_GLANCE
 
     def say(self, case: Case) -> Iterator[Block]:
-        """The check in one sentence, after the sums of angles that it needs."""
+        """The check in one sentence, after the vectors and the sums of angles that it needs."""
+        for one in self.lacking:
+            yield from one.explain()
         yield from work_out_sums(self.sums, case)
         left, right = map(case.tell, (self.left, self.right))
         yield case.say(Message("solution.check", way=self.way, left=left, right=right))

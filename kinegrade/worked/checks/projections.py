@@ -12,7 +12,7 @@ from kinegrade.mechanics.relations import add_vectors
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import VectorEquation
 from kinegrade.worked.case import Case
-from kinegrade.worked.checks.check import Check, Side, compare
+from kinegrade.worked.checks.check import Check, Lacking, Side, compare
 from kinegrade.worked.deductions.deductions import AXIS_NAMES
 from kinegrade.worked.formulas.atoms import AxisName, add_terms
 from kinegrade.worked.formulas.formula import Formula
@@ -46,6 +46,12 @@ def list_projection_checks(step: Step, stage: Stage, *, summing: bool = False) -
         return
     deductions = tuple(find_deductions(stage.equations, select_scalars(step, case), step.unknowns))
     projections = [one for deduction in deductions for one in deduction.projections]
+    by_theorem = coupler is not None and choose_method(coupler, case) == "projection"
+    lacking = tuple(
+        Lacking(stage, one, frozenset(step.unknowns) - {*one.unknowns})
+        for one in deductions
+        if stage.spares(one) and not by_theorem
+    )
     printed = _list_angles(projections, stage)
     for equation in reversed(stage.equations):
         used = [one.axis for one in projections if one.equation == equation]
@@ -57,7 +63,13 @@ def list_projection_checks(step: Step, stage: Stage, *, summing: bool = False) -
             if all(one.summands for one in sums):
                 way = _name_way(equation, axis, stage)
                 for check in _check_on(projection, way, step, stage):
-                    yield replace(check, sums=sums)
+                    yield replace(check, sums=sums, lacking=_select_lacking(lacking, projection))
+
+
+def _select_lacking(lacking: Iterable[Lacking], projection: Projection) -> tuple[Lacking, ...]:
+    """Those that a projection involves."""
+    left = {share.part.unknown for share in projection.shares}
+    return tuple(one for one in lacking if left.intersection(one.deduction.unknowns))
 
 
 def _name_way(equation: VectorEquation, axis: Message, stage: Stage) -> Message:
@@ -129,7 +141,8 @@ def _check_on(projection: Projection, way: Message, step: Step, stage: Stage) ->
     found, with the sides of the equation.
     """
     shares = projection.shares
-    if len(shares) < 2 or not all(_can_be_told(projection, share, stage) for share in shares):
+    told = all(_can_be_told(projection, share, stage) for share in shares)
+    if len(shares) < 2 or not told or _is_left_out(shares, step, stage):
         return
     left, right = (
         _work_out_side(projection, side, step, stage)
@@ -137,6 +150,14 @@ def _check_on(projection: Projection, way: Message, step: Step, stage: Stage) ->
     )
     largest = max(size(share.part.value) for share in shares)
     yield compare(way, left, right, UNITS[stage.level, False], largest)
+
+
+def _is_left_out(shares: Sequence[Share], step: Step, stage: Stage) -> bool:
+    """Whether a share is that of an unknown which stands with others and that nothing needs."""
+    deductions = find_deductions(stage.equations, select_scalars(step, stage.case), step.unknowns)
+    together = {rate for one in deductions if len(one.unknowns) > 1 for rate in one.unknowns}
+    left = {share.part.unknown for share in shares} & together
+    return any(rate and stage.case.findings.spares(rate, stage.level) for rate in left)
 
 
 def _can_be_told(projection: Projection, share: Share, stage: Stage) -> bool:

@@ -38,8 +38,7 @@ def explain_deduction(
     case, single = stage.case, len(deduction.unknowns) == 1 and not deduction.scalars
     found = None if single else find_elimination(deduction, stage.level, case)
     for projection in deduction.projections:
-        yield from _introduce_angles(stage, projection)
-        yield from explain_sums(_list_cosines(stage, projection), case)
+        yield from introduce_angles(stage, projection)
         yield from explain_alignments(projection, case)
         yield case.say(_announce_axis(stage, projection))
         if single:
@@ -63,7 +62,9 @@ def _explain_insertion(
     stage, kept = insertion.stage, insertion.elimination.kept
     yield from insertion.explain(solved)
     results = list[Equation]()
-    for rate in (kept, *(one for one in deduction.unknowns if one != kept)):
+    spares = stage.case.findings.spares
+    rest = (one for one in deduction.unknowns if one != kept and not spares(one, stage.level))
+    for rate in (kept, *rest):
         found = list(state_results(stage, rate))
         if rate == kept and kept.kind == "turning":
             results.append(state_rotation_result(rate, stage.case, stage.level))
@@ -82,14 +83,15 @@ def _list_cosines(stage: Stage, projection: Projection) -> Iterator[Cosine | Non
             yield find_share_cosine(projection, share, stage.case)
 
 
-def _introduce_angles(stage: Stage, projection: Projection) -> Iterator[Block]:
-    """The angles that a projection uses and that have not been found before."""
+def introduce_angles(stage: Stage, projection: Projection) -> Iterator[Block]:
+    """The angles that a projection uses and that have not been found before, and their sums."""
     for share in (*projection.left, *projection.right):
         if not share.angle or find_share_cosine(projection, share, stage.case) is None:
             continue
         for part in (projection.dropped, share.part):
             if part is not None:
                 yield from introduce_angle(part, stage.case)
+    yield from explain_sums(_list_cosines(stage, projection), stage.case)
 
 
 def _state_projection(

@@ -218,3 +218,10 @@ def multiply_factors(factors: Iterable[Formula]) -> Formula:
 def add_squares(sides: Iterable[Formula]) -> Root:
     """The root of the sum of squares."""
     return Root(add_terms(side**TWO for side in sides))
+
+
+def list_summands(formula: Formula) -> tuple[Formula, ...]:
+    """The terms of a sum, each with its sign; else the formula itself."""
+    if not isinstance(formula.size, Sum):
+        return (formula,)
+    return tuple(one.signed(formula.sign) for one in formula.size.terms)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal, assert_never
 
 from kinegrade.expressions.reading import read_expression
@@ -55,6 +55,8 @@ def explain_circles(
     turned = _tidy((plus if left else minus)(side.direction, Name(corner)), opened)
     seen = Seen(turned, corner, opened.symbols[corner], angle)
     instance.case.findings.seen[first, Name(point)] = seen
+    if isinstance(side.direction, Call):
+        instance.case.findings.seen[first, second] = replace(seen, tree=side.direction)
     placed = Call("polar", (first, radius, turned))
     sense = name_rotation_sense(left)
     return (

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Sequence
 from typing import assert_never
 
-from kinegrade.language.message import Message, Text
+from kinegrade.language.message import Message, Text, list_all
 from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.laws import NoSlip
 from kinegrade.mechanics.rates import make_turning
@@ -61,6 +62,35 @@ def _explain_rolling(roll: NoSlip, term: Term, case: Case, level: Level) -> Mess
             return Message("solution.no-slip-differentiated-seen-from", other=other, **linked)
         case _:
             assert_never(level)
+
+
+def group_rolls(rolls: Iterable[NoSlip]) -> list[tuple[NoSlip, ...]]:
+    """The rollings of one body on several moving ones together, all others alone."""
+    groups = list[tuple[NoSlip, ...]]()
+    for roll in rolls:
+        last = groups[-1][-1] if groups else None
+        if last and GROUND not in (roll.of, last.of) and _find_hub(roll) == _find_hub(last):
+            groups[-1] += (roll,)
+        else:
+            groups.append((roll,))
+    return groups
+
+
+def _find_hub(roll: NoSlip) -> tuple[str, str]:
+    return roll.body, roll.circle.centre
+
+
+def explain_rolls(rolls: Sequence[NoSlip], relation: Relation, case: Case, level: Level) -> Message:
+    """Why the rotation of a body that rolls on several others and the motion of its centre are
+    linked; `relation` is that of one of them.
+    """
+    term = find_term(relation.turning[0][0], case)
+    others = list_all(describe_track(roll, case) for roll in rolls)
+    motion = _name_motion_along_path(rolls[0], term, case, level)
+    rotation = Message("solution.rotation-of", body=case.naming.body(rolls[0].body))
+    return Message(
+        f"solution.rolls-on-each-{level}", other=others, motion=motion, rotation=rotation
+    )
 
 
 def _name_motion_along_path(roll: NoSlip, term: Term, case: Case, level: Level) -> Message:
@@ -157,3 +187,15 @@ def _state_radius(roll: NoSlip, case: Case) -> Formula:
     """The radius of the rolling circle."""
     circle = case.template.scheme.joints[roll.joint].circle
     return state_radius(circle, roll.circle.radius, case)
+
+
+def tell_rolls(rolls: Sequence[NoSlip], case: Case) -> Message:
+    """What no slip links, seen from the track where that moves, or from each of several."""
+    roll, *others = rolls
+    centre, body = case.naming.point(roll.circle.centre), case.naming.body(roll.body)
+    if roll.of == GROUND:
+        return Message("solution.idea-roll", body=body, centre=centre)
+    other = list_all(case.naming.body(one.of) for one in rolls)
+    if others:
+        return Message("solution.idea-roll-on-each", body=body, centre=centre, other=other)
+    return Message("solution.idea-roll-on", body=body, centre=centre, other=other)

@@ -4,7 +4,7 @@ meshing gears, belts.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import assert_never
 
 from kinegrade.language.message import Message
@@ -27,7 +27,7 @@ from kinegrade.worked.document import Block
 from kinegrade.worked.formulas.equation import Equation, equate
 from kinegrade.worked.rates.driven import solve_relative, state_imposed
 from kinegrade.worked.rates.rims import solve_rims, state_belt, state_meshing
-from kinegrade.worked.rates.rolling import solve_rolling, state_rolling
+from kinegrade.worked.rates.rolling import explain_rolls, group_rolls, solve_rolling, state_rolling
 from kinegrade.worked.rates.speeds import Statement, name_rotation, state_rate
 
 
@@ -49,6 +49,25 @@ def state_relation(relation: Relation, case: Case, level: Level) -> Statement:
             raise TypeError("a pin or a guide states no relation of rates alone")
         case _:
             assert_never(source)
+
+
+def state_relations(
+    relations: Sequence[Relation], case: Case, level: Level
+) -> Iterator[tuple[Message, tuple[Equation, ...]]]:
+    """What several relations say, with the reason that they share: a body that rolls on several
+    others does so for one.
+    """
+    found = [(one.source.find_rolling() if one.source else None, one) for one in relations]
+    together = group_rolls(roll for roll, _ in found if roll is not None)
+    for roll, relation in found:
+        group = next((rolls for rolls in together if roll in rolls), ())
+        if len(group) < 2:
+            statement = state_relation(relation, case, level)
+            yield statement.reason, (statement.equation,)
+        elif roll == group[0]:
+            members = (one for other, one in found if other in group)
+            stated = tuple(state_relation(one, case, level).equation for one in members)
+            yield explain_rolls(group, relation, case, level), stated
 
 
 def _state_equal_rotation(law: EqualRotation, case: Case, level: Level) -> Statement:

@@ -130,3 +130,11 @@ def _state_way(part: Part, case: Case) -> Row:
     if part.term is None or part.term.kind == "sliding":
         return state_way(part.value, case)
     return state_way_about(part.value, part.term.vector, part.base, case)
+
+
+def find_pole_body(stage: Stage) -> str | None:
+    """The body whose pole a step finds by normals to velocities."""
+    coupler = find_coupler(stage)
+    if coupler is None or choose_method(coupler, stage.case) != "pole":
+        return None
+    return coupler.body

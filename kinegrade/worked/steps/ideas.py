@@ -4,7 +4,7 @@ chosen and why.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence, Set
 from typing import assert_never
 
 from kinegrade.language.message import Message, Text, list_all
@@ -31,7 +31,8 @@ from kinegrade.worked.case import Case
 from kinegrade.worked.document import Block, Heading
 from kinegrade.worked.rates.driven import is_assumed
 from kinegrade.worked.rates.rims import say_of_carrier
-from kinegrade.worked.steps.couplers import Coupler, choose_method, find_coupler
+from kinegrade.worked.rates.rolling import group_rolls, tell_rolls
+from kinegrade.worked.steps.couplers import Coupler, choose_method, find_coupler, find_pole_body
 from kinegrade.worked.steps.rigid import explain_choice, find_rigid_triangle
 from kinegrade.worked.steps.titles import find_rotations, select_scalars
 from kinegrade.worked.vectors.stage import Stage
@@ -46,7 +47,8 @@ def explain_idea(
     reasons = dict.fromkeys(
         reason for step, stage in stages for reason in _find_reasons(step, stage)
     )
-    reasons |= dict.fromkeys(_explain_poles(case))
+    by_normals = {find_pole_body(stage) for _, stage in stages}
+    reasons |= dict.fromkeys(_explain_poles(by_normals, case))
     if not any(any(find_motion_calls(ask.quantity)) for ask in asked):
         reasons |= dict.fromkeys((Message("solution.idea-pose"), Message("solution.rounded")))
     imposing = (*given, *(step for step, _ in stages))
@@ -100,8 +102,11 @@ def _name_given(law: Imposed, case: Case) -> Iterator[Message]:
 def _find_reasons(step: Step, stage: Stage) -> Iterator[Message]:
     """Why the equations of a step serve; nothing for those that only carry a motion on."""
     case, coupler = stage.case, find_coupler(stage)
-    for relation in select_scalars(step, case):
-        yield from _explain_link(relation.source, case)
+    laws = [relation.source for relation in select_scalars(step, case)]
+    rolls = filter(None, (law.find_rolling() for law in laws if law is not None))
+    yield from (tell_rolls(group, case) for group in group_rolls(rolls))
+    for law in laws:
+        yield from _explain_link(law, case)
     triangle = find_rigid_triangle(stage)
     if triangle is not None:
         yield explain_choice(triangle, case)
@@ -120,11 +125,9 @@ def _explain_link(law: Law | None, case: Case) -> Iterator[Message]:
     """What a relation of rates alone links; nothing for what is given, or turns alike."""
     if law is None:
         return
-    imposed, roll, rims = select_imposed(law), law.find_rolling(), law.find_rims()
+    imposed, rims = select_imposed(law), law.find_rims()
     if imposed is not None:
         yield from _explain_imposed(imposed, case)
-    if roll is not None:
-        yield _explain_roll(roll, case)
     if rims is not None:
         yield say_of_carrier("idea-rims", rims.carrier, case)
 
@@ -148,15 +151,6 @@ def _explain_relative_rotation(body: str, of: str, case: Case) -> Message:
         other=case.naming.body(of),
         base=case.naming.point(case.motion.frames.bases[body].point),
     )
-
-
-def _explain_roll(roll: NoSlip, case: Case) -> Message:
-    """What no slip links, seen from the track where that moves."""
-    centre, body = case.naming.point(roll.circle.centre), case.naming.body(roll.body)
-    if roll.of == GROUND:
-        return Message("solution.idea-roll", body=body, centre=centre)
-    other = case.naming.body(roll.of)
-    return Message("solution.idea-roll-on", body=body, centre=centre, other=other)
 
 
 def _explain_choice(coupler: Coupler, case: Case) -> Message:
@@ -223,9 +217,9 @@ def _explain_common_point(equation: VectorEquation, case: Case) -> Message:
     return Message("solution.idea-common-point", point=point, bodies=bodies, bases=bases)
 
 
-def _explain_poles(case: Case) -> Iterator[Message]:
+def _explain_poles(by_normals: Set[str | None], case: Case) -> Iterator[Message]:
     """How the velocity poles are found that answers are about and that no normals lead to."""
-    for body in sorted(case.findings.poles_sought):
+    for body in sorted(case.findings.poles_sought - by_normals):
         if not case.findings.places_alone:
             yield Message("solution.idea-pole", body=case.naming.body(body))
 

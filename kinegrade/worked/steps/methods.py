@@ -13,7 +13,11 @@ from typing import Literal, TypeAlias, assert_never
 from kinegrade.language.message import Message
 from kinegrade.mechanics.plan import Step
 from kinegrade.problem.template.template import Method
-from kinegrade.worked.deductions.deductions import explain_deduction, show_solution
+from kinegrade.worked.deductions.deductions import (
+    explain_deduction,
+    introduce_angles,
+    show_solution,
+)
 from kinegrade.worked.document import Block
 from kinegrade.worked.steps.couplers import (
     Coupler,
@@ -88,6 +92,7 @@ def _explain_by_projection(coupler: Coupler, step: Step, stage: Stage) -> Iterat
     body = case.naming.body(coupler.body)
     yield from explain_base_speed(coupler, case)
     yield case.say(Message("solution.equal-projections", body=body, first=base, second=point))
+    yield from introduce_angles(stage, first.projections[0])
     yield show_solution(stage, first.projections[0], (), first.unknowns[0])
     yield case.say(introduce_equation(coupler.equation, case))
     yield make_term_table(coupler.equation, case)

@@ -25,13 +25,14 @@ from kinegrade.worked.formulas.atoms import ZERO, VectorSymbol
 from kinegrade.worked.formulas.equation import Equation, equate
 from kinegrade.worked.formulas.measures import length
 from kinegrade.worked.formulas.numbers import state_number
-from kinegrade.worked.rates.scalars import explain_scalar_step, state_relation
+from kinegrade.worked.rates.scalars import explain_scalar_step, state_relations
 from kinegrade.worked.senses import state_way
+from kinegrade.worked.steps.base_points import start_from_known
 from kinegrade.worked.steps.polygons import name_shared_corner, spans_polygon
 from kinegrade.worked.steps.titles import describe_meanings, introduce_equation, select_scalars
 from kinegrade.worked.vectors.arms import find_arms, introduce_lengths
 from kinegrade.worked.vectors.by_components import find_components
-from kinegrade.worked.vectors.coriolis import explain_absence, explain_directions, list_turned
+from kinegrade.worked.vectors.coriolis import explain_absences, explain_directions, list_turned
 from kinegrade.worked.vectors.facts import has_been_told
 from kinegrade.worked.vectors.magnitudes import (
     describe_direction,
@@ -54,7 +55,7 @@ def find_stage(step: Step, case: Case, level: Level, known: Collection[Rate]) ->
     """The vector equations of a step, at the stage where the rates `known` are known."""
     relations = (case.motion.frames.relations[index] for index in step.relations)
     equations = [
-        write_vector_equation(relation, case.motion, known, level)
+        start_from_known(write_vector_equation(relation, case.motion, known, level))
         for relation in relations
         if relation.is_vector
     ]
@@ -80,12 +81,13 @@ def explain_step(step: Step, stage: Stage) -> Iterator[Block]:
         yield from explain_remarks(equation, case)
         yield from _explain_corner(equation, case)
     yield from explain_directions(list_turned(stage), case)
-    for relation in scalars:
-        statement = state_relation(relation, case, stage.level)
-        yield case.say(statement.reason)
-        yield case.show(statement.equation)
+    for reason, equations in state_relations(scalars, case, stage.level):
+        yield case.say(reason)
+        yield case.show(*equations)
     solved: set[Rate] = set()
     for deduction in find_deductions(stage.equations, scalars, step.unknowns):
+        if stage.spares(deduction):
+            continue
         yield from explain_deduction(stage, deduction, solved)
         solved |= set(deduction.unknowns)
 
@@ -146,6 +148,11 @@ def _explain_agreement(equation: VectorEquation, case: Case) -> Iterator[Block]:
         side for side in (equation.left, equation.right) if not any(part.unknown for part in side)
     )
     if all(has_been_told(part, case, equation.level) for part in known):
+        return
+    term = known[0].term
+    if equation.level == "velocity" and term is not None and term.kind == "rotation":
+        name = _name_together(equation, known[0], case)
+        yield from find_point((term,), name, case, "velocity")
         return
     yield case.say(introduce_equation(equation, case))
     yield case.show(*(_state_known(equation, part, case) for part in known))
@@ -213,9 +220,8 @@ def explain_remarks(equation: VectorEquation, case: Case) -> Iterator[Block]:
     )
     if zeros:
         yield case.say(Message("solution.zero-parts", zeros=_list_equations(zeros)))
-    for part in gone:
-        if part.role == "coriolis":
-            yield case.say(explain_absence(part, _state_zero(equation, part, case), case))
+    absent = [(part, _state_zero(equation, part, case)) for part in gone if part.role == "coriolis"]
+    yield from map(case.say, explain_absences(absent, case))
 
 
 def _state_zero(equation: VectorEquation, part: Part, case: Case) -> str:

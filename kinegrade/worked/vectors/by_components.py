@@ -50,6 +50,8 @@ def state_size(fact: Fact, case: Case) -> Equation:
     seen = {name: value for name, value in names.items() if double(value)}
     letters = [name_component(fact.symbol, name) for name in seen]
     size = state_number(length(fact.value, case.arithmetic), unit)
+    if not seen:
+        return Equation(fact.symbol, size)
     if len(seen) == 1:
         return Equation(fact.symbol, (*equate(abs(letters[0])), *size))
     numbers = add_squares(measure(value, unit) for value in seen.values())

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
-from kinegrade.language.message import Message, list_statements
+from kinegrade.language.message import Message, list_all, list_statements
 from kinegrade.mechanics.rates import make_turning
 from kinegrade.mechanics.vector_equation import Part
 from kinegrade.worked.case import Case
@@ -52,13 +52,25 @@ def explain_directions(turned: Iterable[Turned], case: Case) -> Iterator[Block]:
         yield case.say(Message("solution.coriolis-rule", directions=directions))
 
 
-def explain_absence(part: Part, zero: str, case: Case) -> Message:
-    """Why there is no Coriolis acceleration, as `zero` says: its frame does not turn, or the point
-    rests in it.
+def explain_absences(absent: Sequence[tuple[Part, str]], case: Case) -> Iterator[Message]:
+    """Why there are no Coriolis accelerations, each with the equation that says so: frames do not
+    turn, or the point rests in one.
     """
-    if abs(double(case.motion.rates[make_turning(part.frame)])) < NEGLIGIBLE:
-        return Message("solution.no-coriolis-still", frame=case.naming.body(part.frame), zero=zero)
-    return Message("solution.no-coriolis-at-rest", zero=zero)
+    still = [(part, zero) for part, zero in absent if _is_still(part, case)]
+    if still:
+        frames = list_all(case.naming.body(part.frame) for part, _ in still)
+        zeros = list_all(zero for _, zero in still)
+        if len(still) == 1:
+            yield Message("solution.no-coriolis-still", frame=frames, zero=zeros)
+        else:
+            yield Message("solution.no-coriolis-still-each", frame=frames, zero=zeros)
+    for part, zero in absent:
+        if (part, zero) not in still:
+            yield Message("solution.no-coriolis-at-rest", zero=zero)
+
+
+def _is_still(part: Part, case: Case) -> bool:
+    return abs(double(case.motion.rates[make_turning(part.frame)])) < NEGLIGIBLE
 
 
 def _describe_direction(one: Turned, case: Case) -> Message:

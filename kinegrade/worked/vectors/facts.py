@@ -20,8 +20,8 @@ def note_equation(equation: VectorEquation, case: Case) -> None:
     of both chains, and the vectors of points fixed only to the ground.
     """
     relation = equation.relation
-    whole = next((side for side in (equation.left, equation.right) if is_whole(side)), None)
-    if whole is not None:
+    whole = _find_whole(equation)
+    if whole is not None and not _is_spared(whole, equation.level, case):
         for chain in (relation.left, relation.right):
             _keep(chain, _find_fact(whole, equation, case), equation.level, case)
     for chain in (relation.left, relation.right):
@@ -30,8 +30,20 @@ def note_equation(equation: VectorEquation, case: Case) -> None:
             for part in equation.parts
             if chain and part.term is chain[0] and part.role in ("absolute", "transport")
         ]
-        if first:
+        if first and not _is_spared(first, equation.level, case):
             _keep(chain[:1], _find_fact(first, equation, case), equation.level, case)
+
+
+def _find_whole(equation: VectorEquation) -> Sequence[Part] | None:
+    """The vector of the point to which both chains lead."""
+    if equation.turned:
+        return [part for part in equation.right if part.role == "absolute"]
+    return next((side for side in (equation.left, equation.right) if is_whole(side)), None)
+
+
+def _is_spared(parts: Sequence[Part], level: Level, case: Case) -> bool:
+    """Whether a vector's numbers are left out, as nothing needs them."""
+    return any(part.unknown and case.findings.spares(part.unknown, level) for part in parts)
 
 
 def _keep(chain: Chain, fact: Fact, level: Level, case: Case) -> None:

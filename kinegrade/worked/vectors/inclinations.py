@@ -12,9 +12,9 @@ from kinegrade.expressions.tree import Call, Name, Operation
 from kinegrade.language.message import Message
 from kinegrade.mechanics.relations import Term
 from kinegrade.mechanics.vector_equation import Part
-from kinegrade.worked.case import Case
+from kinegrade.worked.case import Case, write_row
 from kinegrade.worked.document import Block, Display
-from kinegrade.worked.formulas.atoms import TWO, Symbol, add_terms
+from kinegrade.worked.formulas.atoms import TWO, Symbol, add_terms, list_summands
 from kinegrade.worked.formulas.formula import Formula, Function, Sum
 from kinegrade.worked.formulas.measures import bearing, double, tidy
 from kinegrade.worked.formulas.numbers import state_angle
@@ -22,6 +22,7 @@ from kinegrade.worked.formulas.symbols import index_letter, join_letters
 from kinegrade.worked.positions.algebra import make_positive, over
 from kinegrade.worked.positions.instance import DEGREE, PURE, make_instance
 from kinegrade.worked.positions.marked_angles import measure_given
+from kinegrade.worked.positions.seen_angles import find_seen_acute
 from kinegrade.worked.positions.stated_angles import find_stated_angle
 from kinegrade.worked.vectors.known_vectors import find_path_term
 from kinegrade.worked.vectors.magnitudes import find_heading, find_track_ends
@@ -65,11 +66,14 @@ class Cosine:
 
 def find_cosine(heading: Inclination, axis: Inclination) -> Cosine | None:
     """The cosine of the angle between two directions; None where that is a right angle or none."""
-    terms = [
-        (sign, one)
-        for sign, one in ((heading.sign, heading), (-axis.sign, axis))
-        if one.angle is not None
-    ]
+    terms = sorted(
+        (
+            (sign, one)
+            for sign, one in ((heading.sign, heading), (-axis.sign, axis))
+            if one.angle is not None
+        ),
+        key=lambda term: _rank(*term),
+    )
     value = tidy(sum(sign * one.value for sign, one in terms))
     if value < 0:
         return find_cosine(_mirror(heading), _mirror(axis))
@@ -82,6 +86,12 @@ def find_cosine(heading: Inclination, axis: Inclination) -> Cosine | None:
     return Cosine(sign, function, angle, value, summands)
 
 
+def _rank(sign: int, one: Inclination) -> tuple[int, bool, str]:
+    """The place of an angle in a sum: the same in every sum, given angles before derived ones."""
+    letters = "" if one.angle is None else write_row(one.angle.print())
+    return -sign, rf"\{_ACUTE}_" in letters, letters
+
+
 def _mirror(one: Inclination) -> Inclination:
     """The direction reflected in the x axis, whose cosines are the same."""
     return Inclination(-one.sign, one.angle, one.value, -one.quarters)
@@ -92,7 +102,7 @@ def _add_angles(terms: list[tuple[int, Formula]]) -> Formula | None:
     if len(terms) == 2 and terms[0][1] == terms[1][1]:
         same = terms[0][0] == terms[1][0]
         return (TWO * terms[0][1]).signed(terms[0][0]) if same else None
-    summands = [one for sign, angle in terms for one in _list_summands(angle.signed(sign))]
+    summands = [one for sign, angle in terms for one in list_summands(angle.signed(sign))]
     left: list[Formula] = []
     for one in summands:
         if -one in left:
@@ -101,13 +111,6 @@ def _add_angles(terms: list[tuple[int, Formula]]) -> Formula | None:
             left.append(one)
     ordered = sorted(left, key=lambda one: -one.sign)
     return add_terms(ordered) if left else None
-
-
-def _list_summands(angle: Formula) -> tuple[Formula, ...]:
-    """The terms of a sum, each with its sign; else the angle itself."""
-    if not isinstance(angle.size, Sum):
-        return (angle,)
-    return tuple(one.signed(angle.sign) for one in angle.size.terms)
 
 
 def find_inclination(part: Part, case: Case) -> Inclination | None:
@@ -241,13 +244,16 @@ def introduce_angle(part: Part, case: Case) -> Iterator[Block]:
     if pair is None:
         return
     symbol = name_acute(ends, case)
+    yield _introduce_acute(ends, symbol, case)
+    seen = find_seen_acute(ends, instance)
+    if seen is not None:
+        tree, named = seen
+        yield Display(named.equation(symbol, tree, DEGREE))
+        return
     rise, run = (make_positive(one, instance.sign(one)) for one in (pair[1], pair[0]))
     name = instance.free("inclination")
     slope = over(rise, run)
     further = instance.named(name, symbol, instance.value(Call("atan", (slope,))))
-    line = case.text(join_letters(map(case.naming.letter, ends)))
-    angle = case.text(symbol)
-    yield case.say(Message("solution.inclination", line=line, angle=angle))
     tangent = Function("tan", symbol)
     yield Display(
         (
@@ -255,3 +261,8 @@ def introduce_angle(part: Part, case: Case) -> Iterator[Block]:
             *further.equation(symbol, Name(name), DEGREE),
         )
     )
+
+
+def _introduce_acute(ends: tuple[str, str], symbol: Symbol, case: Case) -> Block:
+    line = case.text(join_letters(map(case.naming.letter, ends)))
+    return case.say(Message("solution.inclination", line=line, angle=case.text(symbol)))

@@ -26,7 +26,7 @@ from kinegrade.mechanics.relations import Chain, Relation, Term
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Level
 from kinegrade.worked.case import Case
-from kinegrade.worked.findings import Piece
+from kinegrade.worked.findings import Piece, Ways
 from kinegrade.worked.formulas.measures import double
 
 
@@ -120,7 +120,7 @@ def find_path_term(chain: Chain, case: Case) -> Term | None:
     return None
 
 
-def list_ways(chain: Chain) -> tuple[tuple[Rate, str, str], ...]:
+def list_ways(chain: Chain) -> Ways:
     """What distinguishes chains: the rate, the point and the base of each term."""
     return tuple((term.rate, term.point, term.base) for term in chain)
 

@@ -43,7 +43,7 @@ def state_results(stage: Stage, rate: Rate) -> Iterator[Equation]:
         equation, part = found[0]
         symbol = name_value(equation, part, case)
         yield state_vector_value(symbol, part, case, level)
-        if turning:
+        if turning and not case.findings.spares(rate, level):
             yield state_rotation_result(rate, case, level, _divide_by_arm(symbol, part, stage))
     elif turning:
         yield state_rotation_result(rate, case, level)

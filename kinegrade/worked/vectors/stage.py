@@ -26,7 +26,7 @@ from kinegrade.worked.vectors.inclinations import (
     name_direction,
 )
 from kinegrade.worked.vectors.magnitudes import state_magnitude
-from kinegrade.worked.vectors.projection import Projection, Share
+from kinegrade.worked.vectors.projection import Deduction, Projection, Share
 from kinegrade.worked.vectors.vectors import UNITS, name_value
 
 
@@ -46,6 +46,13 @@ class Stage:
             for part in equation.parts
             if part.unknown == rate
         ]
+
+    def spares(self, deduction: Deduction) -> bool:
+        """Whether a deduction gives what stands in no other equation and nothing else needs."""
+        rate, *others = deduction.unknowns
+        if others or deduction.scalars or not self.case.findings.spares(rate, self.level):
+            return False
+        return sum(rate in equation.unknowns for equation in self.equations) == 1
 
     def project(self, projection: Projection, solved: Collection[Rate] | None) -> Equation:
         """A projection as an equation: in symbols where `solved` is None, else in numbers with the

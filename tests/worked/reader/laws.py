@@ -15,6 +15,7 @@ from kinegrade.problem.solution import Solution
 from kinegrade.worked.case import write_row
 from kinegrade.worked.document import Block, Prose
 from tests.worked.reader.amounts import Amount, MixedUnits, Unreadable
+from tests.worked.reader.economy import find_repeated, find_unused
 from tests.worked.reader.equations import Line, Said, Side, read_page
 from tests.worked.reader.forms import (
     find_angles,
@@ -45,6 +46,8 @@ Law: TypeAlias = Literal[
     "point",
     "closed",
     "label",
+    "used",
+    "once",
 ]
 LAWS: dict[Law, str] = {
     "equal": "a sign of equality joins equal values, to within what rounding can do",
@@ -58,6 +61,8 @@ LAWS: dict[Law, str] = {
     "point": "every point with coordinates is one of the statement, or is introduced as where wheels roll",
     "closed": "the arrows of a polygon follow one another from the origin to one end, on two sides",
     "label": "a symbol in a polygon stands beside an arrow as long as its value says",
+    "used": "what is found is asked, or used further down, by a check at least",
+    "once": "no long sentence stands twice under a title",
 }
 NATURAL = (0.0, 90.0, 180.0, 270.0, 360.0)  # degrees
 NEXT = 10  # lines after which an unknown of an equation has been found
@@ -111,6 +116,8 @@ def find_faults(blocks: Sequence[Block], solution: Solution) -> Iterator[Fault]:
                 after = (one for one in parts[place:] if isinstance(one, Line))
                 sought = {_name_left(one) for one in islice(after, NEXT)}
                 yield from _judge_line(part, sought, known)
+    yield from (Fault("used", line) for line in find_unused(blocks))
+    yield from (Fault("once", sentence) for sentence in find_repeated(blocks))
     for wrong in judge_polygons(blocks, known.amounts):
         yield Fault(wrong.law, wrong.line)
 
