@@ -297,9 +297,7 @@ def test_a_system_is_told_that_an_earlier_total_stands(exam: Path) -> None:
     wishes = "--to", "generic", "-o", exam.parent / "sheet.csv", "--per-question"
     done = kinegrade("export", exam.parent / "STANDS", *wishes)
     assert done.exit_code == 1
-    said = (
-        'earlier totals stand for 2 students ("8" and "9"), and questions do not show it - export'
-    )
+    said = 'earlier totals stand for 2 students ("8", "9"), and questions do not show it - export'
     assert said in done.stderr
 
 

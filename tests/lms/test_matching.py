@@ -9,12 +9,13 @@ from pathlib import Path
 import pytest
 
 from kinegrade.errors import TableError
+from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.lms.grades.dialect import ExportOptions
 from kinegrade.lms.grades.fill_in import fill_in
 from kinegrade.lms.grades.grades import read_grades
 from kinegrade.lms.grades.systems.moodle import MOODLE
 from kinegrade.marks_folder.folder import MarksFolder
-from tests.lms.marked_folder import changed, filled, write_marks
+from tests.lms.marked_folder import changed, filled, write_exam, write_marks
 
 GRADE = "Quiz (Real)"
 
@@ -47,6 +48,24 @@ def test_what_is_likely_the_same_is_suggested_and_not_made(tmp_path: Path, cell:
 def test_case_is_no_matter_for_addresses_only(tmp_path: Path) -> None:
     assert len(told(tmp_path, "W1@EXAMPLE.invalid,\n", "Email address")) == 2  # those without a row
     assert changed(tmp_path) == {(2, GRADE): "8.25"}
+
+
+def test_a_row_with_an_id_of_nobody_is_nobodys_whatever_its_address(tmp_path: Path) -> None:
+    text = (
+        f"ID number,Email address,{GRADE}\n0012346,,\n0012348,,\n0999,w1@example.invalid,\n"
+        ",w1@example.invalid,\n"
+    )
+    marks, path = write_marks(tmp_path / "MARKS"), tmp_path / "download.csv"
+    grades = read_grades(MarksFolder(marks), open_exam(write_exam(tmp_path / "EXAM")))
+    path.write_text(text, encoding="utf-8")
+    result = fill_in(MOODLE, grades, path, ExportOptions(feedback=False))
+    lines = result.content.decode().splitlines()
+    assert lines[3:] == ["0999,w1@example.invalid,", ",w1@example.invalid,8.25"]
+    said = (
+        'no student of the marked class has ID number "0999", Email address "w1@example.invalid" - '
+        "the line was not changed"
+    )
+    assert [str(each) for each in result.complaints] == [f"download.csv:4: {said}"]
 
 
 def test_a_number_in_short_form_is_nobody_certain(tmp_path: Path) -> None:

@@ -27,7 +27,7 @@ from kinegrade.language.message import (
 from kinegrade.lms.grades.cells import CellTable, Record
 from kinegrade.lms.grades.grades import StudentGrade
 from kinegrade.lms.grades.key_column import KeyColumn
-from kinegrade.lms.grades.probable_rows import ProbableRows
+from kinegrade.lms.grades.probable_rows import ProbableRows, folded
 
 _MOST_HINTS = 3
 
@@ -56,7 +56,9 @@ def match(
 
     A row that no student matches is skipped where it is a `test_person`'s.
     """
-    claims = _collect_claims(rows, columns, students)
+    strange = _find_strange_ids(rows, columns, students)
+    own = [row for row in rows if row.line not in strange]
+    claims = _collect_claims(own, columns, students)
     claimants = _collect_claimants(claims, students)
     unclear = {line for line, several in claimants.items() if len(several) > 1}
     sure = {
@@ -82,6 +84,21 @@ def match(
         *_list_strangers(table, columns, free),
     ]
     return Matching(sure, tuple(complaints))
+
+
+def _find_strange_ids(
+    rows: Sequence[Record], columns: Sequence[KeyColumn], students: Sequence[StudentGrade]
+) -> set[int]:
+    """The lines of rows with an id that nobody has, not even but for zeros: they are nobody's,
+    whatever else they say. A column that does not hold ids of the class above all says nothing.
+    """
+    lines: set[int] = set()
+    for column in (each for each in columns if each.key.field == "id"):
+        known = {folded(column.wanted(each)) for each in students}
+        held = {row.line: text for row in rows if (text := folded(column.value(row)))}
+        strange = {line for line, text in held.items() if text not in known}
+        lines |= strange if 2 * len(strange) < len(held) else set()
+    return lines
 
 
 def _collect_claimants(
