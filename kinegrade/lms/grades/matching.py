@@ -56,9 +56,7 @@ def match(
 
     A row that no student matches is skipped where it is a `test_person`'s.
     """
-    strange = _find_strange_ids(rows, columns, students)
-    own = [row for row in rows if row.line not in strange]
-    claims = _collect_claims(own, columns, students)
+    claims = _collect_claims(rows, columns, students)
     claimants = _collect_claimants(claims, students)
     unclear = {line for line, several in claimants.items() if len(several) > 1}
     sure = {
@@ -120,11 +118,13 @@ def _collect_claims(
     rows: Sequence[Record], columns: Sequence[KeyColumn], students: Sequence[StudentGrade]
 ) -> Mapping[str, tuple[int, ...]]:
     """The lines of the rows that match each student, by any of the keys."""
+    strange = _find_strange_ids(rows, columns, students)
     lines: list[dict[str, list[int]]] = []
     for column in columns:
         found: dict[str, list[int]] = defaultdict(list)
         for row in rows:
-            found[column.value(row)].append(row.line)
+            if row.line not in strange:
+                found[column.value(row)].append(row.line)
         lines.append(found)
     claims = {}
     for grade in students:
