@@ -107,7 +107,7 @@ def test_a_page_without_faults_has_none() -> None:
         r"u = s\cos(\varphi + \psi) = 0.5\,\unit{m} \cdot \cos 90^\circ = 0",
     )
     page = Display(tuple(read_math(line, "") for line in page_lines))
-    end = Prose("Here $u = h$.")
+    end = Prose("Above stand $u$ and $h$.")
     assert list(find_faults((page, end), drawn("slider-crank")[0])) == []
 
 
@@ -118,7 +118,7 @@ def test_a_polygon_that_closes_has_no_faults_with_arrows_drawn_aside_or_not(
     right: list[Arrow],
 ) -> None:
     symbol = Display((read_math(r"v_S = 1\,\unit{m}", ""),))
-    page = (symbol, _draw([ALONG], right), Prose("Here $v_S = v_U$."))
+    page = (symbol, _draw([ALONG], right), Prose("Above stands $v_S$."))
     assert list(find_faults(page, drawn("slider-crank")[0])) == []
 
 
