@@ -27,7 +27,8 @@ CREDIT = (
     #: For an answer that follows from the student's own wrong answer to an earlier ask; all the
     #: points where it is not stated, none for `0`.
     "follow-through",
-    #: For the right number in a wrong unit.
+    #: For the right number in a wrong unit of motion, `0.55 s` for 0.55 m; with a unit that is not
+    #: known, as in `0.55 kg`, an answer is unreadable and has no credit.
     "wrong-unit",
     #: For known mistakes, by their identifiers: `{ coriolis-halved = "1/2" }`.
     "mistakes",

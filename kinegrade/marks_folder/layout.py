@@ -28,7 +28,7 @@ ANSWER_COLUMNS = (
     "question",
     #: The ask, `v_B`.
     "ask",
-    #: What was typed, unchanged.
+    #: What was typed; an apostrophe stands before what a spreadsheet would run as a formula.
     "response",
     #: The number that was read, in the unit of the ask.
     "read_as",
@@ -44,7 +44,8 @@ ANSWER_COLUMNS = (
     "reason",
     #: The identifiers of the known mistakes that lead to this answer.
     "mistakes",
-    #: `policy` where something other than the paper's rule decided.
+    #: `policy` where the answer was compared by a tolerance of the policy; empty where one that is
+    #: accepted, or other points, decided.
     "rule",
 )
 # grades.csv has a column for each question between these
@@ -144,7 +145,7 @@ CHANGES: Final = TableFile(
     ),
 )
 QUESTIONS_BETWEEN: Final = " "  # question identifiers contain no blank
-#: A copy of the policy; only where there was one.
+#: A copy of the policy; where there was none, a line that says so.
 POLICY: Final = "policy.toml"
 TABLES: Final = (
     ANSWERS,

@@ -378,7 +378,8 @@ def test_a_policy_for_a_question_of_hands_is_told_where_its_points_are_given(fol
     (said,) = faults(grade(folder, "--policy", folder / "policy.toml"), folder)
     assert said == (
         "policy.toml:1: questions.q2: unknown question - it is marked by hand: give or change its "
-        "points in a file of marks, with kinegrade grade --manual"
+        "points in a file of marks, with kinegrade grade --manual; it cannot be dropped: give "
+        "everybody its points"
     )
 
 

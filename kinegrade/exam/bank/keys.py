@@ -29,7 +29,8 @@ BANK = (
     #: 3 to 6, and 4 where nothing is stated. It is printed on the papers, and draws are refused at
     #: which work that carries so many could leave the tolerance.
     "carry",
-    #: `true` gives every paper its own order of the questions.
+    #: `true` gives every paper its own order of the questions, all papers of a version the same;
+    #: questions that are marked by hand keep the number of their place in the bank.
     "shuffle",
     #: The room for working that is left between the statement of every question and its answers,
     #: `"6 cm"`, at least; what is left of a page is shared out among its questions besides.
