@@ -16,6 +16,8 @@ from kinegrade.problem.template.hints import (
     Rimmed,
     Turning,
 )
+from kinegrade.problem.template.library.reading import read_template
+from kinegrade.problem.template.library.starter import write_starter_text
 from kinegrade.problem.template.sections.figure import Names, read_figure
 from kinegrade.problem.template.sections.opening import TEMPLATE
 
@@ -94,6 +96,17 @@ def test_all_faults_come_at_once() -> None:
         'crank.toml:4: figure.angles: "none" - expected a list of tables like [{ symbol = "r", ... }]',
         'crank.toml:5: figure.shapes.AB: "geer" - expected gear, cam, bent, bar, bare, through, arc, rope, load, jaw, disc, geneva or rack',
         'crank.toml:6: figure.axis: unknown key - did you mean axes = "origin", radii = [{ symbol = "R", centre = "O" }] or lines = [["O", "A"]]? (all of them: kinegrade words figure)',
+    )
+
+
+@pytest.mark.parametrize("shape", ["rope", "load"])
+def test_the_ground_is_no_rope(shape: str) -> None:
+    text = write_starter_text() + f'shapes = {{ ground = "{shape}" }}\n'
+    with pytest.raises(TemplateError) as refused:
+        read_template("rocker", text)
+    assert str(refused.value).split("figure.shapes.ground: ")[1] == (
+        "the ground is drawn as no rope - a fixed rope is a body of its own: a point D of it, "
+        '"pin D: ground rope" and "rope translates" among the joints, and rope = "rope" here'
     )
 
 

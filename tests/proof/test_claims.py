@@ -95,6 +95,46 @@ def test_a_sense_that_no_instance_has_is_a_fault(statement: str, right: bool) ->
     assert find(statement) == [said] * (not right)
 
 
+@pytest.mark.parametrize(
+    ("statement", "said"),
+    [
+        ("the pin $A$, vertically above $O$", "A is vertically above O, where it is elsewhere"),
+        ("$O$ is vertically below $A$", "O is vertically below A, where it is elsewhere"),
+        ("$A$ lies to the left of $O$", "A is to the left of O, where it is not"),
+        ("$O$ liegt rechts von $A$", "O is to the right of A, where it is not"),
+        ("$A$ 在 $O$ 正下方", "A is vertically below O, where it is elsewhere"),
+        ("Lager $A$, senkrecht über $O$", "A is vertically above O, where it is elsewhere"),
+        ("$A$ lies to the right of $O$", ""),
+        ("a line through $A$, to the left of $O$", ""),
+    ],
+)
+def test_a_side_on_which_a_point_does_not_lie_is_a_fault(statement: str, said: str) -> None:
+    assert find(statement) == [f"statement: it says that {said}"] * bool(said)
+
+
+def test_a_point_is_vertically_above_another_in_all_instances() -> None:
+    assert find("$A$, vertically above $O$", phi="90") == []
+
+
+@pytest.mark.parametrize(
+    "statement",
+    ["$A$, at the distance {{ half }} from $O$", "$A$ 到 $O$ 的距离为 {{ half }}"],
+)
+def test_a_distance_of_two_points_that_is_another_is_a_fault(statement: str) -> None:
+    said = "statement: it says that AO is half, and AO is 1 m where half is 0.5 m"
+    assert find(statement) == [said]
+    assert find(statement.replace("half", "r")) == []
+    assert find("$M$, to the right of $A$ at the distance {{ half }} from $O$")[1:] == []
+
+
+def test_a_sense_behind_the_words_that_say_it_is_a_fault() -> None:
+    assert find("It {{ OA.turning }}, clockwise") == [
+        'statement: "clockwise" stands behind {{ OA.turning }}, which says the sense at each value: '
+        "leave it out"
+    ]
+    assert find("It {{ OA.turning }}, and a wheel turns clockwise") == []
+
+
 def test_the_other_sense() -> None:
     template = read_template(
         "crank",

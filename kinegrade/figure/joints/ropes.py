@@ -11,11 +11,12 @@ from kinegrade.figure.plane import length, on_line
 from kinegrade.mechanics.joints import GROUND, Line
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
+from kinegrade.problem.template.hints import ROPES
 
 
 def is_rope(shapes: Mapping[str, str], body: str) -> bool:
     """Whether a body is a rope, alone or with a load at its end."""
-    return body != GROUND and shapes.get(body) in ("rope", "load")
+    return body != GROUND and shapes.get(body) in ROPES
 
 
 def find_rope(

@@ -37,6 +37,7 @@ SENSES: tuple[Sense, ...] = ("ccw", "cw")
 TURN: Mapping[Sense, float] = {"ccw": 1.0, "cw": -1.0}  # counter-clockwise is positive
 SIDES: tuple[Side, ...] = ("right", "up", "left", "down")
 SHAPES: tuple[Shape, ...] = get_args(Shape)
+ROPES: tuple[Shape, ...] = ("rope", "load")
 LEVELS: tuple[Level, ...] = ("velocity", "acceleration")
 AXES: tuple[Axis, ...] = ("x", "y")
 PLACES_OF_AXES: tuple[Axes, ...] = get_args(Axes)

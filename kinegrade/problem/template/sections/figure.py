@@ -16,6 +16,7 @@ from kinegrade.problem.template.hints import (
     LEVELS,
     PLACES_OF_AXES,
     PROJECTIONS,
+    ROPES,
     SENSES,
     SHAPES,
     SIDES,
@@ -212,7 +213,10 @@ def _read_shapes(figure: Table, names: Names) -> Mapping[str, Shape]:
     shapes = figure.table("shapes", '{ OA = "bent" }').only(
         *bodies, unknown=Message("fields.unknown-body")
     )
-    return shapes.entries(choice(SHAPES))
+    found = shapes.entries(choice(SHAPES))
+    if found.get(GROUND) in ROPES:
+        shapes.fault(GROUND, Message("template.rope-of-ground"), do=Message("template.fixed-rope"))
+    return found
 
 
 def _read_supports(figure: Table, names: Names) -> Mapping[str, Side]:
