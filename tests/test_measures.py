@@ -54,9 +54,9 @@ def test_lines_of_code_are_lines_without_docstrings_comments_and_blanks(tmp_path
 # did when fairness came to be bounded (mistakes, follow-through, papers alike hard) and when
 # mechanisms came to move (cycles)
 FAR = {
-    "syntax nodes": 758_000,
-    "lines of code": 78_000,
-    "syntax nodes a line": 9.72,
+    "syntax nodes": 762_500,
+    "lines of code": 78_450,
+    "syntax nodes a line": 9.73,
     "modules of more than 250 lines": 24,
 }
 COPIED = """

@@ -22,7 +22,8 @@ from kinegrade.errors import TableError
 from kinegrade.files.cell_text import shorten, trim
 from kinegrade.files.header_line import MOST_ABOVE, HeaderSign, find_header
 from kinegrade.files.merged_cells import note_merged
-from kinegrade.files.tables import Complaint, Row, Table
+from kinegrade.files.rows.row import Row
+from kinegrade.files.tables import Complaint, Table
 from kinegrade.files.workbook_inspection import (
     SAVE_AS_XLSX,
     explain_damaged,

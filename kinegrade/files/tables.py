@@ -7,13 +7,9 @@ or a cell.
 
 from __future__ import annotations
 
-from array import array
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from itertools import accumulate
-from operator import itemgetter
 from pathlib import Path
-from typing import NamedTuple, overload
 
 from kinegrade.errors import TableError
 from kinegrade.files.cell_text import shorten, trim
@@ -29,11 +25,11 @@ from kinegrade.files.csv_writing import write_csv_text
 from kinegrade.files.decoding import CSV_FILE, Decoded, decode, name_encoding
 from kinegrade.files.header_line import HeaderSign
 from kinegrade.files.opening.regular import explain_unopened, open_regular
+from kinegrade.files.rows.cell_grid import CellGrid, pack_grid, read_grid
+from kinegrade.files.rows.row import Row
 from kinegrade.language import ENGLISH
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.message import Fault, Message, Text
-
-_BETWEEN = "\0"
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,52 +55,6 @@ class Complaint:
 
     def __str__(self) -> str:
         return open_catalogue(ENGLISH).write(self.fault)
-
-
-class Row(NamedTuple):
-    """One record; `line` is the physical line, counted from 1, on which it begins."""
-
-    line: int
-    cells: tuple[str, ...]
-
-    def cell(self, index: int) -> str:
-        """The cell of that column, empty where the line is too short."""
-        return self.cells[index] if index < len(self.cells) else ""
-
-
-@dataclass(frozen=True, slots=True)
-class PackedRows(Sequence[Row]):
-    """Rows in a fifth of the memory of a text for each cell, made again as they are asked for.
-
-    The cells of all rows are one text; the rows end at `ends`, which begin with 0, and stand on
-    these `lines`.
-    """
-
-    text: bytes
-    ends: Sequence[int]
-    lines: Sequence[int]
-
-    def __len__(self) -> int:
-        return len(self.lines)
-
-    @overload
-    def __getitem__(self, place: int) -> Row: ...
-
-    @overload
-    def __getitem__(self, place: slice) -> Sequence[Row]: ...
-
-    def __getitem__(self, place: int | slice) -> Row | Sequence[Row]:
-        if isinstance(place, slice):
-            return [self[each] for each in range(*place.indices(len(self)))]
-        each = range(len(self))[place]
-        return self._row(self.lines[each], self.ends[each], self.ends[each + 1])
-
-    def __iter__(self) -> Iterator[Row]:
-        return map(self._row, self.lines, self.ends, self.ends[1:])
-
-    def _row(self, line: int, begin: int, end: int) -> Row:
-        text = self.text[begin:end].decode("utf-8", "surrogatepass")
-        return Row(line, tuple(text.split(_BETWEEN)))
 
 
 @dataclass(frozen=True, slots=True)
@@ -144,8 +94,8 @@ def parse_table(
     """Reads the bytes of a CSV file as `read_table` does; `file` is its name in messages. Raises
     TableError.
 
-    >>> parse_table(b"student;x\\n007;0,5\\n", "a.csv").rows
-    (Row(line=2, cells=('007', '0,5')),)
+    >>> parse_table(b"student;x\\n007;0,5\\n", "a.csv").rows[0]
+    Row(line=2, cells=('007', '0,5'))
     """
     decoded = decode(content, file, encoding)
     text = decoded.text
@@ -154,67 +104,36 @@ def parse_table(
         skipped = first if is_header is None else max(first, count_lines_above(text, is_header))
         body = drop_lines(text, skipped) if skipped else text
         separator, width = find_separator(body)
-        records, stray_quotes = read_records(body, separator, width)
-    filled = [
+        grid = read_grid(body, separator, width, skipped + 1) if width else None
+        records, stray_quotes = ([], []) if grid else read_records(body, separator, width)
+    filled = grid or [
         Row(line + skipped, cells)
         for line, cells in records
         if cells and (cells[0].isalnum() or any(map(trim, cells)))
     ]
     if not filled:
         raise TableError(Fault(file, Message("files.empty-table")))
-    header, *rows = filled
+    grid = grid or pack_grid(filled)
+    header, rows = filled[0], grid.from_row(1) if grid else tuple(filled[1:])
     complaints = (
         *_complain_of_encoding(file, decoded),
         *(_complain_of_stray_quote(file, line + skipped) for line in stray_quotes),
-        *_find_ragged(rows, len(header.cells), file),
+        *_find_ragged(() if grid else rows, len(header.cells), file),
     )
     titles = enumerate(text.splitlines()[first:skipped], first + 1)
     above = tuple(line for line, title in titles if trim(title))
-    return Table(file, header.cells, tuple(rows), decoded.encoding, separator, complaints, above)
+    return Table(file, header.cells, rows, decoded.encoding, separator, complaints, above)
 
 
-def pack_rows(rows: Iterable[Row]) -> Sequence[Row]:
-    """The same rows, packed where that is possible.
-
-    >>> [*pack_rows([Row(2, ("007", "0.5")), Row(4, ("", ""))])]
-    [Row(line=2, cells=('007', '0.5')), Row(line=4, cells=('', ''))]
-    """
-    listed = list(rows)
-    texts = [_BETWEEN.join(row.cells).encode("utf-8", "surrogatepass") for row in listed]
-    together, counts = b"".join(texts), [len(row.cells) for row in listed]
-    if 0 in counts or together.count(_BETWEEN.encode()) != sum(counts) - len(counts):
-        return listed
-    ends = array("q", accumulate(map(len, texts), initial=0))
-    return PackedRows(together, ends, array("q", [row.line for row in listed]))
-
-
-def choose_cells(places: Sequence[int | None]) -> Callable[[tuple[str, ...]], tuple[str, ...]]:
-    """A function that picks these cells of a row; those that it does not have, and those of no
-    place, are blank.
-
-    >>> choose_cells([2, None, 0])(("007", "0.5"))
-    ('', '', '007')
-    """
-
-    def one_by_one(cells: tuple[str, ...]) -> tuple[str, ...]:
-        return tuple(
-            [cells[place] if place is not None and place < len(cells) else "" for place in places]
-        )
-
-    known = [place for place in places if place is not None]
-    if len(known) < len(places) or len(known) < 2:
-        return one_by_one
-    all_at_once, width = itemgetter(*known), max(known) + 1
-    return lambda cells: all_at_once(cells) if len(cells) >= width else one_by_one(cells)
-
-
-def drop_headers(table: Table) -> tuple[Row, ...]:
+def drop_headers(table: Table) -> Sequence[Row]:
     """The rows that do not repeat the header, as in files that were put together from several.
 
     >>> [row.line for row in drop_headers(parse_table(b"id,x\\n1,2\\nid,x\\n3,4\\n", "a.csv"))]
     [2, 4]
     """
     first = table.header[:1]
+    if isinstance(table.rows, CellGrid) and first[0] not in table.rows.column(0):
+        return table.rows
     return tuple(
         [row for row in table.rows if row.cells[:1] != first or not _is_header(row, table.header)]
     )

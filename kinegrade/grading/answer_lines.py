@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 import numpy as np
 
 from kinegrade.files.cell_text import shorten
-from kinegrade.files.csv_writing import encode, neutralise, write_csv_cell
+from kinegrade.files.csv_writing import encode, neutralise, write_csv_cell, write_csv_cells
 from kinegrade.grading.fast.bounds import Places
 from kinegrade.grading.fast.judged_block import KINDS
 from kinegrade.grading.fast.line_columns import LineColumns
@@ -19,6 +19,7 @@ from kinegrade.grading.marks import MarkedBlock
 from kinegrade.grading.reason_columns import add_reasons
 from kinegrade.grading.sheets.pool import list_put_rows
 from kinegrade.grading.typed.answers import Reading
+from kinegrade.grading.typed.plain_cells import PlainCells
 from kinegrade.language.catalogue import Catalogue, open_catalogue
 from kinegrade.marks_folder.writing import MarksWriter
 from kinegrade.numbers.amounts import write_amount
@@ -36,11 +37,10 @@ def write_marks(folder: MarksWriter, blocks: Iterable[MarkedBlock]) -> Iterator[
     with folder.answers() as write:
         for block in blocks:
             write(_write_lines(block, words))
-            for paper, _ in block.judged.rows:
-                if paper.put:
-                    put += list_put_rows(block.asks, paper)
+            for paper in [each for each in block.judged.rows.papers if each.put]:
+                put += list_put_rows(block.asks, paper)
             yield block
-            del block, paper  # so that the next takes its place
+            del block  # so that the next takes its place
     folder.put(put)
 
 
@@ -51,12 +51,13 @@ def _write_lines(block: MarkedBlock, words: Catalogue) -> bytes:
     """
     rows, asks, cells = block.judged.rows, block.asks, block.judged.cells
     lines = LineColumns(len(cells.typed))
-    students = [encode(f"{write_csv_cell(paper.student)},") for paper, _ in rows]
+    ids = write_csv_cells([paper.student for paper in rows.papers])
+    students = [encode(f"{each},") for each in ids]
     lines.add(students, np.repeat(np.arange(len(rows)), len(asks)))
     named = [encode(_join(ask.question, ask.ask, "")) for ask in asks]
     lines.add(named, np.tile(np.arange(len(asks)), len(rows)))
-    if cells.are_plain:
-        lines.add_plain(np.array(cells.typed, dtype=np.bytes_))
+    if isinstance(cells.typed, PlainCells):
+        lines.add_plain(cells.typed.letters.texts)
     else:
         lines.add(_encode_cells(cells.typed, cells, _show_response))
     lines.add([b","], np.zeros(lines.count, dtype=np.intp))
@@ -72,9 +73,8 @@ def _write_lines(block: MarkedBlock, words: Catalogue) -> bytes:
 def _list_held(block: MarkedBlock) -> Places:
     """The places of what papers ask."""
     held = np.ones((len(block.judged.rows), len(block.asks)), dtype=np.bool_)
-    for row, (paper, _) in enumerate(block.judged.rows):
-        if paper.lacks:
-            held[row, [*paper.lacks]] = False
+    for row, lacks in block.judged.rows.lacking.items():
+        held[row, [*lacks]] = False
     return np.flatnonzero(held)
 
 

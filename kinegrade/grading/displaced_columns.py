@@ -58,8 +58,8 @@ class DisplacedColumns:
             judged, width = block.judged, len(self.asks)
             self.numbers.append(judged.cells.values.reshape(-1, width))
             self.right.append(judged.are("right", "void", "accepted").reshape(-1, width))
-            self.files += [entry.file for _, entry in judged.rows]
-            self.lines += [entry.line or 0 for _, entry in judged.rows]
+            self.files += judged.rows.files
+            self.lines += judged.rows.lines.tolist()
             yield block
             del block, judged  # so that the next takes its place
 

@@ -23,17 +23,20 @@ from kinegrade.files.tables import Complaint
 from kinegrade.grading.doubts import find_doubts, find_rows_of_others
 from kinegrade.grading.fast.another_paper import PapersAnswered
 from kinegrade.grading.fast.block_judge import BlockJudge
-from kinegrade.grading.fast.judged_block import USUAL_CREDITS, JudgedBlock, Row
+from kinegrade.grading.fast.judged_block import USUAL_CREDITS, JudgedBlock
 from kinegrade.grading.judging.follow import Follows
 from kinegrade.grading.lateness.submissions import Submissions
 from kinegrade.grading.marks import MarkedBlock, Marks, collect_grades
 from kinegrade.grading.policy.accepted import Alternatives
 from kinegrade.grading.policy.policy import AS_PRINTED, Policy
 from kinegrade.grading.sheets.alternatives import find_strange, leave_out
+from kinegrade.grading.sheets.entry import Entry
+from kinegrade.grading.sheets.grid_entries import GridEntries
 from kinegrade.grading.sheets.pool import Pool
-from kinegrade.grading.sheets.sheet import Entry, Sheet, find_repeated
+from kinegrade.grading.sheets.rows import Row, Rows
+from kinegrade.grading.sheets.sheet import Sheet, find_repeated
+from kinegrade.grading.sheets.sheet_style import find_sheet_style
 from kinegrade.grading.typed.decimal_style import Mark as DecimalMark
-from kinegrade.grading.typed.decimal_style import find_file_style
 from kinegrade.language.message import Text
 from kinegrade.marks_folder.rows import Grade, Submission
 from kinegrade.numbers.amounts import add_amounts
@@ -78,8 +81,7 @@ def mark_blocks(papers: PapersAnswered, sheet: Sheet, terms: MarkingTerms) -> It
     read.
     """
     exam = papers.sitting
-    last = (entries[-1].responses for entries in sheet.entries.values())
-    styles, policy = find_file_style(last, terms.decimal), terms.policy
+    styles, policy = find_sheet_style(sheet, terms.decimal), terms.policy
     judge = BlockJudge(papers, policy, terms.alternatives, styles, terms.follows)
     asks = tuple(policy.ruling(ask.column).ask(ask) for ask in exam.asks)
     submissions = Submissions(policy.penalties)
@@ -114,9 +116,8 @@ class _Marker:
         complaints: list[Complaint] = []
         if not self.terms.own_papers:
             complaints += find_rows_of_others(judged, self.judge.papers, self.sheet.columns)
-        for paper, entry in rows:
-            if paper.lacks:
-                complaints += find_strange(paper, entry, self.asks, self.sheet.columns)
+        for row in rows.lacking:
+            complaints += find_strange(*rows[row], self.asks, self.sheet.columns)
         for paper, entry in rows if self.sheet.repeated else ():
             if paper.student in self.sheet.repeated:
                 complaints += find_repeated(self._entries(paper), entry)
@@ -128,22 +129,25 @@ class _Marker:
                 complaints.append(doubt.complaint)
         return MarkedBlock(self.asks, judged, grades, complaints, general)
 
-    def _judged(self, rows: Sequence[Row]) -> JudgedBlock:
+    def _judged(self, rows: Rows) -> JudgedBlock:
         """These rows judged, by what their papers ask alone."""
-        return self.judge.judged([(row[0], leave_out(*row)) for row in rows], self._handed_in)
+        return self.judge.judged(leave_out(rows), self._handed_in)
 
-    def _make_grades(self, rows: Sequence[Row], judged: JudgedBlock) -> list[Grade]:
+    def _make_grades(self, rows: Rows, judged: JudgedBlock) -> list[Grade]:
         """A student's grade by each row; that of a paper without some alternatives is of the others
         alone.
         """
         all_points, penalised = self._points(judged), self.submissions.penalties.are_any
         grades = [
-            Grade(paper.student, paper.name, *self._find_own(paper, points))
-            for (paper, _), points in zip(rows, all_points, strict=True)
+            Grade(paper.student, paper.name, points, self.out_of)
+            for paper, points in zip(rows.papers, all_points, strict=True)
         ]
+        for row in rows.lacking:
+            paper = rows.papers[row]
+            grades[row] = Grade(paper.student, paper.name, *self._find_own(paper, all_points[row]))
         blank = np.isnan(judged.cells.values.reshape(len(rows), -1))
         for row in np.flatnonzero(blank.all(axis=1)).tolist():  # without a number
-            absent = not self._handed_in(rows[row][0])
+            absent = not self._handed_in(rows.papers[row])
             grades[row] = msgspec.structs.replace(grades[row], absent=absent)
         if not penalised:
             return grades
@@ -184,32 +188,37 @@ class _Marker:
     def _row(self, paper: Paper, entry: Entry) -> Row:
         return self.terms.pool.paper(paper, entry), entry
 
-    def _counted(self, papers: Sequence[Paper]) -> list[Row]:
+    def _counted(self, papers: Sequence[Paper]) -> Rows:
         """The row that counts for each student, as a whole; among equally good rows the last."""
+        entries = self.sheet.entries
+        if isinstance(entries, GridEntries):
+            return Rows(papers, entries.block([paper.student for paper in papers]))
         match self.judge.policy.attempts:
             case "first":
-                return [self._row(paper, self._entries(paper)[0]) for paper in papers]
+                return Rows.of([self._row(paper, self._entries(paper)[0]) for paper in papers])
             case "last":
-                return [self._row(paper, self._entries(paper)[-1]) for paper in papers]
+                return Rows.of([self._row(paper, self._entries(paper)[-1]) for paper in papers])
             case "best":
                 return self._best(papers)
             case _:
                 assert_never(self.judge.policy.attempts)
 
-    def _best(self, papers: Sequence[Paper]) -> list[Row]:
+    def _best(self, papers: Sequence[Paper]) -> Rows:
         rows = [self._row(paper, self._entries(paper)[-1]) for paper in papers]
-        tried = [
-            self._row(paper, entry)
-            for paper in papers
-            if len(self._entries(paper)) > 1
-            for entry in self._entries(paper)
-        ]
+        tried = Rows.of(
+            [
+                self._row(paper, entry)
+                for paper in papers
+                if len(self._entries(paper)) > 1
+                for entry in self._entries(paper)
+            ]
+        )
         best: dict[str, tuple[Fraction, Row]] = {}
         for row, points in zip(tried, self._points(self._judged(tried)), strict=True):
             student, total = row[0].student, self._find_net(row, points)
             if student not in best or total >= best[student][0]:
                 best[student] = total, row
-        return [best[row[0].student][1] if row[0].student in best else row for row in rows]
+        return Rows.of([best[row[0].student][1] if row[0].student in best else row for row in rows])
 
     def _find_net(self, row: Row, points: tuple[Fraction, ...]) -> Fraction:
         """The total of a row without what being late and trying again costs."""

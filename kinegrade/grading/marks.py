@@ -73,11 +73,11 @@ class MarkedBlock:
         """Every single mark."""
         for place in range(len(self.judged.kinds)):
             row, number = divmod(place, len(self.asks))
-            if number in self.judged.rows[row][0].lacks:
+            if number in self.judged.rows.papers[row].lacks:
                 continue
             (verdict, share), ask = self.judged.decision(place), self.asks[number]
             yield Mark(
-                self.judged.rows[row][0].student,
+                self.judged.rows.papers[row].student,
                 ask,
                 self.judged.cells.reading(place),
                 verdict,

@@ -44,8 +44,9 @@ def find_other_sheets(exam: ExamFolder, answers: ClassAnswers) -> Iterator[Compl
     mostly = 2 * wrong > given.sum(axis=1)
     missed = np.flatnonzero(mostly & (wrong >= _LEAST_WRONG)).tolist()
     others = list(_list_others(exam)) if missed else []
-    for row in missed:
-        student, numbers = exam.students[row], answers.numbers[row][given[row]]
+    students = exam.students
+    for row in missed if others else ():
+        student, numbers = students[row], answers.numbers[row][given[row]]
         found = (each.path for each in others if each.has_all(student, numbers))
         if (where := next(found, None)) is not None:
             problem = Message(

@@ -18,7 +18,8 @@ from kinegrade.errors import TableError
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.records import Candidate
 from kinegrade.files.cell_text import trim
-from kinegrade.files.tables import Row, Table, read_table
+from kinegrade.files.rows.row import Row
+from kinegrade.files.tables import Table, read_table
 from kinegrade.files.zip_package import open_package
 from kinegrade.language.message import Fault, Message, Quoted
 from kinegrade.lms.responses.people import People

@@ -19,7 +19,8 @@ from openpyxl.worksheet.properties import PageSetupProperties
 from openpyxl.worksheet.worksheet import Worksheet
 
 from kinegrade.files.csv_writing import restore
-from kinegrade.files.tables import Row, Table
+from kinegrade.files.rows.row import Row
+from kinegrade.files.tables import Table
 from kinegrade.marks_folder.folder import MarksFolder
 from kinegrade.marks_folder.layout import TEXT_COLUMNS, Status
 

@@ -11,7 +11,8 @@ from typing import NamedTuple
 
 from kinegrade.errors import TableError
 from kinegrade.files.csv_writing import restore
-from kinegrade.files.tables import Row, Table, choose_cells
+from kinegrade.files.rows.row import Row, choose_cells
+from kinegrade.files.tables import Table
 from kinegrade.language.message import Fault
 from kinegrade.marks_folder.cells import explain_amount, find_amount, read_whole
 from kinegrade.marks_folder.layout import GRADES, SCALE_GRADE, SUBTRACTED_POINTS

@@ -14,7 +14,8 @@ from kinegrade.exam.folder.keys import Ask, Sitting
 from kinegrade.files.cell_text import is_answered, shorten, trim
 from kinegrade.files.csv_writing import encode_for_people, write_csv_text
 from kinegrade.files.tables import Complaint
-from kinegrade.grading.sheets.sheet import Entry, Part
+from kinegrade.grading.sheets.entry import Entry
+from kinegrade.grading.sheets.sheet import Part
 from kinegrade.grading.typed.decimal_style import FileStyle, find_file_style
 from kinegrade.grading.typed.same_answer import are_same
 from kinegrade.language.catalogue import Catalogue

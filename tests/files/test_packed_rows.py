@@ -7,7 +7,8 @@ import sys
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kinegrade.files.tables import PackedRows, Row, pack_rows
+from kinegrade.files.rows.packed_rows import PackedRows, pack_rows
+from kinegrade.files.rows.row import Row
 
 CELLS = st.lists(st.text(max_size=9), max_size=4).map(tuple)
 ROWS = st.lists(st.builds(Row, st.integers(1, 10**9), CELLS), max_size=9)

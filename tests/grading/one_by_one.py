@@ -19,7 +19,8 @@ from kinegrade.grading.judging.follow import Decided, Follows, follow_answers, w
 from kinegrade.grading.marks import Mark
 from kinegrade.grading.policy.accepted import Alternatives
 from kinegrade.grading.policy.policy import Policy
-from kinegrade.grading.sheets.sheet import Entry, Sheet
+from kinegrade.grading.sheets.entry import Entry
+from kinegrade.grading.sheets.sheet import Sheet
 from kinegrade.grading.typed.answers import read
 from kinegrade.grading.typed.decimal_style import FileStyle, find_file_style
 

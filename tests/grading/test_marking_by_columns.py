@@ -8,6 +8,7 @@ import csv
 import json
 import re
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from fractions import Fraction
 from itertools import cycle
 from pathlib import Path
@@ -54,6 +55,7 @@ SHEETS: dict[str, Callable[[bytes], bytes]] = {
     "quoted cells": lambda sheet: re.sub(rb",(Student \d+),", rb',"\1",', sheet),
     "repeated rows": repeat_rows,
     "unknown and missing students": lambda sheet: sheet.replace(b"\n0000", b"\nx", 9),
+    "no rows": lambda sheet: sheet.partition(b"\n")[0],
     "short rows": lambda sheet: sheet.replace(b"1,", b"1\n", 40),
 }
 
@@ -93,6 +95,28 @@ def test_so_they_are_for_any_sheet(tmp_path: Path, change: Callable[[bytes], byt
     by_columns, by_key = mark_twice(tmp_path, MarkingWishes(own_papers=True))
     assert by_columns == by_key
     assert by_key["marks.csv"].count(b"\n") > 3000
+
+
+def drop_rows(sheet: bytes) -> bytes:
+    """Without every ninth row: these students have none."""
+    head, *rows = sheet.splitlines(keepends=True)
+    return b"".join([head, *(row for place, row in enumerate(rows) if place % 9)])
+
+
+@pytest.mark.parametrize("odd_share", [0, 0.1])
+@pytest.mark.parametrize("change", SHEETS.values(), ids=SHEETS)
+def test_marks_of_a_grid_are_those_of_listed_rows(
+    tmp_path: Path, change: Callable[[bytes], bytes], odd_share: float
+) -> None:
+    write_class(tmp_path, 120, odd_share)
+    sheet = parse_table(change(drop_rows((tmp_path / "answers.csv").read_bytes())), "answers.csv")
+    marks = []
+    for name, rows in {"GRID": sheet.rows, "LISTED": tuple(sheet.rows)}.items():
+        wishes = MarkingWishes(own_papers=True)
+        grade(open_exam(tmp_path / "EXAM"), replace(sheet, rows=rows), tmp_path / name, wishes)
+        marks.append(contents(tmp_path / name))
+    assert marks[0] == marks[1]
+    assert marks[0]["complaints.csv"].count(b"no row") > 10
 
 
 # Below, at and above a bound, and where only digits beyond double precision decide

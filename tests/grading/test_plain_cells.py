@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from math import nan
 
 from hypothesis import example, given
 from hypothesis import strategies as st
@@ -31,7 +32,12 @@ DECIMALS = st.from_regex(r"-?[0-9]{1,5}\.[0-9]{1,5}", fullmatch=True).filter(str
 @example([""])
 def test_all_are_plain_if_each_is(cells: list[str]) -> None:
     each = [PLAIN.fullmatch(cell) is not None and len(cell) <= 20 for cell in cells]
-    assert (PlainCells.of(cells) is not None) == all(each)
+    plain = PlainCells.of(cells)
+    assert (plain is not None) == all(each)
+    if plain is not None:
+        assert [*plain] == cells
+        expected = [float(cell) if cell else nan for cell in cells]
+        assert [*map(repr, plain.values.tolist())] == [*map(repr, expected)]
 
 
 @given(st.lists(DECIMALS | st.sampled_from(["", "1", "0.125", "12.345", "1234.567"]), max_size=6))

@@ -17,7 +17,8 @@ from kinegrade.exam.roster.known_columns import (
 )
 from kinegrade.files.cell_text import make_header_key, shorten, trim
 from kinegrade.files.header_line import HeaderSign
-from kinegrade.files.tables import Row, Table
+from kinegrade.files.rows.row import Row
+from kinegrade.files.tables import Table
 from kinegrade.language.message import Fault, Message, Part, Quoted, list_plainly
 
 COLUMNS: tuple[Column, ...] = get_args(Column)

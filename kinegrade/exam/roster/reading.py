@@ -27,7 +27,8 @@ from kinegrade.exam.roster.mended_ids import Identity, find_id_faults, find_shor
 from kinegrade.exam.roster.students import Student, make_file_names
 from kinegrade.exam.roster.way_of_reading import WayOfReading
 from kinegrade.files.cell_text import trim
-from kinegrade.files.tables import Complaint, Row, Table
+from kinegrade.files.rows.row import Row
+from kinegrade.files.tables import Complaint, Table
 from kinegrade.language.message import Fault, Message, Quoted, list_all
 
 _IDEOGRAPH = "CJK UNIFIED"  # as Unicode calls the characters of Chinese names

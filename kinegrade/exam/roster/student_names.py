@@ -14,7 +14,7 @@ from unicodedata import combining, normalize
 
 from kinegrade.exam.roster.known_columns import Column, list_column_names
 from kinegrade.files.cell_text import make_header_key, trim
-from kinegrade.files.tables import Row
+from kinegrade.files.rows.row import Row
 
 _PARTS: tuple[Column, ...] = ("name", "first", "last")
 _BETWEEN_WORDS = re.compile(r"[\s,.;]+")

@@ -7,7 +7,8 @@ from dataclasses import dataclass
 
 from kinegrade.exam.roster.columns import COLUMNS, Columns
 from kinegrade.files.cell_text import make_header_key, shorten, trim
-from kinegrade.files.tables import Row, Table
+from kinegrade.files.rows.row import Row
+from kinegrade.files.tables import Table
 from kinegrade.language.message import Message, Part, Quoted, list_all, list_plainly
 
 _MOST_NAMED = 12  # columns that are not used

@@ -9,7 +9,8 @@ from kinegrade.errors import TableError
 from kinegrade.exam.roster.known_columns import list_code_columns, list_column_names
 from kinegrade.exam.roster.student_names import NameColumns, find_name_columns
 from kinegrade.files.cell_text import make_header_key, trim
-from kinegrade.files.tables import Row, Table
+from kinegrade.files.rows.row import Row
+from kinegrade.files.tables import Table
 from kinegrade.language.message import Fault, Message, Quoted, list_plainly
 from kinegrade.language.spellings import list_preferred_spellings
 

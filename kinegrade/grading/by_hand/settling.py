@@ -43,8 +43,8 @@ class HandMarking:
     def watched(self, blocks: Iterable[MarkedBlock]) -> Iterator[MarkedBlock]:
         """The same blocks; what the machine gave is noted on the way."""
         for block in blocks:
-            rows = block.judged.rows if self.by_hand else ()
-            for row, (paper, _) in enumerate(rows):
+            papers = block.judged.rows.papers if self.by_hand else ()
+            for row, paper in enumerate(papers):
                 if marks := self.by_hand.get(paper.student):
                     self._note(block, row, marks)
             yield block
@@ -52,7 +52,7 @@ class HandMarking:
 
     def _note(self, block: MarkedBlock, row: int, marks: Mapping[str, HandMark]) -> None:
         """Notes what the machine gave to the asks that a person marked in a row."""
-        student, first = block.judged.rows[row][0].student, row * len(block.asks)
+        student, first = block.judged.rows.papers[row].student, row * len(block.asks)
         for number, ask in enumerate(block.asks):
             if ask.column in marks:
                 _, share = block.judged.decision(first + number)

@@ -22,7 +22,7 @@ from kinegrade.exam.folder.keys import Ask, Key, Paper
 from kinegrade.grading.fast.another_paper import PapersAnswered
 from kinegrade.grading.fast.bounds import Flags, Places, Rules, tabulate_rules
 from kinegrade.grading.fast.compared_cells import compare_cells
-from kinegrade.grading.fast.judged_block import NO_SHARE, JudgedBlock, Row
+from kinegrade.grading.fast.judged_block import NO_SHARE, JudgedBlock
 from kinegrade.grading.fast.mistaken import Leading, Mistakes, find_best
 from kinegrade.grading.fast.reasons import Sentence
 from kinegrade.grading.fast.typed_cells import CellReader
@@ -31,6 +31,7 @@ from kinegrade.grading.judging.follow import Decided, Follows, follow_answers, w
 from kinegrade.grading.judging.judge import Kind, judge
 from kinegrade.grading.policy.accepted import Alternative, Alternatives
 from kinegrade.grading.policy.policy import NO_ROOM, Policy, Ruling
+from kinegrade.grading.sheets.rows import Rows
 from kinegrade.grading.typed.decimal_style import FileStyle
 from kinegrade.language import Language
 from kinegrade.numbers.tolerance import Tolerance
@@ -67,10 +68,10 @@ class BlockJudge:
         """The language of the papers."""
         return self.papers.sitting.language
 
-    def judged(self, rows: Sequence[Row], handed_in: Callable[[Paper], bool]) -> JudgedBlock:
+    def judged(self, rows: Rows, handed_in: Callable[[Paper], bool]) -> JudgedBlock:
         """Judges every answer in these rows; void asks may give points to who `handed_in`."""
-        cells = CellReader(self.asks, self.styles).cells([entry.responses for _, entry in rows])
-        keys = [paper.keys for paper, _ in rows]
+        cells = CellReader(self.asks, self.styles).cells(rows.cells)
+        keys = [paper.keys for paper in rows.papers]
         rules = self._rules([read_rules(each) for each in keys])
         comparison = compare_cells(cells, keys, rules)
         block = JudgedBlock.begin(rows, cells, comparison, self.language)
@@ -89,7 +90,7 @@ class BlockJudge:
     def _void(self, block: JudgedBlock, number: int, handed_in: Callable[[Paper], bool]) -> None:
         """Marks all answers to an ask as void."""
         ruling = self.policy.ruling(self.asks[number].column)
-        for row, (paper, _) in enumerate(block.rows):
+        for row, paper in enumerate(block.rows.papers):
             if number not in paper.lacks:
                 place = row * len(self.asks) + number
                 decision = block.decision(place)
@@ -137,7 +138,7 @@ class BlockJudge:
         """
         open_to = wrong.tolist() if self.alternatives else ()
         found: _Open = {place: None for place in open_to if self._others(block, place)}
-        keys, width = [paper.keys for paper, _ in block.rows], len(self.asks)
+        keys, width = [paper.keys for paper in block.rows.papers], len(self.asks)
         mistakes = Mistakes.of(wrong, read_mistakes(keys, wrong, width))
         leading = mistakes.leading(block.cells.values, rules, block.cells.decimals)
         shares = [self.policy.ruling(ask.column).mistakes for ask in self.asks]
@@ -172,7 +173,7 @@ class BlockJudge:
 
     def _others(self, block: JudgedBlock, place: int) -> Sequence[Alternative]:
         row, number = divmod(place, len(self.asks))
-        paper = block.rows[row][0]
+        paper = block.rows.papers[row]
         which = paper.student, paper.source(number), self.asks[number].column
         return self.alternatives.get(which, ())
 
@@ -181,7 +182,7 @@ class BlockJudge:
         all.
         """
         row, number = divmod(place, len(self.asks))
-        key, reread = block.rows[row][0].key(number, names), partial(block.cells.reread, place)
+        key, reread = block.rows.papers[row].key(number, names), partial(block.cells.reread, place)
         return decide(
             block.cells.reading(place), key, self._ruling(place), self._others(block, place), reread
         )
@@ -224,13 +225,13 @@ class BlockJudge:
         """The questions of a row that are answered as is right on another paper."""
         places = slice(row * len(self.asks), (row + 1) * len(self.asks))
         wrong = block.are(*_LED_ON)[places]
-        return self.papers.find_shared(block.rows[row][0], block.cells.values[places], wrong)
+        return self.papers.find_shared(block.rows.papers[row], block.cells.values[places], wrong)
 
     def _followed(
         self, block: JudgedBlock, row: int, question: range, follows: Follows
     ) -> Mapping[int, Decision]:
         """What follow-through improves, by the number of the ask."""
-        paper, first = block.rows[row][0], row * len(self.asks)
+        paper, first = block.rows.papers[row], row * len(self.asks)
         sources = {paper.source(number) for number in question}
         if len(sources) > 1:  # drawn separately: nothing follows for one mechanism from another
             return {}

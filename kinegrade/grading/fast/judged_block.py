@@ -6,7 +6,6 @@ each answer, because a large class gives a million answers.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import get_args
@@ -14,7 +13,6 @@ from typing import get_args
 import numpy as np
 from numpy.typing import NDArray
 
-from kinegrade.exam.folder.keys import Paper
 from kinegrade.grading.fast.bounds import Flags, Numbers, Places
 from kinegrade.grading.fast.comparison import Comparison
 from kinegrade.grading.fast.mistaken import Leading
@@ -22,11 +20,10 @@ from kinegrade.grading.fast.reasons import Sentence, read_reasons
 from kinegrade.grading.fast.typed_cells import TypedCells
 from kinegrade.grading.judging.decision import Decision
 from kinegrade.grading.judging.judge import Kind, Verdict
-from kinegrade.grading.sheets.sheet import Entry
+from kinegrade.grading.sheets.rows import Rows
 from kinegrade.language import Language
 from kinegrade.language.message import Text
 
-Row = tuple[Paper, Entry]
 NO_SHARE, FULL_SHARE = 0, 1  # indices into `JudgedBlock.credits`
 USUAL_CREDITS = 2  # the length of `credits` if every answer has all or nothing
 KINDS: tuple[Kind, ...] = get_args(Kind)
@@ -45,7 +42,7 @@ class JudgedBlock:
     `worded` are reasons that have been put in words already.
     """
 
-    rows: Sequence[Row]
+    rows: Rows
     cells: TypedCells
     comparison: Comparison
     language: Language
@@ -64,7 +61,7 @@ class JudgedBlock:
 
     @classmethod
     def begin(
-        cls, rows: Sequence[Row], cells: TypedCells, comparison: Comparison, language: Language
+        cls, rows: Rows, cells: TypedCells, comparison: Comparison, language: Language
     ) -> JudgedBlock:
         """A block in which every answer is blank."""
         count = len(cells.typed)

@@ -20,9 +20,9 @@ import numpy as np
 from kinegrade.exam.folder.keys import Ask
 from kinegrade.grading.fast.bounds import Flags, Numbers
 from kinegrade.grading.typed.answers import PLAIN, Reading, read
+from kinegrade.grading.typed.cell_block import CellBlock
 from kinegrade.grading.typed.decimal_style import FileStyle
 from kinegrade.grading.typed.number_text import DecimalStyle
-from kinegrade.grading.typed.plain_cells import PlainCells
 from kinegrade.numbers.decimals import FEW_DIGITS
 
 _PLAIN = re.compile(PLAIN)
@@ -69,14 +69,13 @@ class CellReader:
     asks: tuple[Ask, ...]
     styles: FileStyle
 
-    def cells(self, rows: Sequence[Sequence[str]]) -> TypedCells:
+    def cells(self, block: CellBlock) -> TypedCells:
         """All cells of these rows."""
-        typed = [*chain.from_iterable(rows)]
-        plain = PlainCells.of(typed) if _takes_plain_numbers(self.styles.style) else None
+        plain = block.plain if _takes_plain_numbers(self.styles.style) else None
         if plain is not None:
-            values, decimals = _read_plain(typed), plain.lengths <= FEW_DIGITS
-            return TypedCells(self, typed, values, decimals, typed, {}, {})
-        return self._row_by_row(rows, typed)
+            decimals = plain.letters.lengths <= FEW_DIGITS
+            return TypedCells(self, plain, plain.values, decimals, plain, {}, {})
+        return self._row_by_row(block.rows, [*chain.from_iterable(block.rows)])
 
     def _row_by_row(self, rows: Sequence[Sequence[str]], typed: Sequence[str]) -> TypedCells:
         usual = _takes_plain_numbers(self.styles.style)

@@ -11,7 +11,8 @@ from kinegrade.errors import TableError
 from kinegrade.files.cell_text import is_answered, shorten
 from kinegrade.files.tables import Complaint
 from kinegrade.grading.lateness.rule import LateRule, Penalties
-from kinegrade.grading.sheets.sheet import Entry, Sheet
+from kinegrade.grading.sheets.entry import Entry
+from kinegrade.grading.sheets.sheet import Sheet
 from kinegrade.language.message import Fault, Message, Quoted
 from kinegrade.marks_folder.rows import Submission
 

@@ -9,18 +9,23 @@ from collections.abc import Iterator, Sequence
 from kinegrade.exam.folder.keys import Ask, Paper
 from kinegrade.files.cell_text import is_answered, shorten, trim
 from kinegrade.files.tables import Complaint
-from kinegrade.grading.sheets.sheet import Entry
+from kinegrade.grading.sheets.entry import Entry
+from kinegrade.grading.sheets.rows import Rows
 from kinegrade.language.message import Message, Quoted
 from kinegrade.question_numbers import find_bank_number
 
 
-def leave_out(paper: Paper, entry: Entry) -> Entry:
-    """The entry without what is typed for questions that the paper does not hold."""
-    lacks = paper.lacks
-    if not lacks:
-        return entry
-    left = ("" if number in lacks else cell for number, cell in enumerate(entry.responses))
-    return entry._replace(responses=tuple(left))
+def leave_out(rows: Rows) -> Rows:
+    """The rows without what is typed for questions that their papers do not hold."""
+    lacking = rows.lacking
+    if not lacking:
+        return rows
+    entries = [*rows.entries]
+    for row, lacks in lacking.items():
+        cells = enumerate(entries[row].responses)
+        left = tuple(["" if number in lacks else cell for number, cell in cells])
+        entries[row] = entries[row]._replace(responses=left)
+    return Rows(rows.papers, entries)
 
 
 def find_strange(

@@ -15,8 +15,10 @@ from kinegrade.exam.folder.keys import Ask, Sitting
 from kinegrade.files.answer_file import AnswerFile, LeftOut
 from kinegrade.files.cell_text import is_answered, shorten, trim
 from kinegrade.files.tables import Complaint, Table
+from kinegrade.grading.sheets.entry import Entry, OtherTime, Place
+from kinegrade.grading.sheets.grid_entries import GridEntries
 from kinegrade.grading.sheets.part import read_part
-from kinegrade.grading.sheets.sheet import Entry, OtherTime, Part, Place, Sheet
+from kinegrade.grading.sheets.sheet import Part, Sheet
 from kinegrade.grading.typed.same_answer import are_same
 from kinegrade.language.message import Message, Quoted
 
@@ -49,12 +51,19 @@ def class_sheet(files: Sequence[AnswerFile], exam: Sitting) -> Sheet:
         *_find_left_out(left_out, entries),
         *_find_missing_students(names, exam, entries, {each.student for each in left_out}),
     ]
-    nothing = (Entry(None, ("",) * len(exam.asks), file=names),)
     return Sheet(
         tuple(name or ask.column for name, ask in zip(columns, exam.asks, strict=True)),
-        {student: entries.get(student, nothing) for student in exam.students},
+        _arrange(entries, exam, names),
         tuple(complaints),
     )
+
+
+def _arrange(entries: _Entries, exam: Sitting, names: str) -> _Entries:
+    """Those of all examinees, empty ones of those who have none."""
+    if isinstance(entries, GridEntries):
+        return entries.of(exam.students)
+    nothing = (Entry(None, ("",) * len(exam.asks), file=names),)
+    return {student: entries.get(student, nothing) for student in exam.students}
 
 
 def _join(parts: Sequence[Part], asks: Sequence[Ask]) -> tuple[_Entries, list[Complaint]]:

@@ -18,8 +18,9 @@ from kinegrade.exam.roster.known_columns import (
 )
 from kinegrade.files.answer_file import AnswerFile, Sources
 from kinegrade.files.cell_text import make_header_key, trim
-from kinegrade.files.tables import Table, choose_cells
-from kinegrade.grading.sheets.sheet import Place
+from kinegrade.files.rows.row import choose_cells
+from kinegrade.files.tables import Table
+from kinegrade.grading.sheets.entry import Place
 from kinegrade.language.message import Fault, Message, Text, list_plainly
 
 _NO_STUDENT_COLUMN = Message("marking.no-student-column")

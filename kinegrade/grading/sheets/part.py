@@ -15,10 +15,14 @@ from kinegrade.exam.roster.student_names import StudentNames, find_name_columns
 from kinegrade.exam.roster.students import make_student_key
 from kinegrade.files.answer_file import AnswerFile
 from kinegrade.files.cell_text import shorten, trim
-from kinegrade.files.tables import Complaint, Row, Table, drop_headers
+from kinegrade.files.rows.row import Row
+from kinegrade.files.tables import Complaint, Table, drop_headers
 from kinegrade.grading.sheets.columns import Columns, find_columns
+from kinegrade.grading.sheets.entry import Entry
+from kinegrade.grading.sheets.grid_entries import GridEntries
+from kinegrade.grading.sheets.grid_finding import find_grid_entries
 from kinegrade.grading.sheets.header_units import find_stated_units
-from kinegrade.grading.sheets.sheet import Entry, Part, quote_cells
+from kinegrade.grading.sheets.sheet import Part, quote_cells
 from kinegrade.language.message import (
     Message,
     Quoted,
@@ -34,8 +38,18 @@ def read_part(answers: AnswerFile, exam: Sitting) -> Part:
     """
     table = answers.table
     columns = find_columns(table, exam.asks)
-    rows, complaints = _group_rows(table, columns, exam)
+    names = tuple("" if index is None else table.header[index] for index in columns.asks)
     stated = find_stated_units(table, columns, exam.asks)
+    about_columns = (
+        *table.complaints,
+        *_find_extra_columns(table, columns),
+        *stated.complaints,
+    )
+    grid = None if any(stated.units) else find_grid_entries(answers, columns, exam)
+    if grid is not None:
+        unlike = _find_other_names(table, grid, StudentNames(exam.names))
+        return Part(table.file, names, grid, (*about_columns, *unlike))
+    rows, complaints = _group_rows(table, columns, exam)
     responses = stated.convert(columns.responses())
     put, places = columns.sources(answers), columns.places(answers)
 
@@ -51,15 +65,8 @@ def read_part(answers: AnswerFile, exam: Sitting) -> Part:
         return Entry(row.line, given, kept, table.file, sources, at, submitted=when)
 
     entries = {student: _make_entries(several, make_entry) for student, several in rows.items()}
-    names = ("" if index is None else table.header[index] for index in columns.asks)
-    said = (
-        *table.complaints,
-        *_find_extra_columns(table, columns),
-        *stated.complaints,
-        *complaints,
-        *_find_other_names(table, rows, StudentNames(exam.names)),
-    )
-    return Part(table.file, tuple(names), entries, said)
+    unlike = _find_other_names(table, rows, StudentNames(exam.names))
+    return Part(table.file, names, entries, (*about_columns, *complaints, *unlike))
 
 
 def _group_rows(
@@ -106,7 +113,7 @@ def _find_other_codes(
 
 
 def _find_other_names(
-    table: Table, rows: Mapping[str, Sequence[Row]], names: StudentNames
+    table: Table, rows: Mapping[str, Sequence[Row]] | GridEntries, names: StudentNames
 ) -> Iterator[Complaint]:
     """A complaint for each name beside an id that is that of another student."""
     columns = find_name_columns(table.header)
@@ -114,15 +121,30 @@ def _find_other_names(
         return
     place, *others = columns.places
     own, title = {} if others else names.by_student, table.header[place]
+    for student, row in _list_unlike(rows, place, own):
+        other = names.find_other(student, columns.written(row))
+        if other is not None:
+            problem = Message("marking.name-of-another", student=Quoted(other))
+            done = Message("marking.not-by-name", student=Quoted(student))
+            yield Complaint(table.file, row.line, title, "", problem, done)
+
+
+def _list_unlike(
+    rows: Mapping[str, Sequence[Row]] | GridEntries, place: int, own: Mapping[str, str]
+) -> Iterator[tuple[str, Row]]:
+    """The rows, each with its student, whose cell at that place is not the student's own; it is
+    that of most rows.
+    """
+    if isinstance(rows, GridEntries):
+        cells, grid = rows.grid.cells.column(place), rows.grid.cells
+        for student, row in rows.places.items():
+            if cells[row] != own.get(student):
+                yield student, grid[row]
+        return
     for student, several in rows.items():
-        for row in several:
-            if row.cell(place) == own.get(student):  # as in most rows
-                continue
-            other = names.find_other(student, columns.written(row))
-            if other is not None:
-                problem = Message("marking.name-of-another", student=Quoted(other))
-                done = Message("marking.not-by-name", student=Quoted(student))
-                yield Complaint(table.file, row.line, title, "", problem, done)
+        for each in several:
+            if each.cell(place) != own.get(student):
+                yield student, each
 
 
 def _complain_of_restored(table: Table, columns: Columns, restored: Mapping[str, str]) -> Complaint:

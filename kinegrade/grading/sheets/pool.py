@@ -12,7 +12,8 @@ from dataclasses import dataclass, field
 
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.keys import Ask, Examinee, KeyedExam, Paper, Sitting
-from kinegrade.grading.sheets.sheet import Entry, Sheet
+from kinegrade.grading.sheets.entry import Entry
+from kinegrade.grading.sheets.sheet import Sheet
 from kinegrade.marks_folder.rows import Put
 
 
@@ -48,7 +49,7 @@ def read_pool(exam: ExamFolder, sheet: Sheet) -> Pool:
     ExamError.
     """
     wanted = {
-        source for entries in sheet.entries.values() for entry in entries for source in entry.put
+        source for entries in sheet.listed.values() for entry in entries for source in entry.put
     }
     return Pool(exam.papers_of(wanted - {""}))
 

@@ -9,54 +9,13 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import NamedTuple
 
-from kinegrade.files.answer_file import Sources
 from kinegrade.files.cell_text import shorten, trim
 from kinegrade.files.csv_writing import write_csv_text
 from kinegrade.files.tables import Complaint
+from kinegrade.grading.sheets.entry import Entry
+from kinegrade.grading.sheets.grid_entries import GridEntries
 from kinegrade.language.message import Message
-
-
-class Place(NamedTuple):
-    """Where something stands; `line` is None where no particular line is at fault."""
-
-    file: str
-    line: int | None
-
-
-class OtherTime(NamedTuple):
-    """Another time at which a student handed in, by another file than the first, and where it
-    stands.
-    """
-
-    place: Place
-    submitted: str
-
-
-class Entry(NamedTuple):
-    """One row of a student: the responses in the order of the asks; `line` is None where the
-    student has no row.
-
-    `whole` is the row as it came, where the student has several in its file. `put` holds for each
-    ask the student whose line of the key it is marked by, "" for the student's own; it is empty
-    where all are the student's own. `submitted` is when it was handed in, as far as that is known.
-    `places` are those of the single responses, where they come from several files; `other_times`
-    are those that do not count.
-    """
-
-    line: int | None
-    responses: tuple[str, ...]
-    whole: str = ""
-    file: str = ""
-    put: Sources = ()
-    places: tuple[Place, ...] = ()
-    submitted: str = ""
-    other_times: tuple[OtherTime, ...] = ()
-
-    def place(self, number: int) -> Place:
-        """Where the response to an ask stands."""
-        return self.places[number] if self.places else Place(self.file, self.line)
 
 
 @dataclass(frozen=True)
@@ -72,10 +31,15 @@ class Sheet:
     entries: Mapping[str, tuple[Entry, ...]]
     complaints: tuple[Complaint, ...]
 
+    @property
+    def listed(self) -> Mapping[str, tuple[Entry, ...]]:
+        """Those that may be more than a row of a grid: several of a student, or put together."""
+        return {} if isinstance(self.entries, GridEntries) else self.entries
+
     @cached_property
     def repeated(self) -> frozenset[str]:
         """The students who have several."""
-        return frozenset(student for student, each in self.entries.items() if len(each) > 1)
+        return frozenset(student for student, each in self.listed.items() if len(each) > 1)
 
 
 @dataclass(frozen=True, slots=True)

@@ -14,14 +14,14 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from itertools import chain, islice
+from itertools import islice
 from typing import Literal, assert_never
 
 import numpy as np
 
+from kinegrade.grading.typed.cell_block import CellBlock, ListedCells
 from kinegrade.grading.typed.keyboard import fold
 from kinegrade.grading.typed.number_text import DecimalStyle, MarkUse, read_mantissa
-from kinegrade.grading.typed.plain_cells import PlainCells
 from kinegrade.language.message import Message, Text
 
 Mark = Literal["comma", "point"]
@@ -138,9 +138,16 @@ def find_file_style(rows: Iterable[Sequence[str]], declared: Mark | None = None)
     """
     if declared is not None:
         return FileStyle(_read_declared_style(declared), declared=True)
-    each, counted = iter(rows), np.zeros(3, dtype=np.intp)
-    while block := list(islice(each, _BLOCK)):
-        counted += _count_plain(block) or _count_any(block)
+    each = iter(rows)
+    blocks = iter(lambda: ListedCells([*islice(each, _BLOCK)]), ListedCells([]))
+    return find_common_style(blocks)
+
+
+def find_common_style(blocks: Iterable[CellBlock]) -> FileStyle:
+    """The style of a file from its rows of answers in blocks."""
+    counted = np.zeros(3, dtype=np.intp)
+    for block in blocks:
+        counted += _count_plain(block) or _count_any(block.rows)
     commas, points, count = counted.tolist()
     comma, reason = _judge_comma(commas, points, count)
     doubt = Message("marking.point-by-rule") if commas and not points else ""
@@ -154,15 +161,15 @@ def _count_any(rows: Sequence[Sequence[str]]) -> tuple[int, int, int]:
     return commas, points, len(found)
 
 
-def _count_plain(rows: Sequence[Sequence[str]]) -> tuple[int, int, int] | None:
+def _count_plain(block: CellBlock) -> tuple[int, int, int] | None:
     """The same of rows of plain numbers, which most are, several times faster; None for others."""
-    width = len(rows[0])
-    plain = PlainCells.of([*chain.from_iterable(rows)]) if width else None
-    decimals = None if plain is None else plain.find_decimals()
-    if plain is None or decimals is None or any(len(row) != width for row in rows):
+    plain, width = block.plain, block.width
+    decimals = None if plain is None or not width else plain.find_decimals()
+    if plain is None or decimals is None:
         return None
     show, filled = (
-        int(cells.reshape(-1, width).any(axis=1).sum()) for cells in (decimals, plain.lengths > 0)
+        int(cells.reshape(-1, width).any(axis=1).sum())
+        for cells in (decimals, ~np.isnan(plain.values))
     )
     return 0, show, filled
 

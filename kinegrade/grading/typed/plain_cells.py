@@ -1,85 +1,116 @@
-"""Cells that are plain numbers such as -12.5, or blank: told from all others thousands at once, as
-most cells of most files are such.
+"""Cells that are plain numbers such as -12.5, or blank: told from all others and read thousands at
+once, as most cells of most files are such.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from typing import overload
 
 import numpy as np
 from numpy.typing import NDArray
 
-from kinegrade.grading.typed.number_text import MOST_DIGITS
+from kinegrade.files.rows.letter_table import LONGEST, LetterTable, tabulate_letters
+from kinegrade.numbers.decimals import FEW_DIGITS
 
-_LETTERS = b"0123456789.-\n"
-_END, _MINUS, _POINT, _ZERO = b"\n-.0"
-_LONGEST = MOST_DIGITS // 2  # letters
+_BLANK, _MINUS, _POINT, _ZERO = b"\0-.0"
+_TENS = 10.0 ** np.arange(LONGEST)
 
+_Flags = NDArray[np.bool_]
+_Numbers = NDArray[np.float64]
 _Places = NDArray[np.intp]
 
 
-@dataclass(frozen=True, slots=True)
-class PlainCells:
-    """The `letters` of cells, each of which ends with a line break, at `ends`."""
+@dataclass(frozen=True, slots=True, eq=False)
+class PlainCells(Sequence[str]):
+    """Cells, each a sign or none, digits, and a point with digits or none, or blank.
 
-    letters: NDArray[np.uint8]
-    ends: _Places
+    Where they have a point, so many digits stand `behind` it; `values` are NaN where they are
+    blank.
+    """
+
+    letters: LetterTable
+    has_point: _Flags
+    behind: _Places
+    values: _Numbers
 
     @classmethod
     def of(cls, cells: Sequence[str]) -> PlainCells | None:
-        """The cells, each a sign or none, digits, and a point with digits or none, or blank; None
-        where one is anything else.
-        """
-        text = "\n".join([*cells, ""]).encode("utf-8", "surrogatepass")
-        if text.translate(None, _LETTERS):
+        """These cells; None where one is anything else."""
+        letters = tabulate_letters(cells)
+        return None if letters is None else cls.of_letters(letters)
+
+    @classmethod
+    def of_letters(cls, letters: LetterTable) -> PlainCells | None:
+        """The cells with these letters; None where one is anything else."""
+        columns = np.ascontiguousarray(letters.table.T)
+        digits = columns - _ZERO  # below zero they begin again from the highest
+        are_digits = digits < 10
+        if not _are_numbers(columns, are_digits):
             return None
-        letters = np.frombuffer(text, dtype=np.uint8)
-        found = cls(letters, np.flatnonzero(letters == _END))
-        return found if len(found.ends) == len(cells) and found._are_numbers() else None
+        count = len(letters.lengths)
+        has_point, behind = np.zeros(count, dtype=np.bool_), np.zeros(count, dtype=np.intp)
+        whole = np.zeros(count)
+        for column, digit, is_digit in zip(columns, digits, are_digits, strict=True):
+            whole = np.where(is_digit, 10 * whole + digit, whole)
+            behind += is_digit & has_point
+            is_point = column == _POINT
+            if (is_point & has_point).any():
+                return None
+            has_point |= is_point
+        # Both are whole numbers that doubles hold, so that the quotient is rightly rounded
+        values = np.copysign(whole / _TENS[behind], np.where(columns[0] == _MINUS, -1.0, 1.0))
+        values[letters.lengths == 0] = np.nan
+        found = cls(letters, has_point, behind, values)
+        for place in np.flatnonzero(letters.lengths > FEW_DIGITS).tolist():
+            values[place] = float(found[place])
+        return found
 
-    @property
-    def lengths(self) -> _Places:
-        """How many letters each cell has."""
-        return np.diff(self.ends, prepend=-1) - 1
+    def __len__(self) -> int:
+        return len(self.values)
 
-    def _are_numbers(self) -> bool:
-        """Whether signs stand before digits alone, and points between digits, one in a cell."""
-        letters, signs, points = self.letters, self._find(_MINUS), self._find(_POINT)
-        return bool(
-            (self.lengths <= _LONGEST).all()
-            and (letters[signs + 1] >= _ZERO).all()
-            and (letters[signs[signs > 0] - 1] == _END).all()
-            and (letters[points + 1] >= _ZERO).all()
-            and (letters[points - 1] >= _ZERO).all()
-            and not self._hold_two_points()
-        )
+    @overload
+    def __getitem__(self, place: int) -> str: ...
 
-    def _hold_two_points(self) -> bool:
-        """Whether a point follows another one before the end of a cell."""
-        at = self.letters[(self.letters == _POINT) | (self.letters == _END)] == _POINT
-        return bool((at[1:] & at[:-1]).any())
+    @overload
+    def __getitem__(self, place: slice) -> Sequence[str]: ...
 
-    def find_decimals(self) -> NDArray[np.bool_] | None:
+    def __getitem__(self, place: int | slice) -> str | Sequence[str]:
+        if isinstance(place, slice):
+            return [text.decode("ascii") for text in self.letters.texts[place].tolist()]
+        return bytes(self.letters.texts[place]).decode("ascii")
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self[:])
+
+    def find_decimals(self) -> _Flags | None:
         """Which cells have a point that certainly stands before decimals: it does not where three
         digits stand behind it, and before it one to three that are not a lone zero. None where a
         cell of another form has to be looked at.
         """
-        points = self._find(_POINT)
-        cells = self._find_cells(points)
-        begins = np.append(0, self.ends[:-1] + 1)[cells]
-        begins = begins + (self.letters[begins] == _MINUS)
-        before, behind = points - begins, self.ends[cells] - points - 1
-        if ((behind == 3) & (before > 3)).any():
+        table, lengths = self.letters.table, self.letters.lengths
+        signs = table[:, 0] == _MINUS
+        before = lengths - self.behind - 1 - signs
+        of_three = self.has_point & (self.behind == 3)
+        if (of_three & (before > 3)).any():
             return None
-        alone = (before == 1) & (self.letters[points - 1] == _ZERO)
-        found = np.zeros(len(self.ends), dtype=np.bool_)
-        found[cells] = (behind != 3) | alone
+        first = table[np.arange(len(table)), signs.astype(np.intp) % table.shape[1]]
+        alone = (before == 1) & (first == _ZERO)
+        found: _Flags = self.has_point & (~of_three | alone)
         return found
 
-    def _find(self, letter: int) -> _Places:
-        return np.flatnonzero(self.letters == letter)
 
-    def _find_cells(self, places: _Places) -> _Places:
-        """The numbers of the cells in which these letters stand."""
-        return np.searchsorted(self.ends, places)
+def _are_numbers(columns: NDArray[np.uint8], is_digit: _Flags) -> bool:
+    """Whether signs stand before digits alone, and points between digits; `columns` have a letter
+    of each cell.
+    """
+    is_sign, is_point = columns == _MINUS, columns == _POINT
+    between = is_digit[:-2] & is_digit[2:]
+    return bool(
+        (is_digit | is_sign | is_point | (columns == _BLANK)).all()
+        and not is_sign[1:].any()
+        and not (is_sign[0] & ~is_digit[1 % len(columns)]).any()
+        and not (is_point[0].any() or is_point[-1].any())
+        and not (is_point[1:-1] & ~between).any()
+    )

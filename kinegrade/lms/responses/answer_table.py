@@ -18,7 +18,9 @@ from kinegrade.exam.folder.records import Candidate
 from kinegrade.exam.roster.student_ids import describe_restoration
 from kinegrade.files.answer_file import AnswerFile, LeftOut, Sources
 from kinegrade.files.cell_text import shorten, trim
-from kinegrade.files.tables import Complaint, Row, Table, drop_headers, pack_rows
+from kinegrade.files.rows.packed_rows import pack_rows
+from kinegrade.files.rows.row import Row
+from kinegrade.files.tables import Complaint, Table, drop_headers
 from kinegrade.language.message import (
     Fault,
     Message,

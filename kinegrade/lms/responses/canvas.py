@@ -17,7 +17,8 @@ from kinegrade.errors import TableError
 from kinegrade.exam.folder.records import ExamHead
 from kinegrade.files.assumed_unit import in_unit
 from kinegrade.files.cell_text import make_header_key, trim
-from kinegrade.files.tables import Row, Table
+from kinegrade.files.rows.row import Row
+from kinegrade.files.tables import Table
 from kinegrade.language.message import Fault, Message, list_plainly
 from kinegrade.lms.responses.ask_headers import asks_by_name, columns_of_asks
 from kinegrade.lms.responses.asked_units import asked_unit

@@ -17,7 +17,8 @@ from kinegrade.exam.roster.known_columns import (
 )
 from kinegrade.exam.roster.student_ids import StudentIds
 from kinegrade.files.cell_text import is_answered, make_header_key, shorten, trim
-from kinegrade.files.tables import Complaint, Row, Table
+from kinegrade.files.rows.row import Row
+from kinegrade.files.tables import Complaint, Table
 from kinegrade.language.message import Fault, Message, Quoted
 from kinegrade.language.spellings import list_preferred_spellings
 from kinegrade.lms.responses.people import Kind

@@ -12,7 +12,8 @@ from dataclasses import dataclass
 from kinegrade.errors import TableError
 from kinegrade.exam.folder.records import ExamHead
 from kinegrade.files.cell_text import shorten, trim
-from kinegrade.files.tables import Complaint, Row, Table
+from kinegrade.files.rows.row import Row
+from kinegrade.files.tables import Complaint, Table
 from kinegrade.language.message import Fault, Message, Quoted, list_plainly
 from kinegrade.lms.responses.ask_headers import expect_exam
 from kinegrade.lms.responses.cloze import Wording, part_count, parts, wording

@@ -15,7 +15,7 @@ from kinegrade.exam.folder.records import Candidate
 from kinegrade.exam.roster.student_ids import StudentIds
 from kinegrade.exam.roster.students import make_student_key
 from kinegrade.files.cell_text import make_header_key, shorten, trim
-from kinegrade.files.tables import Row
+from kinegrade.files.rows.row import Row
 from kinegrade.language.message import Message, Quoted, Text, list_all
 
 Kind = Literal["id", "email", "code"]

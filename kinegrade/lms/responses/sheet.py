@@ -19,8 +19,9 @@ from kinegrade.exam.roster.known_columns import (
 from kinegrade.files.answer_file import AnswerFile
 from kinegrade.files.cell_text import make_header_key, trim
 from kinegrade.files.header_line import HeaderSign
+from kinegrade.files.rows.row import Row, choose_cells
 from kinegrade.files.spreadsheet import read_workbook
-from kinegrade.files.tables import Complaint, Row, Table, choose_cells, read_table
+from kinegrade.files.tables import Complaint, Table, read_table
 from kinegrade.files.workbook_inspection import is_workbook
 from kinegrade.language.message import Fault, Message
 from kinegrade.language.spellings import list_spellings

@@ -12,7 +12,8 @@ import msgspec
 
 from kinegrade.files.cell_text import shorten
 from kinegrade.files.csv_writing import write_csv_text
-from kinegrade.files.tables import Complaint, Row
+from kinegrade.files.rows.row import Row
+from kinegrade.files.tables import Complaint
 from kinegrade.language.message import Message
 from kinegrade.lms.responses.people import Kind
 

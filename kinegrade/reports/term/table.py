@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 
 from kinegrade.files.csv_writing import neutralise
-from kinegrade.files.tables import Row, Table
+from kinegrade.files.rows.row import Row
+from kinegrade.files.tables import Table
 from kinegrade.grade_scale.scale import Scale
 from kinegrade.language.message import Message
 from kinegrade.marks_folder.layout import Status

@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 from kinegrade.exam.folder.keys import Ask
 from kinegrade.grading.fast.typed_cells import CellReader
 from kinegrade.grading.typed.answers import read
+from kinegrade.grading.typed.cell_block import ListedCells
 from kinegrade.grading.typed.decimal_style import find_file_style
 
 ASKS = (
@@ -28,7 +29,7 @@ ROWS = st.lists(st.tuples(*[st.one_of(PLAIN, PLAIN, ODD)] * 3), min_size=1, max_
 @given(ROWS, st.sampled_from([None, "comma", "point"]))
 def test_cells_are_read_as_one_by_one(rows: list[tuple[str, ...]], declared: str | None) -> None:
     style = find_file_style(rows, declared)  # type: ignore[arg-type]
-    cells = CellReader(ASKS, style).cells(rows)
+    cells = CellReader(ASKS, style).cells(ListedCells(rows))
     for row, responses in enumerate(rows):
         for number, (typed, ask) in enumerate(zip(responses, ASKS, strict=True)):
             place = row * len(ASKS) + number

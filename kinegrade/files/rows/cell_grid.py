@@ -1,0 +1,130 @@
+"""Rows of equally many cells, as most files have: their text, and where each cell ends.
+
+Where nothing in a file is quoted, that is the text of the file.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import pairwise
+from typing import overload
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinegrade.files.cell_text import trim
+from kinegrade.files.rows.letter_table import LetterTable, gather_letters, pad_letters
+from kinegrade.files.rows.row import Row
+
+_BREAK, _BETWEEN = "\n", "\x1f"
+_LEFT_TO_OTHERS = '"', "\r", "\0"
+_LETTERS = np.array([chr(letter).isalnum() and letter < 128 for letter in range(256)])
+
+_Places = NDArray[np.intp]
+
+
+@dataclass(frozen=True, eq=False)
+class CellGrid(Sequence[Row]):
+    """Rows of so many cells, made as they are asked for, and the `lines` on which they stand.
+
+    Cells are counted row after row: one begins behind a place of the `bounds` and ends at the next.
+    """
+
+    text: bytes
+    separator: str
+    width: int
+    bounds: _Places
+    lines: _Places
+
+    def __len__(self) -> int:
+        return len(self.lines)
+
+    @overload
+    def __getitem__(self, place: int) -> Row: ...
+
+    @overload
+    def __getitem__(self, place: slice) -> Sequence[Row]: ...
+
+    def __getitem__(self, place: int | slice) -> Row | Sequence[Row]:
+        if isinstance(place, slice):
+            return [self[each] for each in range(*place.indices(len(self)))]
+        row = range(len(self))[place]
+        begin, end = self.bounds[[row * self.width, (row + 1) * self.width]].tolist()
+        return self._row(int(self.lines[row]), begin + 1, end)
+
+    def __iter__(self) -> Iterator[Row]:
+        ends = pairwise(self.bounds[:: self.width].tolist())
+        for line, (begin, end) in zip(self.lines.tolist(), ends, strict=True):
+            yield self._row(line, begin + 1, end)
+
+    def _row(self, line: int, begin: int, end: int) -> Row:
+        return Row(line, tuple(_decode(self.text[begin:end]).split(self.separator)))
+
+    def from_row(self, row: int) -> CellGrid:
+        """The rows from that one on."""
+        bounds = self.bounds[row * self.width :]
+        return CellGrid(self.text, self.separator, self.width, bounds, self.lines[row:])
+
+    def column(self, number: int) -> Sequence[str]:
+        """The cells of a column."""
+        begins, ends = self.bounds[number:-1][:: self.width], self.bounds[number + 1 :: self.width]
+        pieces = zip((begins + 1).tolist(), ends.tolist(), strict=True)
+        return [_decode(self.text[begin:end]) for begin, end in pieces]
+
+    def tabulate(self, cells: _Places) -> LetterTable | None:
+        """The letters of these cells, nothing for one below 0; None where one is long."""
+        begins, ends, there = np.zeros_like(cells), np.zeros_like(cells), cells >= 0
+        begins[there], ends[there] = self.bounds[cells[there]] + 1, self.bounds[cells[there] + 1]
+        return gather_letters(self._letters, begins, ends)
+
+    @cached_property
+    def _letters(self) -> NDArray[np.uint8]:
+        return pad_letters(self.text)
+
+
+def read_grid(text: str, separator: str, width: int, line: int) -> CellGrid | None:
+    """The rows of a text that begins at that line; None where its lines are not so even, or one has
+    blanks alone.
+    """
+    if any(letter in text for letter in _LEFT_TO_OTHERS):
+        return None
+    whole = text if text.endswith(_BREAK) else text + _BREAK
+    grid = _divide(whole, separator, width, np.arange(line, line + whole.count(_BREAK)))
+    if grid is None:
+        return None
+    first = np.frombuffer(grid.text, dtype=np.uint8)[grid.bounds[:-1:width] + 1]
+    doubtful = np.flatnonzero(~_LETTERS[first]).tolist()
+    filled = all(any(map(trim, grid[row].cells)) for row in doubtful)
+    return grid if filled else None
+
+
+def pack_grid(rows: Sequence[Row]) -> CellGrid | None:
+    """The same rows in a grid; None where they have not equally many cells, or one has a letter
+    that has a meaning here.
+    """
+    width = len(rows[0].cells)
+    text = "".join([f"{_BETWEEN.join(row.cells)}{_BREAK}" for row in rows])
+    even = all(len(row.cells) == width for row in rows)
+    counts = text.count(_BETWEEN), text.count(_BREAK)
+    if not even or "\0" in text or counts != ((width - 1) * len(rows), len(rows)):
+        return None
+    return _divide(text, _BETWEEN, width, np.array([row.line for row in rows], dtype=np.intp))
+
+
+def _divide(text: str, separator: str, width: int, lines: _Places) -> CellGrid | None:
+    """The cells of a text; None where its lines have not so many."""
+    content = text.encode("utf-8", "surrogatepass")
+    letters = np.frombuffer(content, dtype=np.uint8)
+    ends = np.flatnonzero((letters == ord(separator)) | (letters == ord(_BREAK)))
+    if len(ends) != width * len(lines):
+        return None
+    is_break = letters[ends].reshape(-1, width) == ord(_BREAK)
+    if is_break[:, :-1].any() or not is_break[:, -1].all():
+        return None
+    return CellGrid(content, separator, width, np.append(-1, ends), lines)
+
+
+def _decode(text: bytes) -> str:
+    return text.decode("utf-8", "surrogatepass")

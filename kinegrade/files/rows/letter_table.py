@@ -1,0 +1,57 @@
+"""The letters of thousands of short texts side by side, so that all are looked at in one step."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.lib.stride_tricks import sliding_window_view
+from numpy.typing import NDArray
+
+LONGEST = 20  # letters of a text
+_BREAK = ord("\n")
+_Places = NDArray[np.intp]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class LetterTable:
+    """A line with the letters of each text, as bytes, and zeros behind them; `lengths` says how
+    many there are.
+    """
+
+    table: NDArray[np.uint8]
+    lengths: _Places
+
+    @property
+    def texts(self) -> NDArray[np.bytes_]:
+        """The same as texts, which end before the zeros."""
+        texts: NDArray[np.bytes_] = self.table.view(f"S{self.table.shape[1]}").ravel()
+        return texts
+
+
+def pad_letters(text: bytes) -> NDArray[np.uint8]:
+    """The letters of a text, with as many behind it as are looked at from any place on."""
+    return np.frombuffer(text + bytes(LONGEST), dtype=np.uint8)
+
+
+def gather_letters(padded: NDArray[np.uint8], begins: _Places, ends: _Places) -> LetterTable | None:
+    """The letters between these places of a padded text; None where they are more than LONGEST."""
+    lengths = ends - begins
+    most = int(lengths.max(initial=1))
+    if most > LONGEST:
+        return None
+    table = sliding_window_view(padded, most)[begins]
+    table[np.arange(most) >= lengths[:, None]] = 0
+    return LetterTable(table, lengths)
+
+
+def tabulate_letters(texts: Sequence[str]) -> LetterTable | None:
+    """The letters of texts; None where one has more than LONGEST, a line break or a zero."""
+    together = "\n".join([*texts, ""]).encode("utf-8", "surrogatepass")
+    letters = pad_letters(together)
+    ends = np.flatnonzero(letters == _BREAK)
+    if len(ends) != len(texts) or b"\0" in together:
+        return None
+    begins = np.append(0, ends[:-1] + 1) if len(ends) else ends
+    return gather_letters(letters, begins, ends)

@@ -1,0 +1,120 @@
+"""The entries of a sheet whose students have one row each, in a grid: most sheets of large classes.
+
+`part` makes them; a block of them is read in one step.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import overload
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinegrade.files.rows.cell_grid import CellGrid
+from kinegrade.grading.sheets.entry import Entry
+from kinegrade.grading.typed.plain_cells import PlainCells
+
+_NONE = -1  # in place of the row of a student who has none
+_BLOCK = 1000  # rows
+
+_Places = NDArray[np.intp]
+
+
+@dataclass(frozen=True, eq=False)
+class AnswerGrid:
+    """A grid of that file, and the columns of its answers in the order of the asks."""
+
+    cells: CellGrid
+    columns: tuple[int, ...]
+    file: str
+
+    def entry(self, row: int) -> Entry:
+        """The entry in a row."""
+        if row == _NONE:
+            return Entry(None, ("",) * len(self.columns), file=self.file)
+        line, cells = self.cells[row]
+        return Entry(line, tuple([cells[column] for column in self.columns]), file=self.file)
+
+
+@dataclass(frozen=True, eq=False)
+class GridBlock(Sequence[Entry]):
+    """The entries in some rows."""
+
+    grid: AnswerGrid
+    places: _Places
+
+    def __len__(self) -> int:
+        return len(self.places)
+
+    @overload
+    def __getitem__(self, place: int) -> Entry: ...
+
+    @overload
+    def __getitem__(self, place: slice) -> Sequence[Entry]: ...
+
+    def __getitem__(self, place: int | slice) -> Entry | Sequence[Entry]:
+        if isinstance(place, slice):
+            return GridBlock(self.grid, self.places[place])
+        return self.grid.entry(int(self.places[place]))
+
+    @property
+    def lines(self) -> _Places:
+        """The line of each, 0 where there is none."""
+        lines, there = np.zeros_like(self.places), self.places >= 0
+        lines[there] = self.grid.cells.lines[self.places[there]]
+        return lines
+
+    @property
+    def width(self) -> int:
+        """How many cells each has."""
+        return len(self.grid.columns)
+
+    @property
+    def rows(self) -> Sequence[Sequence[str]]:
+        """Their cells."""
+        return [entry.responses for entry in self]
+
+    @cached_property
+    def plain(self) -> PlainCells | None:
+        """All their cells, where each is a plain number or blank."""
+        cells = self.places[:, None] * self.grid.cells.width + np.array(self.grid.columns)
+        letters = self.grid.cells.tabulate(cells.ravel())
+        return None if letters is None else PlainCells.of_letters(letters)
+
+
+@dataclass(frozen=True, eq=False)
+class GridEntries(Mapping[str, tuple[Entry, ...]]):
+    """The entries of students, made as they are asked for; `places` are their rows."""
+
+    grid: AnswerGrid
+    places: Mapping[str, int]
+
+    def __getitem__(self, student: str) -> tuple[Entry, ...]:
+        return (self.grid.entry(self.places[student]),)
+
+    def __contains__(self, student: object) -> bool:
+        return student in self.places
+
+    def __len__(self) -> int:
+        return len(self.places)
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.places)
+
+    def of(self, students: Iterable[str]) -> GridEntries:
+        """Those of these students, empty ones of those who have none."""
+        return GridEntries(self.grid, {each: self.places.get(each, _NONE) for each in students})
+
+    def block(self, students: Sequence[str]) -> GridBlock:
+        """Those of these students one after the other."""
+        places = [*map(self.places.__getitem__, students)]
+        return GridBlock(self.grid, np.array(places, dtype=np.intp))
+
+    def blocks(self) -> Iterator[GridBlock]:
+        """All of them in blocks."""
+        places = np.array([*self.places.values()], dtype=np.intp)
+        for begin in range(0, len(places), _BLOCK):
+            yield GridBlock(self.grid, places[begin : begin + _BLOCK])

@@ -1,0 +1,67 @@
+"""The rows of a grid are the rows that are read record by record."""
+
+from __future__ import annotations
+
+from hypothesis import example, given
+from hypothesis import strategies as st
+
+from kinegrade.files.csv_reading import read_records
+from kinegrade.files.rows.cell_grid import CellGrid, pack_grid, read_grid
+from kinegrade.files.rows.letter_table import tabulate_letters
+from kinegrade.files.rows.row import Row
+from kinegrade.files.tables import parse_table
+
+CELL = st.text("0a é王 .\u3000\ud800", max_size=3) | st.text(max_size=2)
+LINES = st.lists(st.lists(CELL, min_size=2, max_size=3), max_size=5)
+
+
+@given(LINES, st.sampled_from(["\n", ""]))
+@example([["7", "1"], ["8", "2"]], "\n")
+@example([["", ""]], "")
+@example([["", "é"], ["\u3000", " "]], "")
+def test_a_grid_has_the_rows_that_are_read_one_by_one(lines: list[list[str]], end: str) -> None:
+    text = "\n".join(map(",".join, lines)) + end
+    grid = read_grid(text, ",", 2, 7)
+    if grid is None:
+        return
+    records, stray = read_records(text, ",", 2)
+    assert [*grid] == [Row(line + 6, cells) for line, cells in records]
+    assert not stray
+    assert [grid[place] for place in range(-len(grid), 0)] == [*grid]
+    assert [*grid.from_row(1)] == [*grid][1:] == [*grid[1:]]
+    for number in (0, 1):
+        assert grid.column(number) == [row.cells[number] for row in grid]
+
+
+def test_most_files_are_grids_and_others_are_not() -> None:
+    def is_grid(content: bytes) -> bool:
+        return isinstance(parse_table(content, "a.csv").rows, CellGrid)
+
+    assert is_grid(b"student;x\n007;0,5\n008;\n")
+    assert is_grid("学号,x\n王,1".encode())
+    assert is_grid(b'student,x\r\n"Byron, Ada",1\r\n\r\n"O""N",2\r\n')
+    assert not is_grid(b'student,x\n"0\n07",1\n')
+    assert not is_grid(b"student,x\n007\n")
+    assert is_grid(b"student,x\n007,1\n,\n")
+    assert is_grid(b"student,x\n\n007,1\n")
+
+
+@given(st.lists(st.builds(Row, st.integers(1, 99), st.tuples(CELL, CELL)), min_size=1, max_size=5))
+@example([Row(2, ("7",)), Row(3, ("7", "8"))])
+@example([Row(2, ("", "a\x1f")), Row(4, ("b", "\n"))])
+def test_rows_are_packed_into_a_grid_as_they_are(rows: list[Row]) -> None:
+    grid = pack_grid(rows)
+    odd = any(letter in cell for row in rows for cell in row.cells for letter in "\0\n\x1f")
+    assert (grid is None) == (odd or len({len(row.cells) for row in rows}) > 1)
+    assert grid is None or [*grid] == rows
+
+
+@given(st.lists(st.text(max_size=22), max_size=5))
+def test_letters_side_by_side_are_the_texts(texts: list[str]) -> None:
+    letters = tabulate_letters(texts)
+    odd = any("\n" in text or "\0" in text for text in texts)
+    long = any(len(text.encode("utf-8", "surrogatepass")) > 20 for text in texts)
+    assert (letters is None) == (odd or long)
+    if letters is not None:
+        shown = [text.decode("utf-8", "surrogatepass") for text in letters.texts.tolist()]
+        assert shown == texts
