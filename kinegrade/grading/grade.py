@@ -96,7 +96,7 @@ def grade(
     `kinegrade.lms.responses` reads them. Raises ExamError, PolicyError, TableError, OutputError.
     """
     contents = *FILES, *wishes.exports
-    edits = find_edits(output, guarded=FILLED_IN)
+    edits = find_edits(output, marker=MARKER, guarded=FILLED_IN)
     written = output_folder(output, marker=MARKER, contents=contents, force=force)
     with bulk_work(), written as path:
         marks = _mark(exam, answers, MarksWriter(path, exam.language), output, wishes)

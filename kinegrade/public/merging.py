@@ -29,7 +29,7 @@ def merge_marks(
     """
     merging = Merging(folders, preference)
     complaints = tuple(merging.find_different_maxima())
-    contents, edits = (*FILES, moodle.FILE), find_edits(output)
+    contents, edits = (*FILES, moodle.FILE), find_edits(output, marker=MARKER)
     with output_folder(output, marker=MARKER, contents=contents, force=force) as path:
         merging.write(path)
         (path / moodle.FILE).write_text(

@@ -60,11 +60,19 @@ def test_edited_feedback_is_kept_and_told(marked: Path) -> None:
 def test_points_typed_where_grade_reads_them_are_not_kept_twice(marked: Path) -> None:
     written = marked / "MARKS" / "manual.csv"
     written.write_text("student,question,points,out_of,machine,comment\n", encoding="utf-8")
-    assert find_edits(marked / "MARKS", guarded=("manual.csv",)).names == ()
-    assert find_edits(marked / "MARKS").names == ("manual.csv",)
+    assert find_edits(marked / "MARKS", marker="grades.csv", guarded=("manual.csv",)).names == ()
+    assert find_edits(marked / "MARKS", marker="grades.csv").names == ("manual.csv",)
 
 
 def test_a_folder_without_one_time_for_all_tells_nothing(marked: Path) -> None:
     for number, file in enumerate((marked / "MARKS").iterdir()):
         os.utime(file, ns=(10**9 + number, 10**9 + number + 1))
-    assert find_edits(marked / "MARKS").names == ()
+    assert find_edits(marked / "MARKS", marker="grades.csv").names == ()
+
+
+def test_a_folder_of_others_is_not_searched(tmp_path: Path) -> None:
+    for second in (1, 2):
+        (tmp_path / f"{second}.txt").touch()
+        os.utime(tmp_path / f"{second}.txt", (second, second))
+    assert find_edits(tmp_path, marker="1.txt").names == ("2.txt",)
+    assert find_edits(tmp_path, marker="grades.csv").names == ()

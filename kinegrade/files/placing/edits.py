@@ -23,20 +23,21 @@ _NAMED = 5  # files that a message names
 @dataclass(frozen=True)
 class Edits:
     """The `names` of the files below `folder` that were edited, and the folder where they are
-    `kept` when it is replaced.
+    `kept` when it is replaced, None where there are none.
     """
 
     folder: Path
     names: tuple[str, ...]
-    kept: Path
+    kept: Path | None
 
     def settle(self, new: Path) -> None:
         """Copies what was edited, and gives all files of the `new` folder one time, by which those
         edited later are known. Raises OSError.
         """
-        for name in self.names:
-            (self.kept / name).parent.mkdir(parents=True, exist_ok=True)
-            shutil.copy2(self.folder / name, self.kept / name)
+        if self.kept is not None:
+            for name in self.names:
+                (self.kept / name).parent.mkdir(parents=True, exist_ok=True)
+                shutil.copy2(self.folder / name, self.kept / name)
         times = _list_times(new)
         written = min(times.values(), default=0) // _SECOND * _SECOND
         for file in times:
@@ -44,7 +45,7 @@ class Edits:
 
     def describe(self) -> Iterator[Message]:
         """That files were edited, and where they are now."""
-        if self.names:
+        if self.kept is not None:
             yield Message(
                 "files.edited-kept",
                 folder=str(self.folder),
@@ -54,17 +55,17 @@ class Edits:
             )
 
 
-def find_edits(folder: Path, *, guarded: Collection[str] = ()) -> Edits:
+def find_edits(folder: Path, *, marker: str, guarded: Collection[str] = ()) -> Edits:
     """What was edited in a folder since it was written, but for files whose loss their readers
-    refuse (`guarded`).
+    refuse (`guarded`); nothing in a folder without the `marker`, which is not replaced.
     """
-    times = _list_times(folder)
+    times = _list_times(folder) if (folder / marker).is_file() else {}
     written = min(times.values(), default=0)
     later = sorted(file for file, time in times.items() if time > written)
     sealed = written % _SECOND == 0
     names = (file.relative_to(folder).as_posix() for file in later if sealed)
     edited = tuple(name for name in names if name not in guarded)
-    return Edits(folder, edited, find_free_name(folder))
+    return Edits(folder, edited, find_free_name(folder) if edited else None)
 
 
 def _list_times(folder: Path) -> dict[Path, int]:

@@ -95,7 +95,7 @@ def write_feedback(
         raise ExamError(Fault(str(marks.path), what, expected, do))
     contents = _MARKER, _SHEETS, PACKED
     make = partial(_make_part, wishes.form)
-    edits = find_edits(output)
+    edits = find_edits(output, marker=_MARKER)
     with output_folder(output, marker=_MARKER, contents=contents, force=wishes.force) as folder:
         (folder / _SHEETS).mkdir()
         rows, written = [], dict[str, list[Path]]()
