@@ -139,6 +139,11 @@ def test_questions_have_columns_of_their_own(tmp_path: Path) -> None:
     ]
 
 
+def test_a_question_without_a_column_is_named(tmp_path: Path) -> None:
+    said = fill(tmp_path, "--per-question", "--column", "q1=Punkte").stderr
+    assert "no column is named for q2 - give each its header with --column QUESTION=HEADER" in said
+
+
 def test_what_a_cell_holds_already_is_replaced_only_when_told(tmp_path: Path) -> None:
     def fill_before(sheet: Worksheet) -> None:
         sheet["E4"], sheet["E5"] = "krank", 4

@@ -15,7 +15,7 @@ from kinegrade.files.cell_text import trim
 from kinegrade.files.sheet_xml import Position, SheetCell, write_position
 from kinegrade.files.tables import Complaint
 from kinegrade.files.workbook_parts import WorkbookParts, read_workbook_parts
-from kinegrade.language.message import Fault, Message, Quoted, list_all
+from kinegrade.language.message import Fault, Message, Quoted, list_all, list_plainly
 from kinegrade.lms.grades.dialect import ExportOptions
 from kinegrade.lms.grades.fill_in import Filled
 from kinegrade.lms.grades.grades import ClassGrades
@@ -36,6 +36,7 @@ def fill_workbook(grades: ClassGrades, into: Path, options: ExportOptions) -> Fi
     book = read_workbook_parts(into)
     students = [each.student for each in grades.students]
     found = find_class_list(book, students, options.id_column)
+    _require_columns(found, grades, options)
     columns = {
         item: found.find_header(options.columns.get(item, ""))[1]
         for item in items_of(grades, options)
@@ -53,6 +54,14 @@ def fill_workbook(grades: ClassGrades, into: Path, options: ExportOptions) -> Fi
         tuple(_list_complaints(found, grades, options)),
         tuple(_list_notes(book, found, columns)),
     )
+
+
+def _require_columns(found: ClassList, grades: ClassGrades, options: ExportOptions) -> None:
+    """Raises TableError where a question has no column, such as a bonus marked by hand."""
+    wanted = [item for item in items_of(grades, options) if item not in options.columns]
+    if any(wanted):
+        unnamed = Message("grades.columns-unnamed", questions=list_plainly(wanted))
+        raise TableError(Fault(found.where, unnamed, do=Message("grades.name-columns")))
 
 
 def _list_values(
