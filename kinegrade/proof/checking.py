@@ -23,7 +23,7 @@ from kinegrade.problem.template.texts import find_unfinished_translations
 from kinegrade.proof.answerable import find_answerable, write_values
 from kinegrade.proof.assemblies import note_assemblies
 from kinegrade.proof.causes import find_causes, write_causes
-from kinegrade.proof.claims import find_false_claims
+from kinegrade.proof.claims import find_false_claims, note_other_kinds
 from kinegrade.proof.demanding import describe_demands
 from kinegrade.proof.ends import note_points_beyond_ends
 from kinegrade.proof.letters import note_letters, note_points_without_letter
@@ -86,6 +86,7 @@ def check(template: Template, sample: int = 200, secret: str = SECRET) -> Report
 def _list_remarks(template: Template) -> Iterator[Message]:
     """What is to be weighed in the file itself."""
     yield from note_letters(template)
+    yield from note_other_kinds(template)
     for name in find_idle_givens(template):
         yield Message("template.idle-given", given=name)
     if not template.published:

@@ -42,6 +42,13 @@ _NO_SUBJECT = "(?<!through )(?<!about )(?<!durch )(?<!um )(?<!过 )(?<!过)(?<!�
 _OF_ANOTHER = (
     "(?<!above )(?<!below )(?<!of )(?<!über )(?<!unter )(?<!von )"  # which has the distance
 )
+# Rates by the powers of length, time and angle of their units; words of the first contain others
+_KINDS = {
+    (0, -2, 1): "angular-acceleration",
+    (0, -1, 1): "angular-velocity",
+    (1, -2, 0): "acceleration",
+    (1, -1, 0): "velocity",
+}
 
 _Claim = Mapping[str, str]
 
@@ -57,6 +64,27 @@ def find_false_claims(template: Template, examples: Sequence[Solution]) -> Itera
         *_find_second_senses(template),
     )
     yield from (Fault("statement", what) for what in dict.fromkeys(found))
+
+
+def note_other_kinds(template: Template) -> Iterator[Message]:
+    """A remark for each ask whose words name another kind of rate than its unit has: "angular
+    velocity" in rad/s^2.
+    """
+    for name, ask in template.asks.items():
+        own = _KINDS.get((ask.unit.length, ask.unit.time, ask.unit.angle))
+        named = {kind for text in ask.means.texts for kind in _name_kinds(text.lower())}
+        if own and named and own not in named:
+            yield Message("template.another-kind", name=name, unit=ask.unit.printed)
+
+
+def _name_kinds(text: str) -> Iterator[str]:
+    """The kinds of rates that a text names; an angular velocity is no velocity besides."""
+    for kind in _KINDS.values():
+        for language in known_languages():
+            for word in open_catalogue(language).text(f"template.kind-{kind}").split("|"):
+                if word in text:
+                    yield kind
+                    text = text.replace(word, "")
 
 
 def _find_wrong_lengths(template: Template, examples: Sequence[Solution]) -> Iterator[Message]:

@@ -7,9 +7,10 @@ import pytest
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.library.library import find_template_names, load_template
 from kinegrade.problem.template.library.reading import read_template
+from kinegrade.problem.template.library.starter import write_starter_text
 from kinegrade.problem.template.template import Template
 from kinegrade.proof.checking import check
-from kinegrade.proof.claims import find_false_claims
+from kinegrade.proof.claims import find_false_claims, note_other_kinds
 from tests.problem.turning_crank import CRANK
 from tests.said import all_said
 
@@ -152,7 +153,24 @@ def test_it_is_a_fault_of_the_check() -> None:
     assert any("it says that OA is half" in fault for fault in faults)
 
 
+@pytest.mark.parametrize(
+    ("before", "after"),
+    [
+        ("angular acceleration of the rocker", "angular velocity of the rocker"),
+        ("angular acceleration of the rocker", "acceleration of the rocker"),
+    ],
+)
+def test_words_of_an_ask_that_name_another_kind_of_rate_are_noted(before: str, after: str) -> None:
+    text = write_starter_text()
+    assert list(note_other_kinds(read_template("rocker", text))) == []
+    changed = text.replace(before, after).replace("摇杆 $CB$ 的角加速度", "摇杆")
+    assert all_said(note_other_kinds(read_template("rocker", changed))) == [
+        "what alpha_CB means names another kind of quantity than one in rad/s²"
+    ]
+
+
 @pytest.mark.parametrize("name", find_template_names())
 def test_no_template_that_is_shipped_makes_such_a_claim(name: str) -> None:
     template = load_template(name)
     assert all_said(find_false_claims(template, [solve_template(template, {}, ())])) == []
+    assert all_said(note_other_kinds(template)) == []
