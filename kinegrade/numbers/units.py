@@ -60,6 +60,7 @@ SHORT = {"rpm": "r/min"}  # units with a name of their own
 _TURNING = ("deg", "r")  # angles that stand for themselves or in rates
 # As people write some, who are told how they are written here
 _WRITTEN_OTHERWISE = {
+    "U/min": "r/min",
     "°": "deg",
     "degree": "deg",
     "degrees": "deg",
@@ -153,7 +154,7 @@ def _explain_unknown(text: str, name: str) -> ExpressionError:
     """The error for a unit that has a part that is none."""
     what = Message("expression.unit", unit=Quoted(text))
     expected = Message("expression.unit-like", units=list_plainly(sorted((*SCALES, *SHORT))))
-    otherwise = _WRITTEN_OTHERWISE.get(name)
+    otherwise = _WRITTEN_OTHERWISE.get(text) or _WRITTEN_OTHERWISE.get(name)
     plain = text.replace("²", "^2").replace("³", "^3").replace("·", "*")
     if plain != text and is_unit(plain):
         otherwise = plain

@@ -84,7 +84,14 @@ def test_a_misspelt_unit_is_told_with_the_nearest() -> None:
 
 @pytest.mark.parametrize(
     ("text", "meant"),
-    [("kph", "km/h"), ("rev/min", "r"), ("m/sec", "s"), ("degrees", "deg"), ("°", "deg")],
+    [
+        ("kph", "km/h"),
+        ("U/min", "r/min"),
+        ("rev/min", "r"),
+        ("m/sec", "s"),
+        ("degrees", "deg"),
+        ("°", "deg"),
+    ],
 )
 def test_a_unit_as_people_write_it_is_told_with_what_is_meant(text: str, meant: str) -> None:
     with pytest.raises(ExpressionError, match=f'did you mean "{meant}"'):
