@@ -6,7 +6,9 @@ from collections.abc import Mapping, Set
 from dataclasses import replace
 from typing import Any
 
+from kinegrade.expressions.evaluation import evaluate
 from kinegrade.expressions.negating import negate_arguments, negate_names
+from kinegrade.expressions.signs import fold_signs
 from kinegrade.expressions.tree import Call, Expression
 from kinegrade.numbers.angle import Angle
 from kinegrade.problem.quantity import Quantity
@@ -18,8 +20,10 @@ from kinegrade.problem.template.texts import find_unsigned_givens
 
 def restate(solution: Solution) -> Solution:
     """The same motion and answers in the givens as the statement prints them: the size of those
-    whose sign its words say, with a minus in the template's expressions.
+    whose sign its words say, with a minus in the template's expressions; and the mechanism to that
+    side to which these numbers lay it out.
     """
+    solution = _lay_out(solution)
     unsigned = find_unsigned_givens(solution.template)
     turned = {name for name in unsigned if solution.parameters[name].is_reversed}
     if not turned:
@@ -34,6 +38,21 @@ def restate(solution: Solution) -> Solution:
         parameters={**solution.parameters, **sizes},
         assembly=replace(solution.assembly, values={**solution.assembly.values, **values}),
     )
+
+
+def _lay_out(solution: Solution) -> Solution:
+    """The solution with the signs of this draw in the places of the template."""
+    values, functions = solution.assembly.values, solution.assembly.functions
+
+    def is_negative(tree: Expression) -> bool:
+        return float(evaluate(tree, values, functions, solution.arithmetic)) < 0
+
+    scheme = solution.template.scheme
+    points = {name: fold_signs(tree, is_negative) for name, tree in scheme.points.items()}
+    if points == scheme.points:
+        return solution
+    laid_out = replace(solution.template, scheme=replace(scheme, points=points))
+    return replace(solution, template=laid_out)
 
 
 def _turn_value(value: Any, size: Quantity) -> Any:
