@@ -1,7 +1,7 @@
 """Columns of an answer sheet that were sorted or moved alone, so that each number stands beside
 another student.
 
-`DisplacedColumns` watches a marking for `grade`, block by block. A column was sorted if its numbers
+A column was sorted if its numbers
 stand in order from the first line to the last and most of them are wrong; it slipped where a run of
 its numbers is wrong on the own papers and right on those of the line above or below. How often that
 happens by chance is measured on papers of lines farther off.
@@ -9,19 +9,16 @@ happens by chance is measured on papers of lines farther off.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
 
-from kinegrade.exam.folder.keys import Ask
 from kinegrade.files.tables import Complaint
 from kinegrade.grading.class_answers import ClassAnswers
-from kinegrade.grading.fast.another_paper import PapersAnswered
 from kinegrade.grading.fast.bounds import Flags, Numbers, Places
 from kinegrade.grading.fast.intervals import Intervals
-from kinegrade.grading.marks import MarkedBlock
 from kinegrade.language.message import Message
 
 _LEAST_SORTED = 10  # numbers in order: fewer may be so by chance
@@ -40,53 +37,31 @@ class _Run(NamedTuple):
     last: int
 
 
-@dataclass
+@dataclass(frozen=True)
 class DisplacedColumns:
-    """What has been seen so far of each row: its numbers, which of them are right or void, and its
-    file and line, 0 where it has none.
+    """The answers of a class beside its papers, which are in the order of the rows, with the
+    `titles` of its columns.
     """
 
-    asks: tuple[Ask, ...]
-    numbers: list[Numbers] = field(default_factory=list)
-    right: list[Flags] = field(default_factory=list)
-    files: list[str] = field(default_factory=list)
-    lines: list[int] = field(default_factory=list)
+    intervals: Sequence[Intervals]
+    titles: Sequence[str]
+    answers: ClassAnswers
 
-    def watched(self, blocks: Iterable[MarkedBlock]) -> Iterator[MarkedBlock]:
-        """The same blocks, noted on their way."""
-        for block in blocks:
-            judged, width = block.judged, len(self.asks)
-            self.numbers.append(judged.cells.values.reshape(-1, width))
-            self.right.append(judged.are("right", "void", "accepted").reshape(-1, width))
-            self.files += judged.rows.files
-            self.lines += judged.rows.lines.tolist()
-            yield block
-            del block, judged  # so that the next takes its place
-
-    def put_together(self) -> ClassAnswers:
-        """All rows, after all blocks have been watched."""
-        numbers, right = np.concatenate(self.numbers), np.concatenate(self.right)
-        return ClassAnswers(numbers, right, self.files, self.lines)
-
-    def list_complaints(
-        self, papers: PapersAnswered, columns: Sequence[str]
-    ) -> Iterator[Complaint]:
-        """A complaint for each column that was sorted or slipped, after all blocks have been
-        watched. Raises ExamError where the papers cannot be read.
-        """
-        ranks = {file: rank for rank, file in enumerate(sorted({*self.files}))}
-        order = np.lexsort((self.lines, [ranks[file] for file in self.files]))
-        order = order[np.array(self.lines)[order] > 0]
+    def list_complaints(self) -> Iterator[Complaint]:
+        """A complaint for each column that was sorted or slipped."""
+        files, lines = self.answers.files, self.answers.lines
+        ranks = {file: rank for rank, file in enumerate(sorted({*files}))}
+        order = np.lexsort((lines, [ranks[file] for file in files]))
+        order = order[np.array(lines)[order] > 0]
         if len(order) < _LEAST_MOVED:
             return
-        numbers = np.concatenate(self.numbers)[order]
-        wrong = ~np.concatenate(self.right)[order] & ~np.isnan(numbers)
-        for ask, title in enumerate(columns):
+        numbers, wrong = self.answers.numbers[order], self.answers.wrong[order]
+        for ask, title in enumerate(self.titles):
             own, amiss = numbers[:, ask], wrong[:, ask]
             if _is_sorted(own, amiss):
                 yield self._complain_of_order(order, title, own, amiss)
             elif amiss.sum() >= _LEAST_MOVED:
-                run = _Column(papers.intervals[ask], own, amiss, order).find_run(len(columns))
+                run = _Column(self.intervals[ask], own, amiss, order).find_run(len(self.titles))
                 if run is not None:
                     yield self._complain_of_run(order, title, run)
 
@@ -98,7 +73,7 @@ class DisplacedColumns:
         return self._complain(order[0], title, problem)
 
     def _complain_of_run(self, order: Places, title: str, run: _Run) -> Complaint:
-        first, last = (self.lines[order[each]] for each in (run.first, run.last))
+        first, last = (self.answers.lines[order[each]] for each in (run.first, run.last))
         kind = "down" if run.step > 0 else "up"
         where = {"first": str(first), "last": str(last)}
         problem = Message(f"marking.column-moved-{kind}", count=run.length, **where)
@@ -106,7 +81,7 @@ class DisplacedColumns:
 
     def _complain(self, row: int, title: str, problem: Message) -> Complaint:
         done = Message("marking.check-column")
-        return Complaint(self.files[row], self.lines[row], title, "", problem, done)
+        return Complaint(self.answers.files[row], self.answers.lines[row], title, "", problem, done)
 
 
 def _is_sorted(numbers: Numbers, wrong: Flags) -> bool:

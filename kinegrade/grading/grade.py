@@ -22,13 +22,13 @@ from kinegrade.grading.answer_lines import write_marks
 from kinegrade.grading.by_hand.gathering import HandSources, gather_hand_marks
 from kinegrade.grading.by_hand.markable import find_markable
 from kinegrade.grading.by_hand.settling import HandMarking, Settled
-from kinegrade.grading.displaced_columns import DisplacedColumns
+from kinegrade.grading.class_answers import AnswersSeen
 from kinegrade.grading.fast.another_paper import PapersAnswered
 from kinegrade.grading.judging.follow import Follows
 from kinegrade.grading.lateness.submissions import check_times
 from kinegrade.grading.marking import MarkingTerms, mark_blocks
 from kinegrade.grading.marks import ClassGrades, collect_grades
-from kinegrade.grading.other_papers import OtherPapers
+from kinegrade.grading.other_papers import refuse_other_papers
 from kinegrade.grading.policy.accepted import alternatives
 from kinegrade.grading.policy.policy import Policy
 from kinegrade.grading.policy.reading import read_policy, stated_policy
@@ -120,8 +120,7 @@ def _mark(
     files = _read_files(answers)
     sheet, rules = class_sheet(files, exam), _choose_policy(exam, wishes.policy)
     untimed = check_times(sheet, rules.penalties.late)
-    pool, others = read_pool(exam, sheet), OtherPapers(exam.asks)
-    papers, displaced = PapersAnswered(exam), DisplacedColumns(exam.asks)
+    pool, papers, seen = read_pool(exam, sheet), PapersAnswered(exam), AnswersSeen(len(exam.asks))
     accepted = alternatives(exam, rules, exam, pool.put_together(exam, sheet), pool.papers)
     orders = exam.printed_orders()
     hands = gather_hand_marks(sources, find_markable(exam, rules, orders))
@@ -129,12 +128,13 @@ def _mark(
         rules, accepted, wishes.decimal, wishes.follows, pool, hands.by_hand, wishes.own_papers
     )
     by_hand = HandMarking(hands.by_hand, exam.head, rules.given_to_all)
-    watched = displaced.watched(others.watched(mark_blocks(papers, sheet, terms)))
+    watched = seen.watched(mark_blocks(papers, sheet, terms))
     blocks = by_hand.watched(watched)
     grades = collect_grades(exam, sheet, write_marks(folder, blocks))
     if not wishes.own_papers:
-        others.refuse(papers, ", ".join(each.table.file for each in files))
-        slips = find_typing_slips(exam, displaced, papers, sheet.columns)
+        answered = seen.put_together()
+        refuse_other_papers(answered, papers, ", ".join(each.table.file for each in files))
+        slips = find_typing_slips(exam, papers, sheet.columns, answered)
         grades = replace(grades, complaints=(*slips, *grades.complaints))
     settled = by_hand.settle(_leave_out_names(grades) if wishes.pseudonymous else grades)
     scale = None if settled.still_open else _make_scale(rules, exam.language)

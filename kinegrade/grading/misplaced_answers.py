@@ -63,19 +63,24 @@ class MisplacedAnswers:
 
     @cached_property
     def _given(self) -> Flags:
-        return ~np.isnan(self.answers.numbers)
+        return self.answers.given
+
+    @cached_property
+    def _right(self) -> Flags:
+        """Which numbers have full credit."""
+        return self._given & ~self.answers.wrong
 
     def _is_missed(self, ask: int) -> bool:
         """Whether hardly any of enough answers is right."""
         given = int(self._given[:, ask].sum())
-        right = int((self.answers.right & self._given)[:, ask].sum())
+        right = int(self._right[:, ask].sum())
         return given >= _LEAST_ANSWERS and right <= _HARDLY_ANY * given
 
     def _complain_of_column(self, ask: int) -> Complaint:
         rows = np.flatnonzero(self._given[:, ask])
         answers = self.answers.numbers[rows, ask]
         best = max(self._guess(ask, rows, answers), key=lambda guess: guess.fits)
-        right = int(self.answers.right[rows, ask].sum())
+        right = int(self._right[rows, ask].sum())
         problem = Message("marking.column-missed", count=len(rows), right=right)
         if best.fits >= _MOST_OF_THEM * len(rows):
             kinds = {"count": len(rows), "right": right, "fits": best.fits}
@@ -108,8 +113,8 @@ class MisplacedAnswers:
         """The rows to be told, how many of their answers are wrong, and how many of these are
         right elsewhere on the paper.
         """
-        wrong = (self._given & ~self.answers.right)[:, asks]
-        counts, right = wrong.sum(axis=1), (self._given & self.answers.right)[:, asks].sum(axis=1)
+        wrong = self.answers.wrong[:, asks]
+        counts, right = wrong.sum(axis=1), self._right[:, asks].sum(axis=1)
         rows = np.flatnonzero((counts >= _LEAST_WRONG) & (counts > right))
         if not len(rows):
             return

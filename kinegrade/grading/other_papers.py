@@ -1,9 +1,8 @@
 """Whether a class answered papers other than those by which it is marked: a pool, or papers handed
 out in a different order.
 
-`OtherPapers` watches a marking for `grade`, block by block. This costs a count as long as most
-answers are right or explained; only if they are not, the answers of some students are compared with
-all papers of the exam.
+This costs a count as long as most answers are right or explained; only if they are not, the answers
+of some students are compared with all papers of the exam.
 
 An answer is foreign if all numeric answers of its student to its question are right on one other
 paper, and not all of them are right on the student's paper. In a large class many wrong numbers are
@@ -13,19 +12,17 @@ moved by a few per cent.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from kinegrade.errors import ExamError
-from kinegrade.exam.folder.keys import Ask
+from kinegrade.grading.class_answers import ClassAnswers
 from kinegrade.grading.fast.another_paper import PapersAnswered
 from kinegrade.grading.fast.bounds import Flags, Numbers
 from kinegrade.grading.fast.intervals import Intervals
-from kinegrade.grading.judging.judge import Kind
-from kinegrade.grading.marks import MarkedBlock
 from kinegrade.language.message import Fault, Message
 
 _LOOKED_AT = 400  # students, evenly across the class: enough for a share, few enough for any class
@@ -33,56 +30,34 @@ _LEAST = 4  # answers: fewer say nothing about a class
 _BY_CHANCE = 0.5  # of the foreign answers: this many may also be foreign by chance
 _MOVED = (0.93, 1.07)  # factors for keys that no student had
 _MOSTLY = 0.6  # of a student's answers
-_EXPLAINED: tuple[Kind, ...] = ("mistake", "follow-through", "accepted", "void")
 
 
-@dataclass
-class OtherPapers:
-    """What has been counted so far: numeric answers, those of them that nothing explains, and the
-    numbers of all students, block by block.
-    """
+def refuse_other_papers(answers: ClassAnswers, papers: PapersAnswered, file: str) -> None:
+    """Raises ExamError where most answers fit papers other than those by which they are marked."""
+    count = int(answers.given.sum())
+    strange = int((answers.wrong & ~answers.explained).sum())
+    if count < _LEAST or 2 * strange <= count:
+        return
+    places = np.arange(0, len(answers.numbers), max(1, len(answers.numbers) // _LOOKED_AT))
+    some = _Answers(answers.numbers[places], answers.right[places], places)
+    if _are_of_others(some, papers):
+        problem = Message("marking.other-papers", count=count, wrong=strange)
+        expected, do = Message("marking.own-answers"), Message("marking.check-rows")
+        raise ExamError(Fault(file, problem, expected, do))
 
-    asks: tuple[Ask, ...]
-    numbers: int = 0
-    strange: int = 0
-    rows: list[Numbers] = field(default_factory=list)
-    right: list[Flags] = field(default_factory=list)
 
-    def watched(self, blocks: Iterable[MarkedBlock]) -> Iterator[MarkedBlock]:
-        """The same blocks, counted on their way."""
-        for block in blocks:
-            judged, width = block.judged, len(self.asks)
-            is_number = ~np.isnan(judged.cells.values)
-            right = judged.are("right")
-            self.numbers += int(is_number.sum())
-            self.strange += int((is_number & ~right & ~judged.are(*_EXPLAINED)).sum())
-            self.rows.append(judged.cells.values.reshape(-1, width))
-            self.right.append(right.reshape(-1, width))
-            yield block
-            del block, judged, is_number, right  # so that the next takes its place
-
-    def refuse(self, papers: PapersAnswered, file: str) -> None:
-        """Raises ExamError where most answers fit papers other than those by which they are
-        marked.
-        """
-        if self.numbers < _LEAST or 2 * self.strange <= self.numbers:
-            return
-        rows, right = np.concatenate(self.rows), np.concatenate(self.right)
-        step = max(1, len(rows) // _LOOKED_AT)
-        places = np.arange(0, len(rows), step)
-        answers = _Answers(rows[places], right[places], places)
-        bounds, questions = papers.intervals, papers.questions
-        found = answers.foreign(bounds, questions)
-        chance = _expect_by_chance(lambda moved: answers.foreign(moved, questions), bounds)
-        swapped = answers.swapped(bounds)
-        certain = (2 * found > answers.count and chance <= _BY_CHANCE * found) or (
-            2 * swapped > answers.students
-            and _expect_by_chance(answers.swapped, bounds) <= _BY_CHANCE * swapped
-        )
-        if certain:
-            problem = Message("marking.other-papers", count=self.numbers, wrong=self.strange)
-            expected, do = Message("marking.own-answers"), Message("marking.check-rows")
-            raise ExamError(Fault(file, problem, expected, do))
+def _are_of_others(answers: _Answers, papers: PapersAnswered) -> bool:
+    """Whether more of these answers than chance explains are right on papers of others."""
+    bounds, questions = papers.intervals, papers.questions
+    found = answers.foreign(bounds, questions)
+    chance = _expect_by_chance(lambda moved: answers.foreign(moved, questions), bounds)
+    if 2 * found > answers.count and chance <= _BY_CHANCE * found:
+        return True
+    swapped = answers.swapped(bounds)
+    return (
+        2 * swapped > answers.students
+        and _expect_by_chance(answers.swapped, bounds) <= _BY_CHANCE * swapped
+    )
 
 
 @dataclass(frozen=True, slots=True)

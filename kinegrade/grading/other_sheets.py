@@ -39,8 +39,7 @@ def find_other_sheets(exam: ExamFolder, answers: ClassAnswers) -> Iterator[Compl
     """A complaint for each student of whom most numbers are wrong, and all are right on the paper
     of another exam.
     """
-    given = ~np.isnan(answers.numbers)
-    wrong = (given & ~answers.right).sum(axis=1)
+    given, wrong = answers.given, answers.wrong.sum(axis=1)
     mostly = 2 * wrong > given.sum(axis=1)
     missed = np.flatnonzero(mostly & (wrong >= _LEAST_WRONG)).tolist()
     others = list(_list_others(exam)) if missed else []

@@ -8,6 +8,7 @@ from collections.abc import Iterator, Sequence
 
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.files.tables import Complaint
+from kinegrade.grading.class_answers import ClassAnswers
 from kinegrade.grading.displaced_columns import DisplacedColumns
 from kinegrade.grading.fast.another_paper import PapersAnswered
 from kinegrade.grading.misplaced_answers import MisplacedAnswers
@@ -15,12 +16,9 @@ from kinegrade.grading.other_sheets import find_other_sheets
 
 
 def find_typing_slips(
-    exam: ExamFolder, displaced: DisplacedColumns, papers: PapersAnswered, titles: Sequence[str]
+    exam: ExamFolder, papers: PapersAnswered, titles: Sequence[str], answers: ClassAnswers
 ) -> Iterator[Complaint]:
-    """The complaints, columns first; `displaced` has watched the marking, by these papers of the
-    exam. Raises ExamError where the papers cannot be read.
-    """
-    answers = displaced.put_together()
-    yield from displaced.list_complaints(papers, titles)
+    """The complaints, columns first. Raises ExamError where the papers cannot be read."""
+    yield from DisplacedColumns(papers.intervals, titles, answers).list_complaints()
     yield from MisplacedAnswers(papers.intervals, titles, answers).list_complaints()
     yield from find_other_sheets(exam, answers)

@@ -10,6 +10,7 @@ from random import Random
 import pytest
 
 from kinegrade.files.tables import parse_table
+from kinegrade.grading.class_answers import AnswersSeen
 from kinegrade.grading.displaced_columns import DisplacedColumns
 from kinegrade.grading.fast.another_paper import PapersAnswered
 from kinegrade.grading.marking import MarkingTerms, mark_blocks
@@ -40,10 +41,10 @@ def find(sitting: SittingClass, rows: Rows) -> list[tuple[str, str]]:
     """The columns that are told, and why."""
     lines = [",".join(row) for row in [["student", *COLUMNS], *rows]]
     sheet = read_sheet(parse_table("\n".join(lines).encode(), "answers.csv"), sitting.exam)
-    displaced = DisplacedColumns(sitting.exam.asks)
-    papers = PapersAnswered(sitting.exam)
-    list(displaced.watched(mark_blocks(papers, sheet, MarkingTerms())))
-    complaints = displaced.list_complaints(papers, sheet.columns)
+    seen, papers = AnswersSeen(len(sitting.exam.asks)), PapersAnswered(sitting.exam)
+    list(seen.watched(mark_blocks(papers, sheet, MarkingTerms())))
+    answers = seen.put_together()
+    complaints = DisplacedColumns(papers.intervals, sheet.columns, answers).list_complaints()
     return [(each.column, said(each.problem)) for each in complaints]
 
 

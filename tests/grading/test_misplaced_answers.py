@@ -31,7 +31,8 @@ def find(numbers: np.ndarray) -> list[tuple[int | None, str, str]]:
     places = np.arange(STUDENTS)
     fits = [each.fit_beside(numbers[:, ask], places) for ask, each in enumerate(papers.intervals)]
     files, lines = ["answers.csv"] * STUDENTS, list(range(2, STUDENTS + 2))
-    answers = ClassAnswers(numbers, np.column_stack(fits), files, lines)
+    none = np.zeros(numbers.shape, dtype=bool)
+    answers = ClassAnswers(numbers, np.column_stack(fits), none, none, files, lines)
     found = MisplacedAnswers(papers.intervals, TITLES, answers).list_complaints()
     return [(each.line, each.column, said(each.problem)) for each in found]
 
