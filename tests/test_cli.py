@@ -286,6 +286,12 @@ def test_check_proves_the_named_templates() -> None:
     ]
 
 
+def test_check_speaks_the_language_asked_for(tmp_path: Path) -> None:
+    result = kinegrade("check", "slider-crank", "--sample", "3", "--lang", "de")
+    assert result.stdout.startswith("slider-crank: in Ordnung\n")
+    assert "erwartet wird" in kinegrade("check", tmp_path / "no.toml", "--lang", "de").stderr
+
+
 def test_export_writes_what_grade_wrote(small_class: Path, tmp_path: Path) -> None:
     exam, marks = small_class / "EXAM", tmp_path / "MARKS"
     assert kinegrade("grade", exam, exam / "answers.csv", "-o", marks).exit_code == 0

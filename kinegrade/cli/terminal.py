@@ -1,17 +1,31 @@
-"""What the commands say on the terminal: on standard error, in the language of the environment."""
+"""What the commands say on the terminal: on standard error, in the language of the environment, or
+in the one that is asked for.
+"""
 
 from __future__ import annotations
 
 import click
 
+from kinegrade.language import Language
 from kinegrade.language.catalogue import Catalogue, open_catalogue
 from kinegrade.language.known import choose_terminal_language
 from kinegrade.language.message import Message, Part
 
+_WANTED = "kinegrade.language"  # in what a command line keeps
+
 
 def terminal_words() -> Catalogue:
     """The words in which the terminal is spoken to."""
-    return open_catalogue(choose_terminal_language())
+    context = click.get_current_context(silent=True)
+    wanted = None if context is None else context.meta.get(_WANTED)
+    return open_catalogue(wanted or choose_terminal_language())
+
+
+def speak(language: Language | None) -> None:
+    """From here on, the command speaks to the terminal in the language; where it is None, in that
+    of the environment.
+    """
+    click.get_current_context().meta[_WANTED] = language
 
 
 def say(what: Part) -> None:

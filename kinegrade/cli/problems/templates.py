@@ -19,8 +19,9 @@ from kinegrade.cli.options import (
     finish_with_complaints,
     refusing,
 )
-from kinegrade.cli.terminal import terminal_words
-from kinegrade.language import Language
+from kinegrade.cli.problems.choosing import READER_LANGUAGE
+from kinegrade.cli.terminal import speak, terminal_words
+from kinegrade.language import ENGLISH, Language
 
 
 @command()
@@ -34,7 +35,7 @@ from kinegrade.language import Language
 @JOBS
 @CLUSTER
 @OPTIONAL_OUTPUT
-@LANGUAGE
+@READER_LANGUAGE
 @FORCE
 @refusing
 def check(
@@ -44,7 +45,7 @@ def check(
     jobs: int,
     cluster: str | None,
     output: Path | None,
-    language: Language,
+    language: Language | None,
     force: bool,
 ) -> None:
     """Prove templates: published results exactly, drawn instances solvable and sensible (default:
@@ -56,6 +57,7 @@ def check(
     from kinegrade.problem.template.library.library import find_template_names as shipped_names
     from kinegrade.processes.executor import open_executor
 
+    speak(language)
     sound, words = True, terminal_words()
     names = template_names or shipped_names()
     with open_executor(jobs, "check", cluster=cluster) as workers:
@@ -65,7 +67,7 @@ def check(
                 click.echo(f"  {words.write(finding)}")
             sound &= proof.sound
     if output is not None:
-        write_file(output, make_assembly_sheet(names, language).pdf, "pdf", force=force)
+        write_file(output, make_assembly_sheet(names, language or ENGLISH).pdf, "pdf", force=force)
     if not sound:
         sys.exit(COMPLAINTS)
 
