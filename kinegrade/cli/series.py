@@ -106,7 +106,8 @@ def series(
     output.mkdir(parents=True, exist_ok=True)
     for sheet in plan_sheets(bank, output, SeriesPlan(sheets, due, timedelta(days=every))):
         if sheet.exists:
-            say(describe_kept(sheet))
+            for line in describe_kept(sheet, students):
+                say(line)
             continue
         written = kinegrade.generate(
             kinegrade.Bank(sheet.blueprint),

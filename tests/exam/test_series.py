@@ -117,6 +117,39 @@ def test_a_series_continued_by_other_dates_says_which_stay(tmp_path: Path) -> No
     assert kept in said[2].splitlines()
 
 
+def test_a_series_continued_with_another_class_says_who_has_no_paper_and_who_left(
+    tmp_path: Path,
+) -> None:
+    write(tmp_path, students=2)
+    assert series(tmp_path, 1).exit_code == 0
+    roster, sheet = tmp_path / "roster.csv", tmp_path / "HW" / "homework-1"
+    roster.write_text("student,name\ns1,Ann 1\ns7,Ann 7\ns8,Ann 8\n", encoding="utf-8")
+    done = series(tmp_path, 1)
+    assert done.exit_code == 0, done.stderr
+    kept, lacks, has = done.stderr.splitlines()[-3:]
+    assert kept == f"{sheet}: exists and stays as it is"
+    assert lacks == (
+        f'{sheet}: has no paper for "s7", "s8" - list new students alone in a file LATE, the '
+        f"others in ROSTER: kinegrade generate {sheet}/bank.toml ROSTER -o {sheet} --add LATE"
+    )
+    assert has == f'{sheet}: has a paper for "s0", not in roster.csv'
+
+
+def test_a_series_continued_with_other_points_says_which_sheet_has_which(tmp_path: Path) -> None:
+    bank = write(tmp_path) / "bank.toml"
+    assert series(tmp_path, 1).exit_code == 0
+    by_hand = '[[questions]]\ntext = { en = "Why?" }\npoints = 3\nbonus = true\n'
+    bank.write_text(f"{BANK}asks = {{ v_x = 5 }}\n{by_hand}", encoding="utf-8")
+    done = series(tmp_path, 1)
+    assert done.exit_code == 0, done.stderr
+    sheet = tmp_path / "HW" / "homework-1"
+    anew = "if it is not handed out, move the folder away and run the command again"
+    assert done.stderr.splitlines()[-2:] == [
+        f"{sheet}: q1 has 2 points here, 5 in the bank - {anew}",
+        f"{sheet}: q2 has 0 points here, +3 in the bank - {anew}",
+    ]
+
+
 def test_answers_to_one_sheet_given_for_the_next_are_told(tmp_path: Path) -> None:
     bank = write(tmp_path, students=6) / "bank.toml"
     bank.write_text(bank.read_text(encoding="utf-8").replace("1 .. 8", "1 .. 20"), encoding="utf-8")

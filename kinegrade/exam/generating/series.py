@@ -9,17 +9,24 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from datetime import datetime, timedelta
+from fractions import Fraction
 from pathlib import Path
 
 from kinegrade.deadlines.moment import write_moment
-from kinegrade.errors import BankError
+from kinegrade.errors import BankError, Problem
 from kinegrade.exam.bank.bank import find_bank, read_blueprint
 from kinegrade.exam.bank.blueprint import Blueprint
 from kinegrade.exam.folder.contents import HEAD
 from kinegrade.exam.folder.exam_folder import open_exam
+from kinegrade.exam.folder.records import ExamHead
 from kinegrade.exam.generating.options import GenerateOptions
 from kinegrade.exam.homework import Homework, Kind
-from kinegrade.language.message import Fault, Message
+from kinegrade.exam.roster.roster import Roster
+from kinegrade.exam.roster.students import make_student_key
+from kinegrade.language.message import Fault, Message, Quoted, list_first
+from kinegrade.numbers.amounts import write_amount
+
+_MOST_NAMED = 5
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,19 +59,55 @@ class SeriesSheet:
         return replace(options, reproducible=own, avoid=(*options.avoid, *self.avoid))
 
 
-def describe_kept(sheet: SeriesSheet) -> Message:
-    """That a sheet exists and stays as it is; with its date, where it is not that of the series."""
+def describe_kept(sheet: SeriesSheet, roster: Roster) -> Iterator[Problem]:
+    """That a sheet exists and stays as it is; with its date, its students and its points, where
+    they are not those of the series.
+    """
+    head = open_exam(sheet.folder).head
     homework = sheet.blueprint.frame.homework
     here = "" if homework.due is None else write_moment(homework.due)
-    there = open_exam(sheet.folder).head.due
-    if here == there:
-        return Message("terminal.sheet-kept", folder=str(sheet.folder))
-    return Message(
-        "terminal.sheet-kept-otherwise",
-        folder=str(sheet.folder),
-        there=_name_date(there),
-        here=_name_date(here),
-    )
+    folder = str(sheet.folder)
+    if here == head.due:
+        yield Message("terminal.sheet-kept", folder=folder)
+    else:
+        there, date = _name_date(head.due), _name_date(here)
+        yield Message("terminal.sheet-kept-otherwise", folder=folder, there=there, here=date)
+    yield from _compare_students(folder, head, roster)
+    yield from _compare_points(folder, head, sheet.blueprint)
+
+
+def _compare_students(folder: str, head: ExamHead, roster: Roster) -> Iterator[Fault]:
+    """Who of the roster has no paper of a sheet, and who has one and is not in the roster."""
+    there = {make_student_key(each.student): Quoted(each.student) for each in head.students}
+    here = {make_student_key(each.student): Quoted(each.student) for each in roster.students}
+    if new := [student for key, student in here.items() if key not in there]:
+        who, do = list_first(new, _MOST_NAMED), Message("terminal.add-to-sheet", folder=folder)
+        yield Fault(folder, Message("terminal.sheet-lacks", students=who), do=do)
+    if left := [student for key, student in there.items() if key not in here]:
+        who = list_first(left, _MOST_NAMED)
+        yield Fault(folder, Message("terminal.sheet-has", students=who, roster=roster.file))
+
+
+def _compare_points(folder: str, head: ExamHead, blueprint: Blueprint) -> Iterator[Fault]:
+    """The questions that count otherwise on a sheet than in the bank."""
+    stated = {each.template.name for slot in blueprint.slots for each in slot.candidates}
+    chosen = {each.question: each.template for each in head.questions if each.template in stated}
+    bank = blueprint.choose(chosen)
+    there = {each.question: (each.points, each.bonus) for each in head.questions}
+    there |= {each.question: (each.points, each.bonus) for each in head.by_hand}
+    here = {each.identifier: (each.points, each.bonus) for each in bank.questions}
+    here |= {each.identifier: (each.points, each.bonus) for each in bank.by_hand}
+    for question in there | here:
+        kept, wanted = (_write_points(each.get(question)) for each in (there, here))
+        if kept != wanted:
+            what = Message("terminal.sheet-points", question=question, here=kept, bank=wanted)
+            yield Fault(folder, what, do=Message("terminal.set-sheet-anew"))
+
+
+def _write_points(counted: tuple[Fraction, bool] | None) -> str:
+    """What a question is worth, "+" before what comes on top of the maximum."""
+    points, bonus = counted or (Fraction(0), False)
+    return f"{'+' if bonus else ''}{write_amount(points)}"
 
 
 def _name_date(date: str) -> Message:
