@@ -55,7 +55,7 @@ def test_lines_of_code_are_lines_without_docstrings_comments_and_blanks(tmp_path
 # mechanisms came to move (cycles)
 FAR = {
     "syntax nodes": 764_500,
-    "lines of code": 78_600,
+    "lines of code": 78_650,
     "syntax nodes a line": 9.73,
     "modules of more than 250 lines": 24,
 }
