@@ -1,5 +1,4 @@
-"""Tables from spreadsheet programs: the first filled sheet of an .xlsx workbook, read as if it were
-a CSV file.
+"""Tables from spreadsheet programs: a sheet of an .xlsx workbook, read as if it were a CSV file.
 
 `read_workbook` is called for answers that people send. Numbers come out as they were typed, texts
 unchanged; what a spreadsheet may have changed (an answer turned into a date, the last digits of a
@@ -10,11 +9,12 @@ from __future__ import annotations
 
 import re
 import warnings
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from datetime import date, datetime, time, timedelta
 from decimal import Decimal
+from itertools import islice
 from pathlib import Path
 from typing import Any
 
@@ -29,7 +29,7 @@ from kinegrade.files.workbook_inspection import (
     explain_damaged,
     inspect_workbook,
 )
-from kinegrade.language.message import Fault, Message, Quoted
+from kinegrade.language.message import Fault, Message, Quoted, list_plainly
 
 _MOST_ROWS = 100_000
 _MOST_CELLS = 2_000_000  # with the blank ones between filled ones
@@ -63,14 +63,17 @@ class _Room:
         self.characters = _MOST_CHARACTERS
 
 
-def read_workbook(path: Path, is_header: HeaderSign | None = None) -> Table:
-    """The first visible filled sheet of a workbook; `Row.line` is the row's number there. The
-    header is its first line, or the first one that `is_header` takes for it, below titles.
+def read_workbook(
+    path: Path, is_header: HeaderSign | None = None, is_ours: HeaderSign | None = None
+) -> Table:
+    """The one visible sheet of a workbook in which `is_ours` finds a header, else the first filled
+    one; `Row.line` is the row's number there. The header is its first line, or the first one that
+    `is_header` takes for it, below titles.
 
     Raises TableError if the file is missing, not an .xlsx workbook, empty, too large or hostile.
     """
     has_formulas = inspect_workbook(path)
-    name, lines, others = _read_sheet(path)
+    name, lines, heads = _read_sheet(path, is_ours)
     if not lines:
         raise TableError(
             Fault(
@@ -82,12 +85,11 @@ def read_workbook(path: Path, is_header: HeaderSign | None = None) -> Table:
         )
     if has_formulas:
         lines = _note_formulas(path, name, lines)
-    texts = [[cell.text for cell in cells] for _, cells in lines[:MOST_ABOVE]]
-    skipped = 0 if is_header is None else find_header(texts, is_header)
+    skipped = 0 if is_header is None else find_header(_list_texts(lines), is_header)
     (_, header), *rows = lines[skipped:]
     titles = tuple(cell.text for cell in header)
     complaints = [
-        *_note_sheets(path.name, name, others),
+        *_note_sheets(path.name, name, heads),
         *_find_oddities(path.name, titles, lines[skipped:]),
         *_find_surplus(path.name, rows, len(titles)),
         *note_merged(path, name, titles, _list_filled(rows)),
@@ -131,21 +133,38 @@ def _workbook(path: Path, *, values: bool) -> Iterator[Any]:
             workbook.close()
 
 
-def _read_sheet(path: Path) -> tuple[str, list[_Line], list[str]]:
-    """The name and the filled lines of the first filled sheet, and the names of other filled
+def _read_sheet(
+    path: Path, is_ours: HeaderSign | None
+) -> tuple[str, list[_Line], Mapping[str, list[_Line]]]:
+    """The name and the filled lines of the sheet that is read, and the first lines of all filled
     ones.
     """
-    name, lines, others = "", list[_Line](), list[str]()
-    room = _Room()
     with _workbook(path, values=True) as workbook:
-        for sheet in workbook.worksheets:
-            if sheet.sheet_state != "visible":
-                continue
-            if not lines:
-                name, lines = sheet.title, list(_read_filled_lines(path, sheet, room))
-            elif next(_read_filled_lines(path, sheet, room), None):
-                others.append(sheet.title)
-    return name, lines, others
+        visible = [each for each in workbook.worksheets if each.sheet_state == "visible"]
+        room = _Room()
+        starts = {
+            sheet.title: list(islice(_read_filled_lines(path, sheet, room), MOST_ABOVE))
+            for sheet in visible
+        }
+        heads = {title: lines for title, lines in starts.items() if lines}
+        if not heads:
+            return "", [], heads
+        name = _choose_sheet(heads, is_ours)
+        return name, list(_read_filled_lines(path, workbook[name], _Room())), heads
+
+
+def _choose_sheet(heads: Mapping[str, list[_Line]], is_ours: HeaderSign | None) -> str:
+    """The only one with a header of ours, as notes may stand before it; else the first."""
+    first, *_ = heads
+    if is_ours is None:
+        return first
+    ours = [title for title, lines in heads.items() if any(map(is_ours, _list_texts(lines)))]
+    return ours[0] if len(ours) == 1 else first
+
+
+def _list_texts(lines: Sequence[_Line]) -> list[list[str]]:
+    """The texts of the lines among which a header is looked for."""
+    return [[cell.text for cell in cells] for _, cells in lines[:MOST_ABOVE]]
 
 
 def _read_filled_lines(path: Path, sheet: Any, room: _Room) -> Iterator[_Line]:
@@ -270,8 +289,14 @@ def _find_surplus(file: str, rows: Sequence[_Line], width: int) -> Iterator[Comp
             yield Complaint(file, line, "", shorten(surplus), problem, done)
 
 
-def _note_sheets(file: str, name: str, others: Sequence[str]) -> Iterator[Complaint]:
-    if others:
-        problem = Message("files.several-sheets")
-        done = Message("files.first-sheet", sheet=Quoted(name))
-        yield Complaint(file, None, "", ", ".join(others), problem, done)
+def _note_sheets(file: str, name: str, filled: Iterable[str]) -> Iterator[Complaint]:
+    first, *rest = filled
+    others = [each for each in (first, *rest) if each != name]
+    if not others:
+        return
+    read, left = Quoted(name), list_plainly(map(Quoted, others))
+    if name == first:
+        done = Message("files.first-sheet", sheet=read, others=left)
+    else:
+        done = Message("files.known-sheet", sheet=read, others=left)
+    yield Complaint(file, None, "", ", ".join(others), Message("files.several-sheets"), done)

@@ -6,7 +6,7 @@ import os
 import subprocess
 import sys
 import zipfile
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from datetime import date, datetime, time
 from pathlib import Path
 
@@ -193,8 +193,33 @@ def test_surplus_cells_and_other_sheets_are_told(tmp_path: Path) -> None:
     ]
     assert (
         said(table.complaints[0].done)
-        == 'the first, "Answers", is read; delete it if another one is meant'
+        == 'the first, "Answers", is read, not "Old"; delete it if another one is meant'
     )
+
+
+def test_the_only_sheet_with_a_header_of_ours_is_read(tmp_path: Path) -> None:
+    written = Workbook()
+    written.active.title = "Notes"
+    written.active.append(["see the second sheet"])
+    sheet = written.create_sheet("Answers")
+    for row in (["Midterm"], ["student", "x"], ["7", "1"]):
+        sheet.append(row)
+    file = tmp_path / "a.xlsx"
+    written.save(file)
+
+    def read(path: Path) -> tuple[list[str], str]:
+        table = read_workbook(path, is_ours, is_ours)
+        return list(table.header), said(table.complaints[0].done)
+
+    def is_ours(cells: Sequence[str]) -> bool:
+        return "student" in cells
+
+    only = '"Answers" is read, not "Notes": only its columns are known'
+    assert read(file) == (["student", "x"], only)
+    written.create_sheet("Old").append(["student"])
+    written.save(file)
+    first = 'the first, "Notes", is read, not "Answers", "Old"; delete it if another one is meant'
+    assert read(file) == (["see the second sheet"], first)
 
 
 @pytest.mark.parametrize(

@@ -69,3 +69,15 @@ def test_a_file_without_names_of_columns_is_refused(exam: Path, tmp_path: Path) 
     done = kinegrade("grade", exam, file, "-o", tmp_path / "MARKS")
     assert done.exit_code == 2
     assert "its columns (007, 2.5 ...) are those of no system known here" in done.stderr
+
+
+def test_sheets_are_named_where_none_holds_answers(exam: Path, tmp_path: Path) -> None:
+    book = Workbook()
+    book.active.title = "Notes"
+    book.active.append(["see the second sheet"])
+    book.create_sheet("More").append(["nothing"])
+    book.save(tmp_path / "typed.xlsx")
+    done = kinegrade("grade", exam, tmp_path / "typed.xlsx", "-o", tmp_path / "MARKS")
+    assert done.exit_code == 2
+    assert "(see the second sheet ...) are those of no system" in done.stderr
+    assert 'the first, "Notes", is read, not "More"; delete it' in done.stderr

@@ -62,7 +62,7 @@ class Roster:
         """
         file, is_header = Path(path), make_header_sign(columns)
         if is_workbook(file):
-            table = read_workbook(file, is_header)
+            table = read_workbook(file, is_header, is_header)
         else:
             table = read_table(file, None, is_header)
         return _make_roster(table, columns, odd_ids=odd_ids)

@@ -58,6 +58,7 @@ def detected(table: Table) -> str:
                 Message("responses.no-system", columns=shown),
                 Message("responses.systems", systems=list_plainly(DIALECTS)),
                 Message("responses.say-which"),
-            )
+            ),
+            *(each.fault for each in table.complaints if each.line is None),
         )
     return name

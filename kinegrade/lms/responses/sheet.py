@@ -85,19 +85,21 @@ def read_answer_file(
 
     Rows above such a header are complaints with their whole content, as they may be students'.
     """
-    table = _read(path, encoding)
+    table = _read(path, encoding, None, is_header)
     if _is_finder(table.header):
-        return _read(path, encoding, lambda cells: not _is_finder(cells))
+        return _read(path, encoding, lambda cells: not _is_finder(cells), is_header)
     if is_header(table.header):
         return table
-    below = _read(path, encoding, is_header)
+    below = _read(path, encoding, is_header, is_header)
     if not is_header(below.header):
         return table
     return replace(below, complaints=(*below.complaints, *_list_above(table, below)))
 
 
-def _read(path: Path, encoding: str | None, sign: HeaderSign | None = None) -> Table:
-    return read_workbook(path, sign) if is_workbook(path) else read_table(path, encoding, sign)
+def _read(path: Path, encoding: str | None, sign: HeaderSign | None, is_ours: HeaderSign) -> Table:
+    if is_workbook(path):
+        return read_workbook(path, sign, is_ours)
+    return read_table(path, encoding, sign)
 
 
 def _list_above(table: Table, below: Table) -> Iterator[Complaint]:
