@@ -45,6 +45,17 @@ def test_what_is_likely_the_same_is_suggested_and_not_made(tmp_path: Path, cell:
     assert len(complaints) == 2
 
 
+def test_ids_that_lost_their_zeros_are_told_once_and_not_taken(tmp_path: Path) -> None:
+    with pytest.raises(TableError) as caught:
+        told(tmp_path, "12345,\n12346,\n12347,\n12348,\n77,\n", "Username")
+    assert caught.value.problems[1:] == (
+        'download.csv: Username: 4 ids differ from those of the class by zeros in front alone: "12345" '
+        'for "0012345", "12346" for "0012346", "12347" for "0012347" and 1 more - not exported; '
+        "download the file again and leave it as it is, or correct the ids",
+        'download.csv:6: no student of the marked class has Username "77" - the line was not changed',
+    )
+
+
 def test_case_is_no_matter_for_addresses_only(tmp_path: Path) -> None:
     assert len(told(tmp_path, "W1@EXAMPLE.invalid,\n", "Email address")) == 2  # those without a row
     assert changed(tmp_path) == {(2, GRADE): "8.25"}

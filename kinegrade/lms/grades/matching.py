@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import re
 from collections import defaultdict
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
 from dataclasses import dataclass
 
 from kinegrade.files.cell_text import trim
@@ -27,6 +27,7 @@ from kinegrade.language.message import (
 from kinegrade.lms.grades.cells import CellTable, Record
 from kinegrade.lms.grades.grades import StudentGrade
 from kinegrade.lms.grades.key_column import KeyColumn
+from kinegrade.lms.grades.lost_zeros import find_lost_zeros
 from kinegrade.lms.grades.probable_rows import ProbableRows, folded
 
 _MOST_HINTS = 3
@@ -66,7 +67,7 @@ def match(
     }
     unclaimed = [row for row in rows if row.line not in claimants]
     free = [row for row in unclaimed if not _is_test_person(row, test_person)]
-    wanted, alike = set(graded), [ProbableRows(table, column, free) for column in columns]
+    missing = [each for each in students if not claims[each.student]]
     complaints = [
         *(
             _complain_of_ambiguous(table, columns, each, claims[each.student])
@@ -74,12 +75,7 @@ def match(
             if len(claims[each.student]) > 1
         ),
         *(_complain_of_contested(table, line, claimants[line]) for line in sorted(unclear)),
-        *(
-            _complain_of_missing(table, columns, each, alike)
-            for each in students
-            if not claims[each.student] and each.student in wanted
-        ),
-        *_list_strangers(table, columns, free),
+        *_complain_of_unmatched(table, columns, missing, set(graded), free),
     ]
     return Matching(sure, tuple(complaints))
 
@@ -163,6 +159,27 @@ def _complain_of_contested(
         Message("grades.contested", students=who),
         Message("grades.line-unchanged"),
     )
+
+
+def _complain_of_unmatched(
+    table: CellTable,
+    columns: Sequence[KeyColumn],
+    missing: Sequence[StudentGrade],
+    graded: Set[str],
+    free: Sequence[Record],
+) -> Iterator[Complaint]:
+    """The `graded` students without a row, and the rows without a student; once where both come
+    from zeros that were lost.
+    """
+    lost = find_lost_zeros(table, columns, missing, free)
+    rows = [row for row in free if row.line not in lost.students]
+    wanted = graded - set(lost.students.values())
+    alike = [ProbableRows(table, column, rows) for column in columns]
+    for each in missing:
+        if each.student in wanted:
+            yield _complain_of_missing(table, columns, each, alike)
+    yield from lost.complaints
+    yield from _list_strangers(table, columns, rows)
 
 
 def _complain_of_missing(
