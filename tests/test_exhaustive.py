@@ -54,6 +54,7 @@ EXCEPTIONS = {
     "problem/pole_names.py: match node: _": "whatever else stands in a symbol names no point",
     "proof/causes.py: if cause.reason == 'figure'": "what helps with a figure is said there alone",
     "proof/ends.py: match template.scheme.points.get(name): _": "only `toward` says between what a point lies",
+    "expressions/signs.py: match tree: _": "what is no product or quotient is its own only factor",
     "proof/reach.py: match tree: _": "two circles, or a circle and a line, may miss each other; nothing else does",
     "worked/answers/angles_between.py: match ask.quantity: _": "whatever else an ask asks for is no angle to a line",
     "worked/vectors/arms.py: match step.tree: _": "only a midpoint halves a length",
