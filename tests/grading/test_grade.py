@@ -224,12 +224,30 @@ def test_an_extra_column_is_ignored_and_its_cells_are_kept(exam_folder: Path) ->
     marked(exam_folder, header + everybody)
     assert verdicts(exam_folder, "007") == ["right", "right", "wrong"]
     assert complaints(exam_folder) == [
-        ("", "note", "", "not an answer column of the exam, or its second one"),
-        ("", "q1.v_B", "", "not an answer column of the exam, or its second one"),
-        ("3", "note", "'@me", "stands in a column that is ignored"),
-        ("3", "", "z", "stands in a column that is ignored"),
-        ("4", "q1.v_B", "5", "stands in a column that is ignored"),
+        ("", "note", "'@me", "not an answer column of the exam, or its second one"),
+        ("", "q1.v_B", "5", "not an answer column of the exam, or its second one"),
+        ("", "", "z", "not an answer column of the exam, or its second one"),
     ]
+
+
+def test_a_header_that_names_nothing_is_told_once_with_the_name_to_write(exam_folder: Path) -> None:
+    header = "student,name,q1.v_B,q1.ω_AB [rad/s],2a,Notiz\n"
+    marks = marked(exam_folder, header + "007,x,1.73,0,0,n\n0012,x,1,2,3,\nS9,x,,,,\n12,x,,,,\n")
+    told = {each.column: (each.content, said(each.done)) for each in marks.complaints}
+    shuffled = "where papers are shuffled, a number alone is another question on each"
+    assert told == {
+        "q1.ω_AB [rad/s]": ("0; 2", 'ignored; head it "q1.omega_AB" if that one is meant'),
+        "2a": ("0; 3", f'ignored: {shuffled}; head it "q2.a_B" if that one is meant'),
+        "Notiz": ("n", "ignored; its cells are kept here only"),
+        "q1.omega_AB": ("", "all its answers count as blank"),
+        "q2.a_B": ("", "all its answers count as blank"),
+    }
+
+
+def test_numbers_alone_are_refused_as_ambiguous(exam_folder: Path) -> None:
+    said_of_numbers = "no answer column: where papers are shuffled, .* - expected q1.v_B, "
+    with pytest.raises(TableError, match=said_of_numbers):
+        marked(exam_folder, "student,1a,1b\n007,1.73,0\n")
 
 
 def test_ragged_lines_lose_nothing(exam_folder: Path) -> None:

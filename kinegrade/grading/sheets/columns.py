@@ -21,6 +21,7 @@ from kinegrade.files.cell_text import make_header_key, trim
 from kinegrade.files.rows.row import choose_cells
 from kinegrade.files.tables import Table
 from kinegrade.grading.sheets.entry import Place
+from kinegrade.grading.sheets.strange_headers import find_numbered
 from kinegrade.language.message import Fault, Message, Text, list_plainly
 
 _NO_STUDENT_COLUMN = Message("marking.no-student-column")
@@ -82,9 +83,7 @@ def find_columns(table: Table, asks: Sequence[Ask]) -> Columns:
     if student is None:
         faults.append(_explain(table, _NO_STUDENT_COLUMN, Message("marking.column-of-ids")))
     if all(index is None for index in found):
-        first = list_plainly(ask.column for ask in asks[:4])
-        expected = Message("marking.answer-columns", columns=first)
-        faults.append(_explain(table, Message("marking.no-answer-column"), expected))
+        faults.append(_explain_no_answers(table, [ask.column for ask in asks]))
     strange = [
         cell
         for cell in (_UNIT.sub("", name) for name in header)
@@ -109,6 +108,11 @@ def find_columns(table: Table, asks: Sequence[Ask]) -> Columns:
     )
 
 
+def strip_unit(title: str) -> str:
+    """A title without what `find_unit` finds."""
+    return _UNIT.sub("", trim(title))
+
+
 def find_unit(title: str) -> str:
     """What stands in brackets at the end of a title, "" where there is nothing.
 
@@ -121,6 +125,13 @@ def find_unit(title: str) -> str:
 
 def _explain(table: Table, problem: Message, expected: Text = "") -> Fault:
     return Fault(table.file, problem, expected, Message("marking.fill-in"))
+
+
+def _explain_no_answers(table: Table, columns: Sequence[str]) -> Fault:
+    expected = Message("marking.answer-columns", columns=list_plainly(columns[:4]))
+    if any(find_numbered(strip_unit(title), columns) for title in table.header):
+        return _explain(table, Message("marking.numbers-alone"), expected)
+    return _explain(table, Message("marking.no-answer-column"), expected)
 
 
 def _list_keys(asks: Sequence[Ask]) -> set[str]:
@@ -151,7 +162,7 @@ def _find_described(header: Sequence[str], columns: Sequence[str]) -> Mapping[st
     """
     names = AskNames(columns, shuffled=True)
     backwards = list(enumerate(header))[::-1]
-    found = ((names.find(_UNIT.sub("", cell)), index) for index, cell in backwards)
+    found = ((names.find(strip_unit(cell)), index) for index, cell in backwards)
     return {named.column: index for named, index in found if named is not None and named.ask}
 
 

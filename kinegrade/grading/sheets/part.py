@@ -17,12 +17,13 @@ from kinegrade.files.answer_file import AnswerFile
 from kinegrade.files.cell_text import shorten, trim
 from kinegrade.files.rows.row import Row
 from kinegrade.files.tables import Complaint, Table, drop_headers
-from kinegrade.grading.sheets.columns import Columns, find_columns
+from kinegrade.grading.sheets.columns import Columns, find_columns, strip_unit
 from kinegrade.grading.sheets.entry import Entry
 from kinegrade.grading.sheets.grid_entries import GridEntries
 from kinegrade.grading.sheets.grid_finding import find_grid_entries
 from kinegrade.grading.sheets.header_units import find_stated_units
 from kinegrade.grading.sheets.sheet import Part, quote_cells
+from kinegrade.grading.sheets.strange_headers import find_meant, find_numbered
 from kinegrade.language.message import (
     Message,
     Quoted,
@@ -42,7 +43,7 @@ def read_part(answers: AnswerFile, exam: Sitting) -> Part:
     stated = find_stated_units(table, columns, exam.asks)
     about_columns = (
         *table.complaints,
-        *_find_extra_columns(table, columns),
+        *_find_extra_columns(table, columns, exam),
         *stated.complaints,
     )
     grid = None if any(stated.units) else find_grid_entries(answers, columns, exam)
@@ -176,27 +177,31 @@ def _make_entries(
     return tuple([make_entry(row, quote_cells(row.cells)) for row in rows])
 
 
-def _find_extra_columns(table: Table, columns: Columns) -> Iterator[Complaint]:
+def _find_extra_columns(table: Table, columns: Columns, exam: Sitting) -> Iterator[Complaint]:
+    """One for each, with all that stands in it."""
+    asks = [ask.column for ask in exam.asks]
+    missing = [ask for ask, index in zip(asks, columns.asks, strict=True) if index is None]
     for index in columns.extra:
-        name = shorten(table.header[index])
-        filled = [row for row in table.rows if trim(row.cell(index))]
-        if trim(name):
-            done = Message("marking.cells-follow") if filled else Message("marking.ignored")
-            yield Complaint(
-                table.file,
-                None,
-                name,
-                "",
-                Message("marking.no-answer-column-here"),
-                done,
-            )
-        for row in filled:
-            content = shorten(row.cell(index))
-            yield Complaint(
-                table.file,
-                row.line,
-                name,
-                content,
-                Message("marking.in-ignored-column"),
-                Message("marking.kept-here"),
-            )
+        title = table.header[index]
+        filled = [shorten(cell) for row in table.rows if trim(cell := row.cell(index))]
+        if not filled and not trim(title):
+            continue
+        done = _advise(strip_unit(title), asks, missing) if filled else None
+        yield Complaint(
+            table.file,
+            None,
+            shorten(title),
+            "; ".join(filled),
+            Message("marking.no-answer-column-here"),
+            done or Message("marking.ignored"),
+        )
+
+
+def _advise(title: str, asks: Sequence[str], missing: Sequence[str]) -> Message:
+    """What to do about a filled column that answers nothing; `missing` are asks without one."""
+    numbered = find_numbered(title, asks)
+    if numbered is not None and numbered in missing:
+        return Message("marking.number-alone", column=Quoted(numbered))
+    if near := find_meant(title, missing):
+        return Message("marking.head-it", column=Quoted(near[0]))
+    return Message("marking.column-kept")
