@@ -285,6 +285,11 @@ def test_a_shipped_template_is_not_taken_for_the_file_of_its_name_beside_the_ban
     ]
 
 
+def test_a_bank_may_have_the_name_of_a_shipped_template(tmp_path: Path) -> None:
+    (tmp_path / "slider-crank.toml").write_text(HEAD + QUESTION, encoding="utf-8")
+    assert len(bank(tmp_path, HEAD + QUESTION).questions) == 1
+
+
 def test_a_bank_may_say_what_typesets_it(tmp_path: Path) -> None:
     assert bank(tmp_path, HEAD + QUESTION).engine == "typst"
     assert bank(tmp_path, 'engine = "latex"\n' + HEAD + QUESTION).engine == "latex"

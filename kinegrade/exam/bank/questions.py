@@ -32,7 +32,7 @@ from kinegrade.exam.bank.keys import (
 from kinegrade.exam.bank.own_questions import read_own_question
 from kinegrade.exam.bank.shipped_templates import Grouping, Shelf, read_shelf
 from kinegrade.exam.bank.terms import BankTolerance, read_bank_tolerance, read_room
-from kinegrade.files.fields.document import read_text
+from kinegrade.files.fields.document import read_text, toml_table
 from kinegrade.files.fields.faults import Faults
 from kinegrade.files.fields.table import Table
 from kinegrade.files.fields.values import flag, found, text, whole
@@ -237,9 +237,10 @@ class Entries:
 
 def _require_alone(shipped: Template, own: Path) -> None:
     """Raises FieldError where a file beside the bank has the name of a shipped template, and
-    another text: it may be the one that is meant.
+    another text: it may be the one that is meant, unless it is a bank itself.
     """
-    if own.exists() and read_text(own, TEMPLATE) != shipped.file.text:
+    text = read_text(own, TEMPLATE) if own.exists() else shipped.file.text
+    if text != shipped.file.text and "questions" not in toml_table(own.name, text, TEMPLATE):
         what = Message("bank.own-and-shipped", file=Quoted(own.name))
         raise FieldError(what, do=Message("bank.name-own", file=Quoted(own.name)))
 

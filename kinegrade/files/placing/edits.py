@@ -59,7 +59,7 @@ def find_edits(folder: Path, *, marker: str, guarded: Collection[str] = ()) -> E
     """What was edited in a folder since it was written, but for files whose loss their readers
     refuse (`guarded`); nothing in a folder without the `marker`, which is not replaced.
     """
-    times = _list_times(folder) if (folder / marker).is_file() else {}
+    times = _list_times(folder) if os.path.isfile(folder / marker) else {}
     written = min(times.values(), default=0)
     later = sorted(file for file, time in times.items() if time > written)
     sealed = written % _SECOND == 0

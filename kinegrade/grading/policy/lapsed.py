@@ -13,6 +13,7 @@ from kinegrade.language.message import Message, list_first, list_plainly
 from kinegrade.marks_folder.layout import POLICY
 
 _MOST_NAMED = 5
+_DEEPEST = 10  # tables in tables: no rule lies deeper
 
 
 def describe_lapsed(
@@ -42,12 +43,12 @@ def _read_rules(file: Path) -> dict[str, Any]:
         return {}
 
 
-def _list_rules(table: Mapping[str, Any]) -> Iterator[str]:
+def _list_rules(table: Mapping[str, Any], depth: int = _DEEPEST) -> Iterator[str]:
     """What a policy rules on, by dotted keys; each accepted answer is a rule of its own."""
     for key, value in table.items():
         match value:
-            case dict():
-                yield from (f"{key}.{below}" for below in _list_rules(value))
+            case dict() if depth:
+                yield from (f"{key}.{below}" for below in _list_rules(value, depth - 1))
             case list():
                 yield from (f"{key} ({_show(each)})" for each in value)
             case _:
