@@ -114,6 +114,11 @@ def test_grading_ends_with_complaints_and_says_them_all(demo: Demo) -> None:
     assert (demo.graded.exit_code, len(said)) == (1, len(lines_of(demo.marks / "complaints.csv")))
 
 
+def read_line_number(note: str) -> int:
+    """Of a remark as it is told behind its line."""
+    return int(note.partition(":")[0])
+
+
 def line_numbers(student: str) -> list[str]:
     """The lines of the answer sheet that carry this id."""
     lines = lines_of(ANSWERS)
@@ -122,13 +127,13 @@ def line_numbers(student: str) -> list[str]:
 
 def test_the_complaints_are_those_planted_and_no_others(demo: Demo) -> None:
     first, _ = line_numbers(TWICE)
+    notes = [f"{line_numbers(student)[0]}: {note}" for student, note in NOTES.items()]
     planted = Counter(
         [
-            ("", REMARKS, ""),
+            ("", REMARKS, "; ".join(sorted(notes, key=read_line_number))),
             ("", "", ABSENT),
             (first, "", "a whole row"),
             (*line_numbers(STRANGER[0]), "student", "a whole row"),
-            *((*line_numbers(student), REMARKS, note) for student, note in NOTES.items()),
             *(
                 (*line_numbers(student), column, text)
                 for (student, column), text in ODD_CELLS.items()

@@ -47,6 +47,8 @@ WRONG_UNIT: dict[tuple[str, str], str] = {("u7204431", "q2.omega_II"): "7.5 m/s"
 DOUBTFUL: dict[tuple[str, str], str] = {
     ("20220368", "q3.a_cor_y"): "1,234",
     ("20220518", "q2.v_C_x"): "8.887",
+    ("0241211", "q1.a_B"): "6.416",
+    ("0241211", "q3.a_cor_y"): "9.021",
 }
 NOTES: Mapping[str, str] = {
     "0241211": "第 4 题时间不够",

@@ -224,9 +224,9 @@ def test_an_extra_column_is_ignored_and_its_cells_are_kept(exam_folder: Path) ->
     marked(exam_folder, header + everybody)
     assert verdicts(exam_folder, "007") == ["right", "right", "wrong"]
     assert complaints(exam_folder) == [
-        ("", "note", "'@me", "not an answer column of the exam, or its second one"),
-        ("", "q1.v_B", "5", "not an answer column of the exam, or its second one"),
-        ("", "", "z", "not an answer column of the exam, or its second one"),
+        ("", "note", "3: @me", "not an answer column of the exam, or its second one"),
+        ("", "q1.v_B", "4: 5", "not an answer column of the exam, or its second one"),
+        ("", "", "3: z", "not an answer column of the exam, or its second one"),
     ]
 
 
@@ -236,9 +236,9 @@ def test_a_header_that_names_nothing_is_told_once_with_the_name_to_write(exam_fo
     told = {each.column: (each.content, said(each.done)) for each in marks.complaints}
     shuffled = "where papers are shuffled, a number alone is another question on each"
     assert told == {
-        "q1.ω_AB [rad/s]": ("0; 2", 'ignored; head it "q1.omega_AB" if that one is meant'),
-        "2a": ("0; 3", f'ignored: {shuffled}; head it "q2.a_B" if that one is meant'),
-        "Notiz": ("n", "ignored; its cells are kept here only"),
+        "q1.ω_AB [rad/s]": ("2: 0; 3: 2", 'ignored; head it "q1.omega_AB" if that one is meant'),
+        "2a": ("2: 0; 3: 3", f'ignored: {shuffled}; head it "q2.a_B" if that one is meant'),
+        "Notiz": ("2: n", "ignored; its cells are kept here only"),
         "q1.omega_AB": ("", "all its answers count as blank"),
         "q2.a_B": ("", "all its answers count as blank"),
     }

@@ -183,7 +183,8 @@ def _find_extra_columns(table: Table, columns: Columns, exam: Sitting) -> Iterat
     missing = [ask for ask, index in zip(asks, columns.asks, strict=True) if index is None]
     for index in columns.extra:
         title = table.header[index]
-        filled = [shorten(cell) for row in table.rows if trim(cell := row.cell(index))]
+        cells = ((row.line, row.cell(index)) for row in table.rows)
+        filled = [f"{line}: {shorten(cell)}" for line, cell in cells if trim(cell)]
         if not filled and not trim(title):
             continue
         done = _advise(strip_unit(title), asks, missing) if filled else None
