@@ -152,8 +152,8 @@ def test_points_of_a_body_are_checked_by_the_projection_theorem() -> None:
 def test_a_planet_is_checked_as_its_carrier_sees_it() -> None:
     assert read_checks("ring-gear-planet-relative-spin")[0] == Check(
         "the rim speeds of the planet gear and of the fixed circle, seen from the arm $O_{1}O_{2}$",
-        r"0.16\,\unit{m} \cdot (-1.5\,\unit{rad/s} - 1\,\unit{rad/s}) = -0.4\,\unit{m/s}",
-        r"0.4\,\unit{m} \cdot (-1\,\unit{rad/s}) = -0.4\,\unit{m/s}",
+        r"0.24\,\unit{m} \cdot (-2.833\,\unit{rad/s} - 2\,\unit{rad/s}) \approx -1.16\,\unit{m/s}",
+        r"0.58\,\unit{m} \cdot (-2\,\unit{rad/s}) = -1.16\,\unit{m/s}",
     )
 
 
