@@ -14,7 +14,7 @@ from dataclasses import dataclass, field
 from typing import TypeVar
 
 from tests.by_hand.class_list import TAUGHT
-from tests.by_hand.pad import EXACT, Answers, Edge, Method, Pad
+from tests.by_hand.pad import EXACT, Answers, Edge, Method, Pad, attempt
 from tests.by_hand.school import Exam, Mark, Paper, Question
 
 NEAR = 1e-6  # of the right answer: what a machine's rounding leaves between two ways of working
@@ -103,7 +103,8 @@ def mistaken(exam: Exam, turns: int) -> Count:
             _, ask, value = chosen[paper.student, question.number]
             return {ask: value}
 
-        for mark in exam.mark(typed):
+        # whole columns may be wrong: that is complained of
+        for mark in exam.mark(typed, complaints=True):
             name, _, _ = chosen[mark.paper.student, mark.question.number]
             kept = mark.points == 0 and name in mark.names
             found.add(f"{mark.question.template} {name}", kept, mark)
@@ -129,7 +130,8 @@ def following(exam: Exam, turns: int) -> Count:
             own = factor * question.right[edge.earlier]
             return {edge.earlier: own, edge.later: edge.formula(question.givens, own)}
 
-        marks = list(exam.mark(typed))
+        # who is wrong in the same ask may be all who typed it: that is complained of
+        marks = exam.mark(typed, complaints=True)
         full = {
             (mark.paper.student, mark.question.number, mark.ask) for mark in marks if not mark.lost
         }
@@ -166,11 +168,11 @@ def _methods(question: Question) -> list[Named]:
 
 
 def _mistakes(question: Question) -> list[Wrong]:
-    """The answers that a mistake changes by more than a machine's rounding."""
+    """The answers that a mistake changes by more than a machine's rounding; who is stuck has none."""
     return [
         (name, ask, 0.0 if abs(value) < ZERO else value)
         for name, mistake in TAUGHT[question.template].mistakes.items()
-        for ask, value in mistake(question.givens).items()
+        for ask, value in (attempt(mistake, question.givens) or {}).items()
         if ask in question.right and _differ(value, question.right[ask])
     ]
 

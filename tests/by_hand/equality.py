@@ -13,7 +13,7 @@ from math import sqrt
 from statistics import pstdev, pvariance
 
 from tests.by_hand.class_list import TAUGHT
-from tests.by_hand.pad import Answers, Mistake, Pad
+from tests.by_hand.pad import Mistake, Pad, attempt
 from tests.by_hand.school import Exam, Question
 from tests.by_hand.slips import misread
 
@@ -58,7 +58,7 @@ def list_misreadings(question: Question) -> Iterator[Mistake]:
 
 def _list_wrong(question: Question, mistake: Mistake) -> Iterator[str]:
     """The asks of which a mistake leaves the tolerance, or all where it leads to no figure."""
-    answers = _work(question, mistake)
+    answers = attempt(mistake, question.givens)
     if answers is None:
         yield from question.points
         return
@@ -67,10 +67,3 @@ def _list_wrong(question: Question, mistake: Mistake) -> Iterator[str]:
             right = question.right[ask]
             if abs(value - right) > question.rooms[ask] + ALMOST * (1 + abs(right)):
                 yield ask
-
-
-def _work(question: Question, mistake: Mistake) -> Answers | None:
-    try:
-        return mistake(question.givens)
-    except (ValueError, ZeroDivisionError):  # no such triangle
-        return None

@@ -77,3 +77,14 @@ class Edge(NamedTuple):
 
 Method = Callable[[Givens, Pad], Answers]
 Mistake = Callable[[Givens], Answers]
+
+
+def attempt(mistake: Mistake, givens: Givens) -> Answers | None:
+    """What a mistake comes to; None where it leads to a figure that cannot be.
+
+    >>> attempt(lambda givens: {"x": sqrt(givens["a"])}, {"a": -1.0})
+    """
+    try:
+        return mistake(givens)
+    except (ValueError, ZeroDivisionError):  # no such triangle
+        return None

@@ -105,8 +105,9 @@ class Exam:
         *,
         complaints: bool = False,
     ) -> list[Mark]:
-        """The marks of a class that types such answers with so many figures, by such a policy; none
-        where nobody types anything. What is complained of is raised, unless that may be.
+        """The marks of a class that types such answers with so many figures, by such a policy, or
+        by the exam's own rules; none where nobody types anything. What is complained of is raised,
+        unless that may be.
         """
         sheet = {
             (paper.student, f"{question.number}.{ask}"): write(value, figures)
@@ -123,9 +124,11 @@ class Exam:
         columns = [f"{question.number}.{ask}" for question in asked for ask in question.points]
         students = [paper.student for paper in self.papers]
         answers = _write_sheet(place / "answers.csv", students, columns, sheet)
-        rules = place / "policy.toml"
-        rules.write_text(policy, encoding="utf-8")
-        marking = "grade", self.folder, answers, "-o", place / "MARKS", "--policy", rules
+        marking = ["grade", self.folder, answers, "-o", place / "MARKS"]
+        if policy:
+            rules = place / "policy.toml"
+            rules.write_text(policy, encoding="utf-8")
+            marking += ["--policy", rules]
         kinegrade(*marking, complaints=complaints)
         return list(self._read_marks(place / "MARKS" / "marks.csv", sheet))
 
