@@ -17,7 +17,7 @@ from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.library.library import find_template_names, load_template
 from kinegrade.worked.document import Block, Prose
 from kinegrade.worked.solution import write_worked_solution
-from tests.worked.draws import drawn, kept
+from tests.worked.draws import drawn, kept, stated
 from tests.worked.reader.amounts import Amount, Unreadable
 from tests.worked.reader.formula_reader import read_formula
 from tests.worked.telling import lines
@@ -141,16 +141,18 @@ def test_a_wheel_that_its_pole_has_solved_is_checked_from_its_centre() -> None:
 
 
 def test_points_of_a_body_are_checked_by_the_projection_theorem() -> None:
-    assert read_checks("crossed-belt-drive")[0] == Check(
+    values = {"r1": "0.38", "r2": "0.12", "l": "0.7", "phi": "45", "omega1": "2", "omega0": "1"}
+    assert find_checks(stated("crossed-belt-drive", **values))[0] == Check(
         r"the projection theorem for $B$ and $A$, multiplied by $\overrightarrow{AB}$",
-        r"0.08485\,\unit{m} \cdot 0.6788\,\unit{m/s} + 0.08485\,\unit{m} \cdot 0.3111\,\unit{m/s}"
+        r"0.08485\,\unit{m} \cdot 0.3111\,\unit{m/s} + 0.08485\,\unit{m} \cdot 0.6788\,\unit{m/s}"
         r" \approx 0.084\,\unit{m^2/s}",
         r"0.12\,\unit{m} \cdot 0.7\,\unit{m/s} = 0.084\,\unit{m^2/s}",
     )
 
 
 def test_a_planet_is_checked_as_its_carrier_sees_it() -> None:
-    assert read_checks("ring-gear-planet-relative-spin")[0] == Check(
+    values = {"R1": "0.4", "R2": "0.16", "phi_3": "30", "omega_3": "1"}
+    assert find_checks(stated("ring-gear-planet-relative-spin", **values))[0] == Check(
         "the rim speeds of the planet gear and of the fixed circle, seen from the arm $O_{1}O_{2}$",
         r"0.24\,\unit{m} \cdot (-2.833\,\unit{rad/s} - 2\,\unit{rad/s}) \approx -1.16\,\unit{m/s}",
         r"0.58\,\unit{m} \cdot (-2\,\unit{rad/s}) = -1.16\,\unit{m/s}",
@@ -193,7 +195,8 @@ def test_wheels_about_fixed_axes_are_checked_by_the_speeds_of_their_rims() -> No
 
 
 def test_a_pose_is_checked_by_a_distance_that_is_given() -> None:
-    assert read_checks("pose-four-bar-coupler")[0] == Check(
+    values = {"b": "0.8", "l_BC": "1.3", "l_CD": "2.1", "d": "1.9", "theta": "90"}
+    assert find_checks(stated("pose-four-bar-coupler", **values))[0] == Check(
         "the distance $DC$ from the coordinates, and as it is given",
         r"\sqrt{(0.8255\,\unit{m} - 1.9\,\unit{m})^{2} + (1.804\,\unit{m})^{2}}"
         r" \approx 2.1\,\unit{m}",
