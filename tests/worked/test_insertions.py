@@ -5,6 +5,9 @@ from __future__ import annotations
 import pytest
 
 from kinegrade.language import Language
+from kinegrade.problem.solving import solve_template
+from kinegrade.problem.template.library.library import load_template
+from kinegrade.worked.solution import write_worked_solution
 from tests.worked.draws import kept
 from tests.worked.telling import lines
 
@@ -42,6 +45,17 @@ def test_what_a_relation_adds_is_inserted_too() -> None:
     assert r"v_{BA} = 0.2\,\unit{m} \cdot \omega_{OA} + 0.8\,\unit{m/s}$" in announced
     assert r"v_{A} \approx 0.3464\,\unit{m} \cdot \omega_{OA}$" in announced
     assert inserted.endswith(r"+ 0.8\,\unit{m/s} \cdot \cos 60^\circ")
+
+
+def test_what_a_later_projection_takes_is_found_though_no_answer_needs_it() -> None:
+    # -10.71 m/s^2 stood in the second projection, and nowhere before
+    given = {"l_1": "0.64", "theta": "15", "psi": "60", "omega_r": "5", "alpha_r": "-5"}
+    template = load_template("slider-crank-relative-rotation-driver")
+    solution = solve_template(template, given)
+    told = list(lines(write_worked_solution(solution, template.asked(), "en").blocks))
+    (found,) = (line for line in told if r"a_{BA}^{\mathrm{t}} &=" in line)
+    assert r"\approx -10.71\,\unit{m/s^2}" in found
+    assert not any(r"\alpha_{AB} &=" in line for line in told)
 
 
 def test_the_last_of_two_projections_is_inserted_into_the_first() -> None:

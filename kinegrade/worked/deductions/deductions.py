@@ -4,7 +4,7 @@ as decimals.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 
 from kinegrade.language.message import Message
@@ -32,9 +32,14 @@ AXIS_NAMES = {0.0: Message("solution.projection-x"), 90.0: Message("solution.pro
 
 
 def explain_deduction(
-    stage: Stage, deduction: Deduction, solved: Collection[Rate]
+    stage: Stage,
+    deduction: Deduction,
+    solved: Collection[Rate],
+    later: Sequence[Deduction] = (),
 ) -> Iterator[Block]:
-    """A deduction in words and equations; relations between rates have been written before."""
+    """A deduction in words and equations, before `later` ones of the step; relations between rates
+    have been written before.
+    """
     case, single = stage.case, len(deduction.unknowns) == 1 and not deduction.scalars
     found = None if single else find_elimination(deduction, stage.level, case)
     for projection in deduction.projections:
@@ -48,7 +53,7 @@ def explain_deduction(
         else:
             yield case.show(*_state_projection(stage, projection, solved))
     if found:
-        yield from _explain_insertion(Insertion(stage, found), deduction, solved)
+        yield from _explain_insertion(Insertion(stage, found), deduction, solved, later)
     elif not single:
         yield case.say(Message("solution.together"))
         results = (result for rate in deduction.unknowns for result in state_results(stage, rate))
@@ -56,14 +61,16 @@ def explain_deduction(
 
 
 def _explain_insertion(
-    insertion: Insertion, deduction: Deduction, solved: Collection[Rate]
+    insertion: Insertion,
+    deduction: Deduction,
+    solved: Collection[Rate],
+    later: Sequence[Deduction],
 ) -> Iterator[Block]:
     """What is inserted into what, then the values: first of the unknown that is kept."""
     stage, kept = insertion.stage, insertion.elimination.kept
     yield from insertion.explain(solved)
     results = list[Equation]()
-    spares = stage.case.findings.spares
-    rest = (one for one in deduction.unknowns if one != kept and not spares(one, stage.level))
+    rest = (one for one in deduction.unknowns if one != kept and stage.uses(one, later))
     for rate in (kept, *rest):
         found = list(state_results(stage, rate))
         if rate == kept and kept.kind == "turning":

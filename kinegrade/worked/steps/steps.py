@@ -85,10 +85,11 @@ def explain_step(step: Step, stage: Stage) -> Iterator[Block]:
         yield case.say(reason)
         yield case.show(*equations)
     solved: set[Rate] = set()
-    for deduction in find_deductions(stage.equations, scalars, step.unknowns):
+    deductions = tuple(find_deductions(stage.equations, scalars, step.unknowns))
+    for place, deduction in enumerate(deductions, start=1):
         if stage.spares(deduction):
             continue
-        yield from explain_deduction(stage, deduction, solved)
+        yield from explain_deduction(stage, deduction, solved, deductions[place:])
         solved |= set(deduction.unknowns)
 
 

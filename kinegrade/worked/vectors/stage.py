@@ -54,6 +54,15 @@ class Stage:
             return False
         return sum(rate in equation.unknowns for equation in self.equations) == 1
 
+    def uses(self, rate: Rate, later: Sequence[Deduction]) -> bool:
+        """Whether an answer, a later step or one of the later deductions needs a rate."""
+        return not self.case.findings.spares(rate, self.level) or any(
+            projection.involves(rate)
+            for deduction in later
+            if not self.spares(deduction)
+            for projection in deduction.projections
+        )
+
     def project(self, projection: Projection, solved: Collection[Rate] | None) -> Equation:
         """A projection as an equation: in symbols where `solved` is None, else in numbers with the
         rates that are solved.

@@ -79,6 +79,8 @@ def _read_term(term: Term) -> Iterator[Line | Said]:
                 yield Line(symbol, (Side("=", left), *sides))
             case Said(row) if known:
                 yield Line(symbol, (Side("=", row),))
+            case Said((Sign("("), *product, Sign(")"))):  # an unknown vector's arm and rotation
+                yield from (Said((factor,)) for factor in product)
             case _:
                 yield part
     yield from _read_prose(term.direction)

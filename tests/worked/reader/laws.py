@@ -56,7 +56,7 @@ LAWS: dict[Law, str] = {
     "settled": "what is exact stands after a sign of equality",
     "short": "an exact form has less than 30 signs, its whole numbers at most 4 digits",
     "unit": "every number has its unit",
-    "symbol": "every symbol is given, found before, or found next",
+    "symbol": "every symbol is given, named by a table, found before, or found next",
     "angle": "every angle is given, found before, or what an angle in symbols amounts to",
     "point": "every point with coordinates is one of the statement, or is introduced as where wheels roll",
     "closed": "the arrows of a polygon follow one another from the origin to one end, on two sides",
