@@ -154,8 +154,8 @@ def test_a_planet_is_checked_as_its_carrier_sees_it() -> None:
     values = {"R1": "0.4", "R2": "0.16", "phi_3": "30", "omega_3": "1"}
     assert find_checks(stated("ring-gear-planet-relative-spin", **values))[0] == Check(
         "the rim speeds of the planet gear and of the fixed circle, seen from the arm $O_{1}O_{2}$",
-        r"0.24\,\unit{m} \cdot (-2.833\,\unit{rad/s} - 2\,\unit{rad/s}) \approx -1.16\,\unit{m/s}",
-        r"0.58\,\unit{m} \cdot (-2\,\unit{rad/s}) = -1.16\,\unit{m/s}",
+        r"0.16\,\unit{m} \cdot (-1.5\,\unit{rad/s} - 1\,\unit{rad/s}) = -0.4\,\unit{m/s}",
+        r"0.4\,\unit{m} \cdot (-1\,\unit{rad/s}) = -0.4\,\unit{m/s}",
     )
 
 

@@ -85,11 +85,11 @@ def explain_step(step: Step, stage: Stage) -> Iterator[Block]:
         yield case.say(reason)
         yield case.show(*equations)
     solved: set[Rate] = set()
-    deductions = tuple(find_deductions(stage.equations, scalars, step.unknowns))
-    for place, deduction in enumerate(deductions, start=1):
-        if stage.spares(deduction):
-            continue
-        yield from explain_deduction(stage, deduction, solved, deductions[place:])
+    found = find_deductions(stage.equations, scalars, step.unknowns)
+    later = [deduction for deduction in found if not stage.spares(deduction)]
+    while later:
+        deduction, *later = later
+        yield from explain_deduction(stage, deduction, solved, later)
         solved |= set(deduction.unknowns)
 
 

@@ -56,12 +56,8 @@ class Stage:
 
     def uses(self, rate: Rate, later: Sequence[Deduction]) -> bool:
         """Whether an answer, a later step or one of the later deductions needs a rate."""
-        return not self.case.findings.spares(rate, self.level) or any(
-            projection.involves(rate)
-            for deduction in later
-            if not self.spares(deduction)
-            for projection in deduction.projections
-        )
+        taken = any(one.involves(rate) for each in later for one in each.projections)
+        return taken or not self.case.findings.spares(rate, self.level)
 
     def project(self, projection: Projection, solved: Collection[Rate] | None) -> Equation:
         """A projection as an equation: in symbols where `solved` is None, else in numbers with the
