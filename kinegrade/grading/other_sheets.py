@@ -4,18 +4,20 @@ has of an exam which stands beside this one. No mark is changed.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
 
+from kinegrade.errors import KinegradeError
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.files.tables import Complaint
 from kinegrade.grading.class_answers import ClassAnswers
 from kinegrade.grading.exams_beside import list_exams_around
-from kinegrade.grading.fast.another_paper import PapersAnswered
 from kinegrade.grading.fast.bounds import Numbers
+from kinegrade.grading.fast.intervals import Intervals, list_intervals
 from kinegrade.language.message import Message
 
 _LEAST_WRONG = 2  # one may be right elsewhere by chance
@@ -23,15 +25,15 @@ _LEAST_WRONG = 2  # one may be right elsewhere by chance
 
 class _OtherSheet(NamedTuple):
     path: Path
-    papers: PapersAnswered
+    students: Sequence[str]
+    intervals: Sequence[Intervals]
 
     def has_all(self, student: str, numbers: Numbers) -> bool:
         """Whether each of these numbers is right somewhere on a student's paper."""
-        students = self.papers.sitting.students
-        if student not in students:
+        if student not in self.students:
             return False
-        own = np.array([students.index(student)])
-        fits = [each.at(own).fit(numbers)[:, 0] for each in self.papers.intervals]
+        own = np.array([self.students.index(student)])
+        fits = [each.at(own).fit(numbers)[:, 0] for each in self.intervals]
         return bool(np.any(fits, axis=0).all())
 
 
@@ -55,7 +57,9 @@ def find_other_sheets(exam: ExamFolder, answers: ClassAnswers) -> Iterator[Compl
 
 
 def _list_others(exam: ExamFolder) -> Iterator[_OtherSheet]:
-    """The other exams beside this one."""
+    """The other exams beside this one; what is damaged there is passed over."""
     for other in list_exams_around(exam.path):
         if other.path.resolve() != exam.path.resolve():
-            yield _OtherSheet(exam.path.with_name(other.path.name), PapersAnswered(other))
+            where = exam.path.with_name(other.path.name)
+            with suppress(KinegradeError):
+                yield _OtherSheet(where, other.students, list_intervals(other))

@@ -287,3 +287,7 @@ def test_answers_to_an_earlier_sheet_are_told(tmp_path: Path) -> None:
     assert f"are right on the paper of {first} - marked as answers to this one" in marked.stderr
     own = kinegrade("grade", first, answers, "-o", tmp_path / "FIRST")
     assert "marked as answers to this one" not in own.stderr
+    (first / "key.jsonl").write_text("{}\n", encoding="utf-8")
+    damaged = kinegrade("grade", second, answers, "-o", tmp_path / "BESIDE")
+    assert damaged.exit_code == 1
+    assert "right on the paper of" not in damaged.stderr
