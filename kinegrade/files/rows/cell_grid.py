@@ -9,13 +9,13 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
-from typing import overload
 
 import numpy as np
 from numpy.typing import NDArray
 
 from kinegrade.files.cell_text import trim
 from kinegrade.files.rows.letter_table import LetterTable, gather_letters, pad_letters
+from kinegrade.files.rows.made_rows import MadeRows
 from kinegrade.files.rows.row import Row
 
 _BREAK, _BETWEEN = "\n", "\x1f"
@@ -26,7 +26,7 @@ _Places = NDArray[np.intp]
 
 
 @dataclass(frozen=True, eq=False)
-class CellGrid(Sequence[Row]):
+class CellGrid(MadeRows):
     """Rows of so many cells, made as they are asked for, and the `lines` on which they stand.
 
     Cells are counted row after row: one begins behind a place of the `bounds` and ends at the next.
@@ -41,18 +41,9 @@ class CellGrid(Sequence[Row]):
     def __len__(self) -> int:
         return len(self.lines)
 
-    @overload
-    def __getitem__(self, place: int) -> Row: ...
-
-    @overload
-    def __getitem__(self, place: slice) -> Sequence[Row]: ...
-
-    def __getitem__(self, place: int | slice) -> Row | Sequence[Row]:
-        if isinstance(place, slice):
-            return [self[each] for each in range(*place.indices(len(self)))]
-        row = range(len(self))[place]
-        begin, end = self.bounds[[row * self.width, (row + 1) * self.width]].tolist()
-        return self._row(int(self.lines[row]), begin + 1, end)
+    def _make(self, place: int) -> Row:
+        begin, end = self.bounds[[place * self.width, (place + 1) * self.width]].tolist()
+        return self._row(int(self.lines[place]), begin + 1, end)
 
     def __iter__(self) -> Iterator[Row]:
         ends = pairwise(self.bounds[:: self.width].tolist())

@@ -6,15 +6,15 @@ from array import array
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import accumulate
-from typing import overload
 
+from kinegrade.files.rows.made_rows import MadeRows
 from kinegrade.files.rows.row import Row
 
 _BETWEEN = "\0"
 
 
 @dataclass(frozen=True, slots=True)
-class PackedRows(Sequence[Row]):
+class PackedRows(MadeRows):
     """Rows in a fifth of the memory of a text for each cell, made again as they are asked for.
 
     The cells of all rows are one text; the rows end at `ends`, which begin with 0, and stand on
@@ -28,17 +28,8 @@ class PackedRows(Sequence[Row]):
     def __len__(self) -> int:
         return len(self.lines)
 
-    @overload
-    def __getitem__(self, place: int) -> Row: ...
-
-    @overload
-    def __getitem__(self, place: slice) -> Sequence[Row]: ...
-
-    def __getitem__(self, place: int | slice) -> Row | Sequence[Row]:
-        if isinstance(place, slice):
-            return [self[each] for each in range(*place.indices(len(self)))]
-        each = range(len(self))[place]
-        return self._row(self.lines[each], self.ends[each], self.ends[each + 1])
+    def _make(self, place: int) -> Row:
+        return self._row(self.lines[place], self.ends[place], self.ends[place + 1])
 
     def __iter__(self) -> Iterator[Row]:
         return map(self._row, self.lines, self.ends, self.ends[1:])
