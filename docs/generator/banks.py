@@ -138,6 +138,8 @@ def write_policy_page() -> str:
         "## Questions",
         "In a table `[questions.q1]`:",
         write_words("key", read_words(_POLICY, "QUESTION")),
+        "For a question that is marked by hand:",
+        write_words("key", read_words(_POLICY, "QUESTION_BY_HAND")),
         "## Asks",
         "In a table `[questions.q1.asks.v_B]`:",
         write_words("key", read_words(_POLICY, "ASK")),

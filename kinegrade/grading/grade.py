@@ -41,6 +41,7 @@ from kinegrade.grading.typing_slips import find_typing_slips
 from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.marks_folder.folder import MarksFolder, open_marks
+from kinegrade.marks_folder.hand_marks import list_hand_marks
 from kinegrade.marks_folder.layout import FILES, FILLED_IN, MARKER
 from kinegrade.marks_folder.rows import StudentTotal
 from kinegrade.marks_folder.writing import MarksWriter
@@ -125,9 +126,9 @@ def _mark(
     orders = exam.printed_orders()
     hands = gather_hand_marks(sources, find_markable(exam, rules, orders))
     terms = MarkingTerms(
-        rules, accepted, wishes.decimal, wishes.follows, pool, hands.by_hand, wishes.own_papers
+        rules, accepted, wishes.decimal, wishes.follows, pool, hands.students, wishes.own_papers
     )
-    by_hand = HandMarking(hands.by_hand, exam.head, rules.given_to_all)
+    by_hand = HandMarking(hands.by_hand, exam.head, rules.given_to_all, rules.dropped_by_hand)
     watched = seen.watched(mark_blocks(papers, sheet, terms))
     blocks = by_hand.watched(watched)
     grades = collect_grades(exam, sheet, write_marks(folder, blocks))
@@ -143,6 +144,7 @@ def _mark(
     grades = _write_totals(folder, grades, TotalTerms(rules.penalties, earlier, scale))
     folder.policy(rules.text)
     folder.printed(orders)
+    folder.left_out(list_hand_marks(hands.left_out))
     _write_by_hand(folder, settled, exam)
     return replace(grades, notes=hands.notes)
 
@@ -159,8 +161,8 @@ def _require_same_exam(exam: ExamFolder, wishes: MarkingWishes, sources: HandSou
         require_same_exam(exam, MarksFolder(path.parent))
         require_unmerged(MarksFolder(path.parent))
     require_unmerged(MarksFolder(sources.replaced))
-    if sources.carried is not None:
-        require_same_exam(exam, MarksFolder(sources.carried.parent))
+    for path in sources.carried:
+        require_same_exam(exam, MarksFolder(path.parent))
 
 
 def _leave_out_names(grades: ClassGrades) -> ClassGrades:

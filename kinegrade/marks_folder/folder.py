@@ -136,6 +136,10 @@ class MarksFolder:
     def _unmarked(self) -> tuple[OpenQuestion, ...]:
         return read_open_questions(self.path, self.only_by_hand)
 
+    def leaves_out(self, question: str) -> bool:
+        """Whether a question that only hands mark counts for nobody and is not waited for."""
+        return question not in (*self.only_by_hand, *(each.question for each in self.open))
+
     @cached_property
     def bonus(self) -> frozenset[str]:
         """The questions whose points come on top of the maximum."""

@@ -51,6 +51,11 @@ class HandMark:
         return f"{self.question}.{self.ask}" if self.ask else self.question
 
     @property
+    def place(self) -> tuple[str, str]:
+        """Whose mark it is, and for what."""
+        return self.student, self.column
+
+    @property
     def is_override(self) -> bool:
         """Whether the machine gave other points there."""
         return self.machine is not None and self.machine != self.points

@@ -112,6 +112,9 @@ OPEN: Final = TableFile(
 MANUAL: Final = TableFile(
     "manual.csv", ("student", "question", "points", "out_of", "machine", "comment")
 )
+#: Marks by hand for what the policy drops: they do not count, and do again as soon as the class is
+#: marked without that rule; only where there are some.
+LEFT_OUT: Final = TableFile("left-out.csv", MANUAL.columns)
 #: Questions whose points, as the papers state them, come on top of the maximum; only where there
 #: are some.
 BONUS: Final = TableFile("bonus.csv", ("question", "points"))
@@ -156,6 +159,7 @@ TABLES: Final = (
     PRINTED,
     OPEN,
     MANUAL,
+    LEFT_OUT,
     BONUS,
     SCALE,
     SUBTRACTED,

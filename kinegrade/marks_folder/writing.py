@@ -37,6 +37,7 @@ from kinegrade.marks_folder.layout import (
     EXAM,
     GRADES,
     KEPT,
+    LEFT_OUT,
     MANUAL,
     OPEN,
     POLICY,
@@ -159,6 +160,11 @@ class MarksWriter:
         """The marks that a person gave."""
         if rows := list(map(_write_hand_mark, marks)):
             write_for_people(self.path / MANUAL.name, MANUAL.columns, rows)
+
+    def left_out(self, marks: Iterable[HandMark]) -> None:
+        """The marks that a person gave to what the policy drops."""
+        if rows := list(map(_write_hand_mark, marks)):
+            write_for_people(self.path / LEFT_OUT.name, LEFT_OUT.columns, rows)
 
 
 def _write_grade_lines(grades: Sequence[Grade], needed: Sequence[str]) -> Iterator[str]:

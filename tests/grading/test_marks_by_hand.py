@@ -181,9 +181,9 @@ def test_marks_by_hand_of_what_is_dropped_later_are_left_out_and_said(
     assert dropped.exit_code == 0, dropped.stderr
     assert totals(folder, "MARKS2") == {ADA: ("6", "6.5"), SOFYA: ("5", "6.5")}
     file = folder / "MARKS" / "manual.csv"
-    assert f"{file}: 1 mark by hand is for what the policy drops and is left out" in dropped.stderr
+    assert f"{file}: 1 mark by hand is for what the policy drops: it is kept" in dropped.stderr
     again = grade(folder, "--policy", policy, "--manual", file)
-    assert f"{file}: 1 mark by hand is for what the policy drops and is left out" in again.stderr
+    assert f"{file}: 1 mark by hand is for what the policy drops: it is kept" in again.stderr
 
 
 @pytest.mark.parametrize("options", [["--never-lower"], ["--reason", "appeals", "--since"]])
@@ -371,16 +371,6 @@ def test_points_shown_as_per_cent_and_points_of_merged_cells_are_refused(folder:
     book.save(folder / "merged.xlsx")
     (said,) = faults(grade(folder, "--manual", folder / "merged.xlsx"), folder)
     assert said.startswith("merged.xlsx:3: the cells C2:C3 are merged into one - correct")
-
-
-def test_a_policy_for_a_question_of_hands_is_told_where_its_points_are_given(folder: Path) -> None:
-    (folder / "policy.toml").write_text('[questions.q2]\nvoid = "full"\n', encoding="utf-8")
-    (said,) = faults(grade(folder, "--policy", folder / "policy.toml"), folder)
-    assert said == (
-        "policy.toml:1: questions.q2: unknown question - it is marked by hand: give or change its "
-        "points in a file of marks, with kinegrade grade --manual; it cannot be dropped: give "
-        "everybody its points"
-    )
 
 
 def test_a_folder_that_waits_for_marks_by_hand_is_not_merged_with_graded_ones(

@@ -473,6 +473,7 @@ def test_an_accepted_answer_without_a_value_is_refused(
             "cannot be read (No such file or directory) - expected a policy file - check the name",
         ),
     ],
+    ids=["not TOML", "not UTF-8", "too large", "missing"],
 )
 def test_a_file_that_is_no_policy_is_refused_and_leaves_nothing(
     exam_folder: Path, content: bytes | None, reason: str

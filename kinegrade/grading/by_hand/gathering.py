@@ -4,8 +4,9 @@ that is replaced, which are never lost in silence.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence, Set
 from dataclasses import dataclass
+from fractions import Fraction
 from itertools import chain
 from pathlib import Path
 
@@ -21,7 +22,7 @@ from kinegrade.grading.by_hand.reading import (
 )
 from kinegrade.language.message import Fault, Message
 from kinegrade.marks_folder.hand_marks import ByHand, group_by_student
-from kinegrade.marks_folder.layout import FILLED_IN, MANUAL, MARKER, OPEN
+from kinegrade.marks_folder.layout import FILLED_IN, LEFT_OUT, MANUAL, MARKER, OPEN
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,14 +36,14 @@ class HandSources:
     earlier: Path | None = None
 
     @property
-    def carried(self) -> Path | None:
-        """The file whose marks are carried over: that of the folder which is replaced, or else that
-        of the earlier one; None where there is none, or it is given.
+    def carried(self) -> tuple[Path, ...]:
+        """The files whose marks are carried over: those of the folder which is replaced, or else
+        those of the earlier one, without any that is given.
         """
         folders = (self.replaced, *([self.earlier] if self.earlier else []))
-        files = (folder / MANUAL.name for folder in folders)
-        found = next((file for file in files if file.exists()), None)
-        return None if found is None or _is_among(found, self.given) else found
+        kept = (_list_kept(folder) for folder in folders)
+        found = next((files for files in kept if files), ())
+        return tuple(file for file in found if not _is_among(file, self.given))
 
     @property
     def own_lists(self) -> tuple[Path, ...]:
@@ -65,10 +66,18 @@ class HandSources:
 
 @dataclass(frozen=True, slots=True)
 class Gathered:
-    """The marks, and what is to be said of them."""
+    """The marks, those `left_out` as the policy drops what they are for, and what is to be said of
+    all of them.
+    """
 
     by_hand: ByHand
+    left_out: ByHand
     notes: tuple[Problem, ...]
+
+    @property
+    def students(self) -> Set[str]:
+        """Those who have a mark by hand, whether it counts or not, and so handed in."""
+        return {*self.by_hand, *self.left_out}
 
 
 def gather_hand_marks(sources: HandSources, markable: Markable) -> Gathered:
@@ -76,60 +85,98 @@ def gather_hand_marks(sources: HandSources, markable: Markable) -> Gathered:
     points typed into a list that would be lost.
     """
     given = [read_hand_file(path, markable) for path in sources.given]
-    carried = HandFile() if sources.carried is None else read_hand_file(sources.carried, markable)
-    rows = list(chain.from_iterable(file.rows for file in given))
-    replacing = {(row.mark.student, row.mark.column): row for row in rows}
-    kept = [row for row in carried.rows if (row.mark.student, row.mark.column) not in replacing]
+    carried = [read_hand_file(path, markable) for path in sources.carried]
+    rows = _Rows.join(given)
+    kept = _Rows.join(carried).without(rows)
     faults = [
-        *chain.from_iterable(file.faults for file in (*given, carried)),
-        *find_contradictions([*kept, *rows]),
-        *_find_lost(sources, markable, [*kept, *rows]),
+        *chain.from_iterable(file.faults for file in (*given, *carried)),
+        *find_contradictions([*kept.counted, *rows.counted]),
+        *_find_lost(sources, markable, [*kept.all, *rows.all]),
     ]
     if faults:
         raise TableError(*faults)
-    by_hand = group_by_student(row.mark for row in (*kept, *rows))
-    files = list(zip(sources.given, given, strict=True))
-    notes = *_say(files), *_say_carried(sources, carried, kept, replacing)
-    return Gathered(by_hand, notes)
+    notes = (
+        *_say(sources.given, given),
+        *_say_carried(sources.carried, carried, kept, rows),
+    )
+    return Gathered(
+        group_by_student(row.mark for row in (*kept.counted, *rows.counted)),
+        group_by_student(row.mark for row in (*kept.left_out, *rows.left_out)),
+        notes,
+    )
 
 
-def _say(files: Sequence[tuple[Path, HandFile]]) -> Iterator[Problem]:
+@dataclass(frozen=True, slots=True)
+class _Rows:
+    """The rows of several files: those that are `counted`, and those `left_out`."""
+
+    counted: tuple[HandRow, ...]
+    left_out: tuple[HandRow, ...]
+
+    @classmethod
+    def join(cls, files: Sequence[HandFile]) -> _Rows:
+        """The rows of all these files."""
+        counted = chain.from_iterable(file.rows for file in files)
+        return cls(tuple(counted), tuple(chain.from_iterable(file.left_out for file in files)))
+
+    @property
+    def all(self) -> tuple[HandRow, ...]:
+        """Both."""
+        return (*self.counted, *self.left_out)
+
+    def without(self, newer: _Rows) -> _Rows:
+        """The rows for what `newer` ones do not mark."""
+        marked = newer.points
+        counted = (row for row in self.counted if row.mark.place not in marked)
+        left_out = (row for row in self.left_out if row.mark.place not in marked)
+        return _Rows(tuple(counted), tuple(left_out))
+
+    @property
+    def points(self) -> Mapping[tuple[str, str], Fraction]:
+        """What each row gives, by whom and what it marks."""
+        return {row.mark.place: row.mark.points for row in self.all}
+
+
+def _list_kept(folder: Path) -> tuple[Path, ...]:
+    """The files of marks by hand in a marks folder."""
+    files = (folder / MANUAL.name, folder / LEFT_OUT.name)
+    return tuple(file for file in files if file.exists())
+
+
+def _say(paths: Sequence[Path], files: Sequence[HandFile]) -> Iterator[Problem]:
     """Of the files that are given, which rows have no points yet or do not count, and which ids
     were repaired.
     """
-    for path, file in files:
+    for path, file in zip(paths, files, strict=True):
         if file.restored:
             what, done = describe_restoration(file.restored)
             yield Fault(str(path), what, do=done)
         if file.unmarked:
             yield Message("marking.unmarked-rows", file=str(path), count=file.unmarked)
-        yield from _say_dropped(path, file)
+        yield from _say_left_out(path, file)
 
 
 def _say_carried(
-    sources: HandSources,
-    carried: HandFile,
-    kept: Sequence[HandRow],
-    replacing: Mapping[tuple[str, str], HandRow],
+    paths: Sequence[Path], files: Sequence[HandFile], kept: _Rows, rows: _Rows
 ) -> Iterator[Problem]:
-    """What was carried over and replaced, and what was not as it does not count."""
-    changed = sum(
-        replacing[each.mark.student, each.mark.column].mark.points != each.mark.points
-        for each in carried.rows
-        if (each.mark.student, each.mark.column) in replacing
-    )
-    if kept:
-        yield Message("marking.carried-over", file=str(sources.carried), count=len(kept))
-    if changed:
-        yield Message("marking.replaced-by-hand", file=str(sources.carried), count=changed)
-    if sources.carried is not None:
-        yield from _say_dropped(sources.carried, carried)
+    """What was carried over and replaced, and what does not count."""
+    given, counted = rows.points, set(kept.counted)
+    for path, file in zip(paths, files, strict=True):
+        carried = sum(row in counted for row in file.rows)
+        replaced = (row.mark for row in file.rows if row.mark.place in given)
+        changed = sum(given[mark.place] != mark.points for mark in replaced)
+        if carried:
+            yield Message("marking.carried-over", file=str(path), count=carried)
+        if changed:
+            yield Message("marking.replaced-by-hand", file=str(path), count=changed)
+        yield from _say_left_out(path, file)
 
 
-def _say_dropped(path: Path, file: HandFile) -> Iterator[Message]:
-    """That points are for what the policy dropped."""
-    if file.dropped:
-        yield Message("marking.dropped-by-hand", file=str(path), count=file.dropped)
+def _say_left_out(path: Path, file: HandFile) -> Iterator[Message]:
+    """That points are for what the policy dropped, and where they are kept."""
+    if file.left_out:
+        count, kept = len(file.left_out), LEFT_OUT.name
+        yield Message("marking.dropped-by-hand", file=str(path), count=count, kept=kept)
 
 
 def _find_lost(
@@ -138,10 +185,10 @@ def _find_lost(
     """That points typed into the list of open questions would be lost with the folder."""
     if sources.filled is None:
         return
-    counted = {(row.mark.student, row.mark.column, row.mark.points) for row in rows}
+    counted = {(row.mark.place, row.mark.points) for row in rows}
     typed = read_hand_file(sources.filled, markable)
-    marks = [row.mark for row in typed.rows]
-    lost = [mark for mark in marks if (mark.student, mark.column, mark.points) not in counted]
+    marks = [row.mark for row in (*typed.rows, *typed.left_out)]
+    lost = [mark for mark in marks if (mark.place, mark.points) not in counted]
     if lost or typed.faults:
         what = Message("marking.typed-would-be-lost", count=len(lost) + len(typed.faults))
         do = Message("marking.give-manual", file=str(sources.filled))

@@ -43,6 +43,12 @@ class Markable:
             return True
         return question in self.orders[student]
 
+    def leaves_out(self, column: str, points: Fraction) -> bool:
+        """Whether a mark is for what is dropped; one of nothing may explain what a machine marks,
+        but lets count what only hands do.
+        """
+        return column in self.dropped and (points > 0 or column in self.by_hand)
+
     def explain_names(self) -> Message:
         """What can be marked, by examples."""
         shown = list_plainly([*self.by_hand, *self.names.columns][:_SHOWN])
@@ -72,6 +78,7 @@ def find_markable(
     ids, people = StudentIds(exam.students, exam.codes), StudentNames(exam.names)
     names = AskNames(exam.head.columns, by_hand, shuffled)
     dropped = {column for column in maxima if _is_dropped(column, exam, policy)}
+    dropped |= policy.dropped_by_hand
     identity = identify_exam(head)
     return Markable(identity, ids, people, names, maxima, orders, by_hand, dropped)
 

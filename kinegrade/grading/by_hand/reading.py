@@ -42,13 +42,13 @@ class HandRow:
 
 @dataclass
 class HandFile:
-    """What was read of one file: its marks, how many rows have none yet, how many mark what the
-    policy dropped and do not count, which ids are not as in the exam, and what is wrong.
+    """What was read of one file: its marks, how many rows have none yet, those `left_out` that mark
+    what the policy dropped, which ids are not as in the exam, and what is wrong.
     """
 
     rows: list[HandRow] = field(default_factory=list)
     unmarked: int = 0
-    dropped: int = 0
+    left_out: list[HandRow] = field(default_factory=list)
     restored: Mapping[str, str] = field(default_factory=dict)
     faults: list[Fault] = field(default_factory=list)
 
@@ -117,7 +117,11 @@ class _Reader:
         maximum = self.markable.maxima.get(named.column)
         before = _read_amount(self.columns.cell(row, self.columns.machine))
         mark = HandMark(student, named.question, named.ask, amount, maximum, comment, before)
-        self.found.rows.append(HandRow(mark, f"{self.path}:{row.line}"))
+        found = HandRow(mark, f"{self.path}:{row.line}")
+        if self.markable.leaves_out(named.column, amount):
+            self.found.left_out.append(found)
+        elif not self._is_above(row, amount, named):
+            self.found.rows.append(found)
 
     def _find_student(self, row: Row, students: Mapping[str, str]) -> str | None:
         cell = self.columns.cell(row, self.columns.student)
@@ -168,16 +172,17 @@ class _Reader:
             what = Message("marking.points-are", cell=Quoted(shorten(cell)))
             self._fault(row, named.column, what, Message("marking.hand-points", places=PLACES))
             return None
-        maximum = self.markable.maxima.get(named.column)
-        if named.column in self.markable.dropped and points > 0:
-            self.found.dropped += 1
-            return None
-        if maximum is not None and points > maximum:
-            shown = write_amount(points), write_amount(maximum)
-            what = Message("marking.above-points", points=shown[0], maximum=shown[1])
-            self._fault(row, named.column, what, do=Message("marking.rest-as-bonus", name=EXTRA))
-            return None
         return points
+
+    def _is_above(self, row: Row, points: Fraction, named: Named) -> bool:
+        """Whether there are fewer points to be had, which is a fault."""
+        maximum = self.markable.maxima.get(named.column)
+        if maximum is None or points <= maximum:
+            return False
+        shown = write_amount(points), write_amount(maximum)
+        what = Message("marking.above-points", points=shown[0], maximum=shown[1])
+        self._fault(row, named.column, what, do=Message("marking.rest-as-bonus", name=EXTRA))
+        return True
 
     def _is_cut(self, row: Row, points: str, comment: str, named: Named) -> bool:
         """Whether points and comment may be one number that its decimal comma cut in two, which is

@@ -32,12 +32,13 @@ from kinegrade.question_numbers import sort_as_in_bank
 class HandMarking:
     """The marks `by_hand` of a class, with what the machine gave when they were decided; `machine`
     is what it gives now to the asks they are for, by student and column, as far as the class has
-    been marked. Asks `given_to_all` are void.
+    been marked. Asks `given_to_all` are void, and questions `dropped` are not waited for.
     """
 
     by_hand: ByHand
     head: ExamHead
     given_to_all: Set[str] = frozenset()
+    dropped: Set[str] = frozenset()
     machine: dict[tuple[str, str], Fraction] = field(default_factory=dict)
 
     def watched(self, blocks: Iterable[MarkedBlock]) -> Iterator[MarkedBlock]:
@@ -130,6 +131,8 @@ class HandMarking:
         """Who is still to be marked by hand; where others have been, the absent are not."""
         everybody = list(grades)
         for each in self.head.by_hand:
+            if each.question in self.dropped:
+                continue
             counts = each.question in only
             students = tuple(
                 grade.student

@@ -32,6 +32,11 @@ QUESTION = (
     #: Rules for single asks: tables `[questions.q1.asks.v_B]`.
     "asks",
 )
+QUESTION_BY_HAND = (
+    #: `drop` leaves a question that only hands mark out of the marking; its points are given in a
+    #: file of marks.
+    "void",
+)
 ASK = (
     #: How far this answer may be off.
     "tolerance",

@@ -94,7 +94,7 @@ class Ruling:
 class Policy:
     """Which of a student's rows counts, and a ruling for each answer column that has one; `text` is
     the content of the file, `scale` says which grades totals earn, `penalties` what is subtracted
-    from them.
+    from them. Of the questions that only hands mark, those `dropped_by_hand` count for nobody.
     """
 
     attempts: Attempts = "last"
@@ -102,6 +102,7 @@ class Policy:
     text: str = ""
     scale: StatedScale | None = None
     penalties: Penalties = NO_PENALTIES
+    dropped_by_hand: frozenset[str] = frozenset()
 
     @property
     def given_to_all(self) -> Set[str]:

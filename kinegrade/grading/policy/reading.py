@@ -117,18 +117,41 @@ class _Reader:
         table = content.only(*keys.POLICY)
         attempts: Attempts = table.with_default("attempts", choice(_ATTEMPTS), "last")
         level = self._level(table).over(stated)
-        rulings = self._rulings(table.table("questions"), level)
+        questions = self._questions(table)
+        rulings = self._rulings(questions, level)
+        dropped = self._dropped_by_hand(questions)
         scale, penalties = read_scale(table), read_penalties(table, self.exam)
         table.faults.require_none()
-        return Policy(attempts, rulings, text, scale or _read_stated_scale(self.exam), penalties)
+        scale = scale or _read_stated_scale(self.exam)
+        return Policy(attempts, rulings, text, scale, penalties, dropped)
 
-    def _rulings(self, content: Table, wider: _Level) -> dict[str, Ruling]:
-        """A ruling for each answer column."""
-        known = list_questions(self.exam.asks)
+    @property
+    def by_hand(self) -> tuple[str, ...]:
+        """The questions that only hands mark."""
+        return tuple(each.question for each in self.exam.head.by_hand)
+
+    def _questions(self, content: Table) -> Table:
+        """The tables of the questions."""
+        known = *list_questions(self.exam.asks), *self.by_hand
         unknown = Message("fields.unknown-question")
-        tables = content.only(*known, unknown=unknown, hint=self._explain_question)
+        return content.table("questions").only(*known, unknown=unknown, hint=self._explain_question)
+
+    def _dropped_by_hand(self, tables: Table) -> frozenset[str]:
+        """The questions that only hands mark and that count for nobody."""
+        return frozenset(each for each in self.by_hand if self._is_dropped(tables.table(each)))
+
+    def _is_dropped(self, content: Table) -> bool:
+        """Whether a question that only hands mark is dropped; points for all are given by hand."""
+        table = content.only(*keys.QUESTION_BY_HAND, hint=_explain_by_hand)
+        void: Void | None = table.optional("void", choice(_VOIDS))
+        if void == "full":
+            table.fault("void", Message("policy.full-by-hand"), do=_explain_by_hand("void"))
+        return void == "drop"
+
+    def _rulings(self, tables: Table, wider: _Level) -> dict[str, Ruling]:
+        """A ruling for each answer column."""
         rulings: dict[str, Ruling] = {}
-        for question in known:
+        for question in list_questions(self.exam.asks):
             table = tables.table(question).only(*keys.QUESTION)
             level = self._level(table).over(wider)
             asks = [ask for ask in self.exam.asks if ask.question == question]
@@ -140,10 +163,8 @@ class _Reader:
         return rulings
 
     def _explain_question(self, name: str) -> Text:
-        """What is to be done about the name of a question that no machine marks."""
-        if name in [each.question for each in self.exam.head.by_hand]:
-            return Message("policy.marked-by-hand")
-        known = list_questions(self.exam.asks)
+        """What is to be done about the name of a question that there is not."""
+        known = [*list_questions(self.exam.asks), *self.by_hand]
         parts = [each for each in known if each[:-1] == name and each[-1].isalpha()]
         if parts:
             return Message("policy.alternatives-apart", questions=list_all(map(Quoted, parts)))
@@ -171,6 +192,11 @@ class _Reader:
             table.optional("void", choice(_VOIDS)),
             read_credit(table, lambda: self.mistakes),
         )
+
+
+def _explain_by_hand(_: str) -> Text:
+    """What is to be done about a rule for a question that only hands mark."""
+    return Message("policy.marked-by-hand")
 
 
 def _read_room(table: Table) -> StatedTolerance:

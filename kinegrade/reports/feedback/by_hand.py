@@ -50,3 +50,11 @@ def make_by_hand(
     share = write_share(mark.points, question.points, catalogue)
     worth = say_bonus(share, catalogue) if question.bonus else share
     return FeedbackQuestion(heading, title, worth, "", (), mark.comment)
+
+
+def make_left_out(
+    number: int, question: HandQuestion, title: str, catalogue: Catalogue
+) -> FeedbackQuestion:
+    """A question that only hands mark, which a policy dropped."""
+    heading = catalogue.write(head_question(question.question, number))
+    return FeedbackQuestion(heading, title, "", "", (), catalogue.text("feedback.void"))

@@ -30,7 +30,12 @@ from kinegrade.marks_folder.subtractions import describe_subtracted
 from kinegrade.press.sheet import FeedbackQuestion, FeedbackSheet
 from kinegrade.question_numbers import find_bank_number, number_printed
 from kinegrade.reports.feedback.answer_rows import list_givens, make_feedback_row
-from kinegrade.reports.feedback.by_hand import explain_hand_mark, make_by_hand, make_extra
+from kinegrade.reports.feedback.by_hand import (
+    explain_hand_mark,
+    make_by_hand,
+    make_extra,
+    make_left_out,
+)
 from kinegrade.reports.feedback.points import (
     head_question,
     say_bonus,
@@ -56,6 +61,8 @@ def make_feedback_sheets(
     head, totals = exam.head, marks.totals.by_student
     papers = PaperRecords(exam, marks.put)
     worded = {language: wording, **own}
+    by_hand = (each.question for each in head.by_hand)
+    left_out = frozenset(filter(marks.leaves_out, by_hand))
     for student, answers in marks.answers_by_student():
         if student in marks.elsewhere:
             continue  # of another paper, which this exam does not have
@@ -71,6 +78,7 @@ def make_feedback_sheets(
             total,
             marks.by_hand.get(student, {}),
             marks.open,
+            left_out,
             marks.subtracted.get(student),
         )
         yield candidate, _make_sheet(answers, paper, worded[spoken], spoken, others)
@@ -116,7 +124,8 @@ def _describe_other_exam(student: str, marks: MarksFolder, exam: ExamFolder) -> 
 @dataclass(frozen=True)
 class _Others:
     """What is not in a student's lines of marks.csv: who it is, the exam's head, the totals, what
-    was marked `by_hand`, what is still to be marked so, and what was `subtracted`.
+    was marked `by_hand`, what is still to be marked so or was `left_out`, and what was
+    `subtracted`.
     """
 
     candidate: Candidate
@@ -124,6 +133,7 @@ class _Others:
     total: StudentTotal
     by_hand: Mapping[str, HandMark]
     still_open: Sequence[OpenQuestion]
+    left_out: frozenset[str]
     subtracted: Subtracted | None
 
 
@@ -153,7 +163,10 @@ def _order_questions(
     for number, each in by_number.items():
         title = wording.titles.get(each.question, each.title)
         mark = others.by_hand.get(each.question)
-        found[number] = make_by_hand(number, each, title, mark, catalogue)
+        if each.question in others.left_out:
+            found[number] = make_left_out(number, each, title, catalogue)
+        else:
+            found[number] = make_by_hand(number, each, title, mark, catalogue)
     yield from (found[number] for number in sorted(found))
     extra = make_extra(others.by_hand, catalogue)
     yield from [extra] if extra else []
