@@ -27,6 +27,7 @@ from kinegrade.language.message import Message
 _LEAST_ANSWERS = 10  # of a column: fewer may all be wrong
 _HARDLY_ANY = 0.05  # of the answers of a column
 _MOST_OF_THEM = 0.6
+_LEAST_UNSIGNED = 4  # answers that lack their minus sign in a column that has none
 _LEAST_WRONG = 3  # answers of a row: fewer may be right elsewhere by chance
 _LEVEL = 0.01  # chance that any row of a class is told without reason
 _FARTHER = (3, 4, 5, 6, 7, 8)  # lines off, on whose papers numbers are right by chance
@@ -57,6 +58,8 @@ class MisplacedAnswers:
         for ask in told:
             yield self._complain_of_column(ask)
         others = [ask for ask in range(len(self.titles)) if ask not in told]
+        for ask in others:
+            yield from self._complain_of_signs(ask)
         for row, wrong, elsewhere in self._find_rows(others):
             problem = Message("marking.row-misplaced", count=elsewhere, wrong=wrong)
             yield self.answers.complain(row, problem, Message("marking.check-row"))
@@ -87,6 +90,18 @@ class MisplacedAnswers:
             problem = Message("marking.column-misplaced", **kinds, what=best.what)
         first, done = int(rows[0]), Message("marking.check-column-or-key")
         return Complaint(self.answers.files[first], None, self.titles[ask], "", problem, done)
+
+    def _complain_of_signs(self, ask: int) -> Iterator[Complaint]:
+        """That no number of a column has a minus sign, and those which need one lack it."""
+        given = self._given[:, ask]
+        if (self.answers.numbers[given, ask] < 0).any():
+            return
+        rows = np.flatnonzero(given & (self.intervals[ask].high < 0))
+        fits = self._count_fits(ask, rows, -self.answers.numbers[rows, ask])
+        if fits >= max(_LEAST_UNSIGNED, _MOST_OF_THEM * len(rows)):
+            problem = Message("marking.signs-lost", count=len(rows), fits=fits)
+            file, done = self.answers.files[int(rows[0])], Message("marking.check-column")
+            yield Complaint(file, None, self.titles[ask], "", problem, done)
 
     def _guess(self, ask: int, rows: Places, answers: Numbers) -> Iterator[_Guess]:
         """What the answers of a column may be: those to another ask, or in another unit."""

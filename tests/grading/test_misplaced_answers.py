@@ -4,7 +4,7 @@ they fit; honest mistakes and hard questions are not taken for them.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from random import Random
 
 import numpy as np
@@ -12,6 +12,7 @@ import pytest
 
 from kinegrade.grading.class_answers import ClassAnswers
 from kinegrade.grading.fast.another_paper import PapersAnswered
+from kinegrade.grading.fast.intervals import Intervals
 from kinegrade.grading.misplaced_answers import MisplacedAnswers
 from tests.grading.sitting_class import WRONG, sitting_class
 from tests.said import said
@@ -25,16 +26,28 @@ KEY = np.array(
 V, OMEGA, A = (TITLES.index(title) for title in ("q1.v", "q1.omega", "q1.a"))
 
 
-def find(numbers: np.ndarray) -> list[tuple[int | None, str, str]]:
+INTERVALS = PapersAnswered(SITTING.exam).intervals
+TURNED = np.arange(STUDENTS) % 3 == 0  # whose right answer is negative where a column has both
+
+
+def find(
+    numbers: np.ndarray, intervals: Sequence[Intervals] = INTERVALS
+) -> list[tuple[int | None, str, str]]:
     """The lines, columns and reasons of all that is told of a class."""
-    papers = PapersAnswered(SITTING.exam)
     places = np.arange(STUDENTS)
-    fits = [each.fit_beside(numbers[:, ask], places) for ask, each in enumerate(papers.intervals)]
+    fits = [each.fit_beside(numbers[:, ask], places) for ask, each in enumerate(intervals)]
     files, lines = ["answers.csv"] * STUDENTS, list(range(2, STUDENTS + 2))
     none = np.zeros(numbers.shape, dtype=bool)
     answers = ClassAnswers(numbers, np.column_stack(fits), none, none, files, lines)
-    found = MisplacedAnswers(papers.intervals, TITLES, answers).list_complaints()
+    found = MisplacedAnswers(intervals, TITLES, answers).list_complaints()
     return [(each.line, each.column, said(each.problem)) for each in found]
+
+
+def turn_some(positive: Intervals) -> Intervals:
+    """The same, negative for the students of TURNED."""
+    low = np.where(TURNED, -positive.high, positive.low)
+    high = np.where(TURNED, -positive.low, positive.high)
+    return Intervals(np.where(TURNED, -1, 1) * positive.value, low, high, positive.period)
 
 
 def exchange(numbers: np.ndarray) -> None:
@@ -71,6 +84,21 @@ def test_a_column_typed_wrongly_is_told_with_what_it_fits(
         (None, column, f"0 of the 40 numbers are right, and 40 would be {what}")
         for column, what in told
     ]
+
+
+BOTH_SIGNS = [turn_some(each) if ask == A else each for ask, each in enumerate(INTERVALS)]
+
+
+def test_minus_signs_lost_in_a_column_of_both_signs_are_told() -> None:
+    told = "no number has a minus sign; 14 answers need one, and 14 are right but for it"
+    assert find(KEY, BOTH_SIGNS) == [(None, "q1.a", told)]
+
+
+@pytest.mark.parametrize("factor", [-1.0, 1.37])
+def test_nothing_is_told_of_signs_that_are_there_or_explain_nothing(factor: float) -> None:
+    numbers = KEY.copy()
+    numbers[TURNED, A] *= factor
+    assert find(numbers, BOTH_SIGNS) == []
 
 
 def test_a_column_that_fits_nothing_is_told_as_its_key_may_be_wrong() -> None:
