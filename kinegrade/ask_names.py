@@ -42,6 +42,11 @@ class AskNames:
     >>> crank.find("V_B") is None
     True
 
+    A dot may stand before the letter, unless asks are called by letters.
+
+    >>> crank.find("1.b").column, AskNames(["q1.v_B", "q1.a"]).find("1.b")
+    ('q1.v_b', None)
+
     A paper prints 2 for the alternatives q2a and q2b, and an ask of it may be meant by 2a.
 
     >>> AskNames(["q2a.v_B", "q2b.v_D"]).find("2a") is None
@@ -81,11 +86,14 @@ class AskNames:
 
     def _list_question(self, question: str, asks: Sequence[str]) -> Iterator[tuple[str, Named]]:
         number = find_bank_number(question)
+        lettered = any(len(ask) == 1 for ask in asks)
         for name in (question,) if self.shuffled else dict.fromkeys((question, number)):
             yield name, Named(question)
             for letter, ask in zip(ascii_lowercase, asks, strict=False):
                 for written in (f"{name}.{ask}", f"{name}{letter}", f"{name}({letter})"):
                     yield written, Named(question, ask)
+                if not lettered:
+                    yield f"{name}.{letter}", Named(question, ask)
         for letter, ask in zip(ascii_lowercase, asks, strict=False):
             if (printed := find_printed_number(question)) is not None:
                 yield f"{printed}{letter}", Named(question, ask)

@@ -19,6 +19,7 @@ from kinegrade.cli.options import (
     JOBS,
     LANGUAGE,
     METHOD,
+    ODD_IDS,
     finish,
     finish_with_complaints,
     refusing,
@@ -119,10 +120,7 @@ _WITH_ADD = (
 @JOBS
 @CLUSTER
 @COLUMN
-@click.option(
-    "--allow-odd-ids",
-    is_flag=True,
-)
+@ODD_IDS
 @click.option(
     "--strict",
     is_flag=True,

@@ -54,6 +54,7 @@ FORCE = click.option(
     "--force",
     is_flag=True,
 )
+ODD_IDS = click.option("--allow-odd-ids", is_flag=True)
 FILE = click.Path(path_type=Path)
 _OUTPUT = "-o", "--output"
 OUTPUT = click.option(*_OUTPUT, type=FILE, required=True, metavar="FILE")

@@ -10,7 +10,7 @@ import click
 import kinegrade
 from kinegrade.cli.column_choice import COLUMN
 from kinegrade.cli.help import command
-from kinegrade.cli.options import FILE, finish, finish_with_complaints, refusing
+from kinegrade.cli.options import FILE, ODD_IDS, finish, finish_with_complaints, refusing
 from kinegrade.cli.terminal import terminal_words
 
 if TYPE_CHECKING:
@@ -20,10 +20,7 @@ if TYPE_CHECKING:
 @command()
 @click.argument("roster", type=FILE)
 @COLUMN
-@click.option(
-    "--allow-odd-ids",
-    is_flag=True,
-)
+@ODD_IDS
 @refusing
 def roster(roster: Path, *, columns: Wishes, allow_odd_ids: bool) -> None:
     """Show how ROSTER is read: which column is what, what is not used, how many students there are;

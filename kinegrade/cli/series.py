@@ -15,6 +15,7 @@ from kinegrade.cli.options import (
     FILE,
     JOBS,
     LANGUAGE,
+    ODD_IDS,
     finish_with_complaints,
     refusing,
     require_writable,
@@ -77,10 +78,7 @@ def _read_due(
 @click.option("--paper-size", type=click.Choice(["a4", "letter"]), default="a4", show_default=True)
 @JOBS
 @COLUMN
-@click.option(
-    "--allow-odd-ids",
-    is_flag=True,
-)
+@ODD_IDS
 @refusing
 def series(
     *,
