@@ -4,10 +4,8 @@ has of an exam which stands beside this one. No mark is changed.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from contextlib import suppress
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
-from typing import NamedTuple
 
 import numpy as np
 
@@ -23,43 +21,61 @@ from kinegrade.language.message import Message
 _LEAST_WRONG = 2  # one may be right elsewhere by chance
 
 
-class _OtherSheet(NamedTuple):
-    path: Path
-    students: Sequence[str]
-    intervals: Sequence[Intervals]
-
-    def has_all(self, student: str, numbers: Numbers) -> bool:
-        """Whether each of these numbers is right somewhere on a student's paper."""
-        if student not in self.students:
-            return False
-        own = np.array([self.students.index(student)])
-        fits = [each.at(own).fit(numbers)[:, 0] for each in self.intervals]
-        return bool(np.any(fits, axis=0).all())
-
-
 def find_other_sheets(exam: ExamFolder, answers: ClassAnswers) -> Iterator[Complaint]:
     """A complaint for each student of whom most numbers are wrong, and all are right on the paper
     of another exam.
     """
     given, wrong = answers.given, answers.wrong.sum(axis=1)
     mostly = 2 * wrong > given.sum(axis=1)
-    missed = np.flatnonzero(mostly & (wrong >= _LEAST_WRONG)).tolist()
-    others = list(_list_others(exam)) if missed else []
-    students = exam.students
-    for row in missed if others else ():
-        student, numbers = students[row], answers.numbers[row][given[row]]
-        found = (each.path for each in others if each.has_all(student, numbers))
-        if (where := next(found, None)) is not None:
+    missed: list[int] = np.flatnonzero(mostly & (wrong >= _LEAST_WRONG)).tolist()
+    students = exam.students if missed else ()
+    numbers = {row: (students[row], answers.numbers[row][given[row]]) for row in missed}
+    where = _find_sheets(exam.path, numbers)
+    for row in missed:
+        if row in where:
             problem = Message(
-                "marking.right-on-other-sheet", count=int(wrong[row]), exam=str(where)
+                "marking.right-on-other-sheet", count=int(wrong[row]), exam=str(where[row])
             )
             yield answers.complain(row, problem, Message("marking.check-which-sheet"))
 
 
-def _list_others(exam: ExamFolder) -> Iterator[_OtherSheet]:
+def _find_sheets(exam: Path, answers: Mapping[int, tuple[str, Numbers]]) -> Mapping[int, Path]:
+    """The first exam on whose paper all is right, for each row of a student and numbers that has
+    one. No exam is opened when nobody is left, and no key is read of one that has nobody of them.
+    """
+    found: dict[int, Path] = {}
+    others = _list_others(exam)
+    while len(found) < len(answers) and (other := next(others, None)) is not None:
+        left = {row: own for row, own in answers.items() if row not in found}
+        found |= dict.fromkeys(_list_right(other, left), exam.with_name(other.path.name))
+    return found
+
+
+def _list_right(exam: ExamFolder, answers: Mapping[int, tuple[str, Numbers]]) -> Sequence[int]:
+    """The rows all of whose numbers are right somewhere on their student's paper of an exam; none
+    where its key is damaged.
+    """
+    places = {student: place for place, student in enumerate(exam.students)}
+    here = {row: own for row, own in answers.items() if own[0] in places}
+    try:
+        intervals = list_intervals(exam) if here else ()
+    except KinegradeError:
+        return ()
+    return [
+        row
+        for row, (student, numbers) in here.items()
+        if _has_all(intervals, places[student], numbers)
+    ]
+
+
+def _has_all(intervals: Sequence[Intervals], place: int, numbers: Numbers) -> bool:
+    """Whether each of these numbers is right somewhere on the paper at that place."""
+    own = np.array([place])
+    fits = [each.at(own).fit(numbers)[:, 0] for each in intervals]
+    return bool(np.any(fits, axis=0).all())
+
+
+def _list_others(exam: Path) -> Iterator[ExamFolder]:
     """The other exams beside this one; what is damaged there is passed over."""
-    for other in list_exams_around(exam.path):
-        if other.path.resolve() != exam.path.resolve():
-            where = exam.path.with_name(other.path.name)
-            with suppress(KinegradeError):
-                yield _OtherSheet(where, other.students, list_intervals(other))
+    itself = exam.resolve()
+    return (each for each in list_exams_around(exam) if each.path.resolve() != itself)

@@ -4,6 +4,8 @@ which they are due and before which no solutions are given out.
 
 from __future__ import annotations
 
+import shutil
+from collections.abc import Sequence
 from datetime import UTC, datetime
 from pathlib import Path
 
@@ -13,8 +15,10 @@ from pypdf import PdfReader
 
 from kinegrade.deadlines.moment import is_past, parse_moment, read_moment, write_moment
 from kinegrade.errors import FieldError
-from kinegrade.exam.folder.exam_folder import open_exam
+from kinegrade.exam.folder.exam_folder import ExamFolder, open_exam
 from kinegrade.files.csv_writing import write_csv_text
+from kinegrade.grading import other_sheets
+from kinegrade.grading.fast.intervals import Intervals, list_intervals
 from tests.problem.crank import crank_text
 from tests.small_class import contents, key_lines, kinegrade
 
@@ -272,12 +276,25 @@ def test_a_moment_in_another_zone_is_past_when_it_is() -> None:
     assert not is_past(read_moment("2026-12-01 18:00 +00:00"), now)
 
 
-def test_answers_to_an_earlier_sheet_are_told(tmp_path: Path) -> None:
+def test_answers_to_an_earlier_sheet_are_told(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     write(tmp_path)
     bank = tmp_path / "bank.toml"
     bank.write_text(f"{BANK}asks = {{ v_x = 1, v_y = 1 }}\n", encoding="utf-8")
-    assert series(tmp_path, 2).exit_code == 0
-    first, second = (tmp_path / "HW" / f"homework-{number}" for number in (1, 2))
+    assert series(tmp_path, 3).exit_code == 0
+    first, second, third = (tmp_path / "HW" / f"homework-{number}" for number in (1, 2, 3))
+    strangers = tmp_path / "HW" / "a class of others"
+    shutil.copytree(third, strangers)
+    head = strangers / "exam.json"
+    head.write_text(head.read_text("utf-8").replace('"s0"', '"t0"'), encoding="utf-8")
+    read: list[Path] = []
+
+    def note(exam: ExamFolder) -> Sequence[Intervals]:
+        read.append(exam.path)
+        return list_intervals(exam)
+
+    monkeypatch.setattr(other_sheets, "list_intervals", note)
     values = key_lines(first)[0]["questions"][0]["asks"]
     typed = ",".join(values[ask]["decimal"] for ask in ("v_x", "v_y"))
     answers = tmp_path / "answers.csv"
@@ -285,8 +302,10 @@ def test_answers_to_an_earlier_sheet_are_told(tmp_path: Path) -> None:
     marked = kinegrade("grade", second, answers, "-o", tmp_path / "MARKS")
     assert marked.exit_code == 1
     assert f"are right on the paper of {first} - marked as answers to this one" in marked.stderr
+    assert read == [first]  # that of another class has nobody of it, and no third is needed
     own = kinegrade("grade", first, answers, "-o", tmp_path / "FIRST")
     assert "marked as answers to this one" not in own.stderr
+    assert read == [first]  # nobody is mostly wrong
     (first / "key.jsonl").write_text("{}\n", encoding="utf-8")
     damaged = kinegrade("grade", second, answers, "-o", tmp_path / "BESIDE")
     assert damaged.exit_code == 1
