@@ -70,8 +70,8 @@ class AnswersSeen:
             self.right.append(judged.are("right").reshape(shape))
             self.settled.append(judged.are(*_SETTLED).reshape(shape))
             self.explained.append(judged.are(*_EXPLAINED).reshape(shape))
-            self.files += judged.rows.files
-            self.lines += judged.rows.lines.tolist()
+            self.files += judged.rows.entries.files
+            self.lines += judged.rows.entries.lines.tolist()
             yield block
             del block, judged  # so that the next takes its place
 

@@ -70,7 +70,7 @@ class BlockJudge:
 
     def judged(self, rows: Rows, handed_in: Callable[[Paper], bool]) -> JudgedBlock:
         """Judges every answer in these rows; void asks may give points to who `handed_in`."""
-        cells = CellReader(self.asks, self.styles).cells(rows.cells)
+        cells = CellReader(self.asks, self.styles).cells(rows.entries.cells)
         keys = [paper.keys for paper in rows.papers]
         rules = self._rules([read_rules(each) for each in keys])
         comparison = compare_cells(cells, keys, rules)

@@ -9,6 +9,7 @@ from collections.abc import Iterator, Sequence
 from kinegrade.exam.folder.keys import Ask, Paper
 from kinegrade.files.cell_text import is_answered, shorten, trim
 from kinegrade.files.tables import Complaint
+from kinegrade.grading.sheets.entries import ListedEntries
 from kinegrade.grading.sheets.entry import Entry
 from kinegrade.grading.sheets.rows import Rows
 from kinegrade.language.message import Message, Quoted
@@ -25,7 +26,7 @@ def leave_out(rows: Rows) -> Rows:
         cells = enumerate(entries[row].responses)
         left = tuple(["" if number in lacks else cell for number, cell in cells])
         entries[row] = entries[row]._replace(responses=left)
-    return Rows(rows.papers, entries)
+    return Rows(rows.papers, ListedEntries(entries))
 
 
 def find_strange(

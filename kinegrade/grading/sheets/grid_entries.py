@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinegrade.files.rows.cell_grid import CellGrid
+from kinegrade.grading.sheets.entries import Entries
 from kinegrade.grading.sheets.entry import Entry
 from kinegrade.grading.typed.plain_cells import PlainCells
 
@@ -40,7 +41,7 @@ class AnswerGrid:
 
 
 @dataclass(frozen=True, eq=False)
-class GridBlock(Sequence[Entry]):
+class GridBlock(Entries):
     """The entries in some rows."""
 
     grid: AnswerGrid
@@ -53,12 +54,22 @@ class GridBlock(Sequence[Entry]):
     def __getitem__(self, place: int) -> Entry: ...
 
     @overload
-    def __getitem__(self, place: slice) -> Sequence[Entry]: ...
+    def __getitem__(self, place: slice) -> GridBlock: ...
 
-    def __getitem__(self, place: int | slice) -> Entry | Sequence[Entry]:
+    def __getitem__(self, place: int | slice) -> Entry | GridBlock:
         if isinstance(place, slice):
             return GridBlock(self.grid, self.places[place])
         return self.grid.entry(int(self.places[place]))
+
+    @property
+    def cells(self) -> GridBlock:
+        """What is typed in them: a grid is read as it stands."""
+        return self
+
+    @property
+    def files(self) -> Sequence[str]:
+        """The file of each: the one of the grid."""
+        return [self.grid.file] * len(self)
 
     @property
     def lines(self) -> _Places:

@@ -7,13 +7,9 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import overload
 
-import numpy as np
-from numpy.typing import NDArray
-
 from kinegrade.exam.folder.keys import Paper
+from kinegrade.grading.sheets.entries import Entries, ListedEntries
 from kinegrade.grading.sheets.entry import Entry
-from kinegrade.grading.sheets.grid_entries import GridBlock
-from kinegrade.grading.typed.cell_block import CellBlock, ListedCells
 
 Row = tuple[Paper, Entry]
 
@@ -23,12 +19,12 @@ class Rows(Sequence[Row]):
     """Papers, each with an entry."""
 
     papers: Sequence[Paper]
-    entries: Sequence[Entry]
+    entries: Entries
 
     @classmethod
     def of(cls, rows: Sequence[Row]) -> Rows:
         """These rows."""
-        return cls([paper for paper, _ in rows], [entry for _, entry in rows])
+        return cls([paper for paper, _ in rows], ListedEntries([entry for _, entry in rows]))
 
     def __len__(self) -> int:
         return len(self.papers)
@@ -44,13 +40,6 @@ class Rows(Sequence[Row]):
             return Rows(self.papers[row], self.entries[row])
         return self.papers[row], self.entries[row]
 
-    @property
-    def cells(self) -> CellBlock:
-        """What is typed in them."""
-        if isinstance(self.entries, GridBlock):
-            return self.entries
-        return ListedCells([entry.responses for entry in self.entries])
-
     @cached_property
     def lacking(self) -> Mapping[int, Set[int]]:
         """The rows whose papers do not hold every question, with the numbers of the asks that they
@@ -58,17 +47,3 @@ class Rows(Sequence[Row]):
         """
         listed = [row for row, paper in enumerate(self.papers) if isinstance(paper.keys, list)]
         return {row: lacks for row in listed if (lacks := self.papers[row].lacks)}
-
-    @property
-    def files(self) -> Sequence[str]:
-        """The file of each."""
-        if isinstance(self.entries, GridBlock):
-            return [self.entries.grid.file] * len(self.entries)
-        return [entry.file for entry in self.entries]
-
-    @property
-    def lines(self) -> NDArray[np.intp]:
-        """The line of each, 0 where there is none."""
-        if isinstance(self.entries, GridBlock):
-            return self.entries.lines
-        return np.array([entry.line or 0 for entry in self.entries], dtype=np.intp)
