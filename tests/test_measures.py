@@ -54,7 +54,7 @@ def test_lines_of_code_are_lines_without_docstrings_comments_and_blanks(tmp_path
 # did when fairness came to be bounded (mistakes, follow-through, papers alike hard) and when
 # mechanisms came to move (cycles)
 FAR = {
-    "syntax nodes": 767_000,
+    "syntax nodes": 767_700,
     "lines of code": 78_950,
     "syntax nodes a line": 9.73,
     "modules of more than 250 lines": 24,
