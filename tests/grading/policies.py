@@ -36,6 +36,7 @@ KEYS = {
     "q1.omega_AB": Key(Fraction(0), ZERO, None, {"sense-reversed": Fraction(5)}),
     "q2.phi": Key(Fraction(30), ONE_PER_CENT, Fraction(360)),
 }  # fmt: skip
+ACCEPTED = "[questions.q1.asks.v_B]\naccept = [{}]\n"  # of a policy
 CLASS = KeyedExam(ASKS, tuple(Examinee(student, student, KEYS) for student in ("007", "S9", "12")))
 
 

@@ -6,22 +6,19 @@ from fractions import Fraction
 from pathlib import Path
 
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from kinegrade.errors import PolicyError
-from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.exam.folder.keys import Key
-from kinegrade.grading.grade import MarkingWishes
-from kinegrade.grading.grade import grade as mark_class
 from kinegrade.grading.judging.decision import decide
 from kinegrade.grading.judging.judge import judge
-from kinegrade.grading.marks import Marks
 from kinegrade.grading.policy.policy import Ruling
 from kinegrade.grading.policy.reading import read_policy, stated_policy
 from kinegrade.grading.typed.answers import Reading
 from kinegrade.numbers.tolerance import Tolerance
 from tests.grading.policies import (
+    ACCEPTED,
     drawn_exam,
     folder_of,
     marked,
@@ -33,7 +30,6 @@ from tests.grading.policies import (
 from tests.said import said
 
 ATTEMPTS = "007,9,0,1\n007,2,0,30\n007,2,9,30\n"
-ACCEPTED = "[questions.q1.asks.v_B]\naccept = [{}]\n"
 
 
 def test_an_empty_policy_changes_nothing(tmp_path: Path) -> None:
@@ -315,184 +311,6 @@ def test_of_equally_good_rows_the_last_counts(tmp_path: Path) -> None:
     assert [mark.reading.typed for mark in marks_of(marks, "007")] == ["2.01", "", ""]
 
 
-SHARE = 'expected a share from 0 to 1, like 0.5, "50 %" or "1/2"'
-AMOUNT = (
-    "expected a number of zero or more like 2.5, at most 9 digits before the point and 12 after it"
-)
-HONEST = (
-    "an honest tolerance is found as an exam is set, from the numbers of each paper - expected a "
-    'tolerance for all papers, like { relative = "3 %" } - write honest in the bank of the next '
-    "exam"
-)
-TOLERANCES = '{ relative = "1 %" }, { absolute = 0.01 } or { figures = 3 }'
-CONTENT = """
-attempts = "lst"
-tolerence = 3
-credit = { wrong_unit = 2, mistakes = { sense-revers = 1 }, wrong-unit = 1.5 }
-[questions.q9]
-[questions.q1]
-tolerance = { relative = "200 %", figures = 0, absolute = -1 }
-[questions.q1.asks]
-vB.points = 3
-v_B = { points = true, void = true, accept = [{ value = "r*(", credit = "1/0" }, 7, { value = "r3", unit = "rad" }] }
-omega_AB = { accept = [{ value = "2", unit = "x", student = ["008", 7] }, { value = "1", unit = 3 }] }
-[questions.q2]
-asks = 3
-"""
-
-
-def test_all_faults_of_a_policy_are_told_at_once(tmp_path: Path) -> None:
-    (tmp_path / "key.jsonl").write_text(
-        '{"student": "007", "questions": [{"question": "q1", "parameters": {}, "asks": {}}]}',
-        encoding="utf-8",
-    )
-    with pytest.raises(PolicyError) as caught:
-        policy_of(CONTENT, tmp_path)
-    assert [
-        problem.removeprefix(str(tmp_path / "policy.toml")) for problem in caught.value.problems
-    ] == [
-        ':2: attempts: "lst" - expected last, first or best',
-        ':3: tolerence: unknown key - did you mean "tolerance"? '
-        "(known here: attempts, credit, late, questions, scale, tolerance, tries)",
-        ':4: credit.wrong_unit: unknown key - did you mean "wrong-unit"? '
-        "(known here: follow-through, mistakes, wrong-unit)",
-        ':4: credit.mistakes.sense-revers: unknown mistake - did you mean "sense-reversed"? '
-        "(known here: sense-reversed, transport-for-absolute)",
-        f":4: credit.wrong-unit: 1.5 - {SHARE}",
-        ":5: questions.q9: unknown question - known here: q1, q2",
-        f':7: questions.q1.tolerance.relative: "200 %" - {SHARE}',
-        f":7: questions.q1.tolerance.absolute: -1 - {AMOUNT}",
-        ":7: questions.q1.tolerance.figures: 0 - expected a whole number from 1 to 15",
-        ':9: questions.q1.asks.vB: unknown ask - did you mean "v_B"? (known here: omega_AB, v_B)',
-        ":10: questions.q1.asks.v_B.void: true - expected full or drop",
-        f":10: questions.q1.asks.v_B.points: true - {AMOUNT}",
-        ':10: questions.q1.asks.v_B.accept[2]: 7 - expected a table like { value = "2*sqrt(3)" }',
-        f':10: questions.q1.asks.v_B.accept[1].credit: "1/0" - {SHARE}',
-        ':10: questions.q1.asks.v_B.accept[1].value: "r*(", character 4: found the end, '
-        "expected a number, a name or a bracket",
-        ':10: questions.q1.asks.v_B.accept[3].value: unknown name "r3" - known here: omega_AB, v_B',
-        ':10: questions.q1.asks.v_B.accept[3].unit: "rad" measures an angle; a speed was expected, '
-        'in "m/s"',
-        ':11: questions.q1.asks.omega_AB.accept[1].student[1]: no student "008" '
-        '- did you mean "007"?',
-        ":11: questions.q1.asks.omega_AB.accept[1].student[2]: 7 - expected a student's id in "
-        "quotation marks",
-        ':11: questions.q1.asks.omega_AB.accept[1].unit: "x" stands after the number; the unit '
-        '"rad/s" was expected',
-        ':11: questions.q1.asks.omega_AB.accept[2].unit: 3 - expected a unit like "rad/s"',
-        ":13: questions.q2.asks: 3 - expected a table",
-    ]
-
-
-@pytest.mark.parametrize(
-    ("content", "problem"),
-    [
-        ("accept = 1", 'accept: 1 - expected a list of tables like [{ value = "2*sqrt(3)" }]'),
-        (
-            "accept = [{ student = '0' }]",
-            'accept[1].student: no student "0" - check the id against the roster',
-        ),
-        (
-            "accept = [{ student = 7 }]",
-            "accept[1].student: 7 - expected a student's id in quotation marks",
-        ),
-        (
-            "accept = [{ value = true }]",
-            'accept[1].value: true - expected a number or an expression like "2*sqrt(3)"',
-        ),
-        (
-            "accept = [{ valeu = 1 }]",
-            'accept[1].valeu: unknown key - did you mean "value"? '
-            "(known here: credit, student, unit, value)",
-        ),
-        (
-            "accept = [{ unit = 'm/s' }]",
-            'accept[1].value: missing - expected a number or an expression like "2*sqrt(3)"',
-        ),
-        ("tolerance = 1", f"tolerance: 1 - expected a table like {TOLERANCES}"),
-        ('tolerance = "honest"', f"tolerance: {HONEST}"),
-        ("tolerance = { relative = 0.01, honest = true }", f"tolerance: {HONEST}"),
-        ("tolerance.relative = nan", f"tolerance.relative: nan - {SHARE}"),
-        ("points = 1e9", f"points: 1e9 - {AMOUNT}"),
-        ("points = 0.1234567890123", f"points: 0.1234567890123 - {AMOUNT}"),
-    ],
-)
-def test_a_fault_of_a_policy_says_what_was_expected(
-    tmp_path: Path, content: str, problem: str
-) -> None:
-    with pytest.raises(PolicyError) as caught:
-        policy_of(f"[questions.q1.asks.v_B]\n\n{content}", tmp_path)
-    file = tmp_path / "policy.toml"
-    assert caught.value.problems[0] == f"{file}:3: questions.q1.asks.v_B.{problem}"
-
-
-@pytest.mark.parametrize(
-    ("value", "reason"),
-    [
-        ("1/(v_B - 2)", "division by zero: check the values given"),
-        ("sqrt(-v_B)", "sqrt(...): square root of a negative number: check the values given"),
-        ("(1, 2)", "a pair (x, y): expected a number or an angle here"),
-        ("1e99*1e99", "a value beyond 1e99 or below 1e-99"),
-        ("9**16**16", "a power must be a whole number of at most 16: for roots write sqrt(...)"),
-        (
-            "v_B + pi",
-            '"+" between things that do not go together: '
-            "angles go with angles, points with points, numbers with numbers",
-        ),
-    ],
-)
-def test_an_accepted_answer_without_a_value_is_refused(
-    tmp_path: Path, value: str, reason: str
-) -> None:
-    policy = policy_of(ACCEPTED.format(f"{{ value = '{value}' }}"), tmp_path)
-    with pytest.raises(PolicyError) as caught:
-        marked("007,1,,\n", policy)
-    assert str(caught.value) == (
-        f'policy: q1.v_B: accepted answer 1, "{value}", has no value for student "007" and 2 '
-        f"more ({reason}) - expected one number - fix it"
-    )
-
-
-@pytest.mark.parametrize(
-    ("content", "reason"),
-    [
-        (
-            b"attempts = ",
-            "Invalid value (at end of document) - expected a policy file in TOML - fix it",
-        ),
-        (
-            b"\xff",
-            "not UTF-8 at byte 0 - expected a policy file in UTF-8 - fix it",
-        ),
-        (
-            b"#" * 1_000_001,
-            "too large - expected a policy file of at most 1000000 bytes - check the name",
-        ),
-        (
-            None,
-            "cannot be read (No such file or directory) - expected a policy file - check the name",
-        ),
-    ],
-    ids=["not TOML", "not UTF-8", "too large", "missing"],
-)
-def test_a_file_that_is_no_policy_is_refused_and_leaves_nothing(
-    exam_folder: Path, content: bytes | None, reason: str
-) -> None:
-    file = exam_folder.parent / "policy.toml"
-    if content is not None:
-        file.write_bytes(content)
-    (exam_folder.parent / "answers.csv").write_text("student,q1.v_B\n007,1\n", encoding="utf-8")
-    with pytest.raises(PolicyError) as caught:
-        mark_class(
-            open_exam(exam_folder),
-            exam_folder.parent / "answers.csv",
-            exam_folder.parent / "MARKS",
-            MarkingWishes(policy=file),
-        )
-    assert str(caught.value) == f"{file}: {reason}"
-    assert not (exam_folder.parent / "MARKS").exists()
-
-
 def test_numbers_drawn_are_needed_only_where_a_policy_names_them(exam_folder: Path) -> None:
     (exam_folder.parent / "answers.csv").write_text("student,q1.v_B\n007,1\n", encoding="utf-8")
     regraded(exam_folder, "MARKS", ACCEPTED.format("{ value = 1 }"))
@@ -517,99 +335,6 @@ def test_the_policy_is_kept_beside_the_marks_and_the_same_one_gives_the_same_byt
     assert without.read_text(encoding="utf-8") == "# No policy: marked as the papers say.\n"
 
 
-RESPONSES = st.sampled_from(
-    [
-        "2",
-        "2.03",
-        "2.1",
-        "-2",
-        "3",
-        "3.2",
-        "0",
-        "0.003",
-        "5",
-        "30",
-        "31",
-        "390",
-        "60",
-        "",
-        "abc",
-        "2 rad/s",
-        "2 m/s",
-        "√3",
-    ]
-)
-ROWS = st.lists(
-    st.tuples(st.sampled_from(["007", "S9", "12"]), RESPONSES, RESPONSES, RESPONSES), max_size=5
-)
-HUNDREDTHS = st.lists(st.integers(0, 60), min_size=2, max_size=2)
-REST = st.sampled_from(
-    [
-        "",
-        "attempts = 'best'",
-        "attempts = 'first'",
-        "credit.wrong-unit = 0.5",
-        "credit.mistakes = { transport-for-absolute = 0.5, sense-reversed = 1 }",
-    ]
-)
-QUICK = settings(suppress_health_check=[HealthCheck.function_scoped_fixture])
-
-
-def totals(marks: Marks) -> list[Fraction]:
-    return [grade.total for grade in marks.grades]
-
-
-def text_of(rows: list[tuple[str, ...]]) -> str:
-    return "".join(",".join(row) + "\n" for row in rows)
-
-
-@QUICK
-@given(ROWS, HUNDREDTHS, REST, st.sampled_from(["relative", "absolute"]))
-def test_a_wider_tolerance_lowers_nobody(
-    tmp_path: Path, rows: list[tuple[str, ...]], hundredths: list[int], rest: str, kind: str
-) -> None:
-    sizes = [
-        f"'{size} %'" if kind == "relative" else str(size / 100) for size in sorted(hundredths)
-    ]
-    narrow, wide = (
-        marked(text_of(rows), policy_of(f"{rest}\ntolerance.{kind} = {size}", tmp_path))
-        for size in sizes
-    )
-    assert all(old <= new for old, new in zip(totals(narrow), totals(wide), strict=True))
-
-
-@QUICK
-@given(ROWS, REST, st.sampled_from(["q1", "q2", "q1.asks.v_B", "q2.asks.phi"]))
-def test_a_void_ask_gives_everybody_at_least_as_much(
-    tmp_path: Path, rows: list[tuple[str, ...]], rest: str, place: str
-) -> None:
-    before = marked(text_of(rows), policy_of(rest, tmp_path))
-    after = marked(
-        text_of(rows), policy_of(f"{rest}\n[questions.{place}]\nvoid = 'full'", tmp_path)
-    )
-    assert all(old <= new for old, new in zip(totals(before), totals(after), strict=True))
-
-
-@QUICK
-@given(
-    ROWS,
-    REST,
-    st.sampled_from(["", "[questions.q1]\nvoid = 'drop'", "[questions.q2]\nvoid = 'full'"]),
-)
-def test_every_typed_answer_comes_out_and_points_add_up(
-    tmp_path: Path, rows: list[tuple[str, ...]], rest: str, void: str
-) -> None:
-    marks = marked(text_of(rows), policy_of(f"{rest}\n{void}", tmp_path))
-    kept = {complaint.content for complaint in marks.complaints}
-    students = [grade.student for grade in marks.grades]
-    counted = {(who, *(mark.reading.typed for mark in marks_of(marks, who))) for who in students}
-    assert all(row in counted or ",".join(row) in kept for row in rows)
-    for grade in marks.grades:
-        own = marks_of(marks, grade.student)
-        assert grade.total == sum(mark.points for mark in own) <= grade.out_of
-        assert all(0 <= mark.points <= mark.ask.points for mark in own)
-
-
 def test_the_credit_of_the_bank_holds_until_a_policy_says_otherwise(tmp_path: Path) -> None:
     bank = {"wrong-unit": "1/2", "follow-through": "0", "mistakes": {"sense-reversed": "1/4"}}
     exam = folder_of(tmp_path, credit=bank)
@@ -620,20 +345,3 @@ def test_the_credit_of_the_bank_holds_until_a_policy_says_otherwise(tmp_path: Pa
     regraded_by = read_policy(tmp_path / "policy.toml", exam).ruling("q1.v_B")
     assert (regraded_by.wrong_unit, regraded_by.follow_through) == (0, 0)
     assert regraded_by.mistakes == printed.mistakes
-
-
-def test_a_broken_credit_of_the_bank_is_told(tmp_path: Path) -> None:
-    with pytest.raises(PolicyError) as caught:
-        stated_policy(folder_of(tmp_path, credit={"wrong-unit": "2"}))
-    assert str(caught.value) == (
-        f'{tmp_path / "exam.json"}: credit.wrong-unit: "2" - expected a share from 0 to 1, like '
-        '0.5, "50 %" or "1/2" '
-        "- restore the exam folder as it was generated"
-    )
-
-
-def test_an_accepted_answer_that_cannot_be_told_from_zero_is_refused(tmp_path: Path) -> None:
-    value = "sqrt((sin(1)**2 + cos(1)**2 - 1)*10**16*10**16*10**16)"
-    with pytest.raises(PolicyError, match="a value cannot be distinguished from zero") as caught:
-        marked("007,1,,\n", policy_of(ACCEPTED.format(f"{{ value = '{value}' }}"), tmp_path))
-    assert len(caught.value.faults) == 1
