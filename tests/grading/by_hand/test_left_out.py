@@ -4,35 +4,13 @@ longer, and the marks that it had are kept until the policy is withdrawn.
 
 from __future__ import annotations
 
-import shutil
 from pathlib import Path
 
-import pytest
-
-from tests.exam.test_by_hand import CRANK, SLEEVE, THEORY, mark_right, set_exam
-from tests.grading.test_marks_by_hand import ADA, SOFYA, faults, give, grade, totals
+from tests.grading.by_hand.hand_marking import ADA, SOFYA, faults, give, grade, totals
 from tests.small_class import kinegrade, table
 
 DROPPED = '[questions.q2]\nvoid = "drop"\n'
 SCALE = '[scale]\ngrades = { A = "90 %", B = 0 }\npass = 0\n'
-
-
-@pytest.fixture(scope="module")
-def made(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """An exam of two questions, of 3 and 4 points, between them q2 of 2.5 for hands, and MARKS in
-    which both students have everything right; not to be changed.
-    """
-    folder = tmp_path_factory.mktemp("left-out")
-    assert set_exam(folder, CRANK + THEORY + SLEEVE).exit_code == 0
-    mark_right(folder)
-    return folder
-
-
-@pytest.fixture
-def folder(made: Path, tmp_path: Path) -> Path:
-    """The same, to be changed."""
-    shutil.copytree(made, tmp_path, dirs_exist_ok=True)
-    return tmp_path
 
 
 def by_policy(folder: Path, text: str) -> tuple[str, Path]:
