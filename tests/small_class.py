@@ -71,6 +71,18 @@ def kinegrade(*arguments: str | Path) -> Result:
     return result
 
 
+def errors(*arguments: str | Path) -> list[str]:
+    """The problems of a command that cannot be done."""
+    result = kinegrade(*arguments)
+    assert (result.exit_code, result.stdout) == (2, "")
+    assert all(line.startswith("error: ") for line in result.stderr.splitlines())
+    return [
+        line.removeprefix("error: ")
+        for line in result.stderr.splitlines()
+        if line.startswith("error: ")
+    ]
+
+
 def generate(folder: Path, name: str = "EXAM", *options: str) -> Result:
     """`kinegrade generate` for the class in a folder, from the words spring unless said
     otherwise.
