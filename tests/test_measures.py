@@ -54,9 +54,9 @@ def test_lines_of_code_are_lines_without_docstrings_comments_and_blanks(tmp_path
 # did when fairness came to be bounded (mistakes, follow-through, papers alike hard) and when
 # mechanisms came to move (cycles)
 FAR = {
-    "syntax nodes": 767_700,
+    "syntax nodes": 768_200,
     "lines of code": 78_950,
-    "syntax nodes a line": 9.73,
+    "syntax nodes a line": 9.74,
     "modules of more than 250 lines": 24,
 }
 COPIED = """

@@ -188,10 +188,32 @@ def test_a_wheel_between_tracks_is_checked_from_contact_to_contact() -> None:
     ]
 
 
-def test_wheels_about_fixed_axes_are_checked_by_the_speeds_of_their_rims() -> None:
-    (check,) = read_checks("two-stage-belt-drive")
-    assert check.way == "the rim speeds of the shaft and of the dynamo, which are equal"
-    assert check.agrees
+def test_a_train_about_fixed_axes_is_checked_in_one_step() -> None:
+    values = {"r1": "26", "r2": "20", "r3": "30", "r4": "10", "n": "-60"}
+    assert find_checks(stated("two-stage-belt-drive", **values))[0] == Check(
+        "the transmission from the engine to the dynamo in one step",
+        r"-24.50\,\unit{rad/s}",
+        r"\frac{0.26\,\unit{m} \cdot 0.3\,\unit{m}}{0.2\,\unit{m} \cdot 0.1\,\unit{m}} \cdot "
+        r"(-6.283\,\unit{rad/s}) \approx -24.50\,\unit{rad/s}",
+    )
+
+
+def test_two_gears_about_fixed_axes_are_checked_as_one_of_them_sees_it() -> None:
+    values = {"r1": "100", "r2": "200", "r3": "60", "n": "60", "alpha": "2"}
+    assert find_checks(stated("hoist-with-gears", **values)) == [
+        Check(
+            "the velocity of $A$ seen from the gear, on which the pinion rolls",
+            r"(0.2\,\unit{m} + 0.1\,\unit{m}) \cdot (-3.142\,\unit{rad/s})"
+            r" \approx -0.9425\,\unit{m/s}",
+            r"0.1\,\unit{m} \cdot (-6.283\,\unit{rad/s} - 3.142\,\unit{rad/s})"
+            r" \approx -0.9425\,\unit{m/s}",
+        ),
+        Check(
+            "the tangential acceleration of $A$ seen from the gear, on which the pinion rolls",
+            r"(0.2\,\unit{m} + 0.1\,\unit{m}) \cdot (-1\,\unit{rad/s^2}) = -0.3\,\unit{m/s^2}",
+            r"0.1\,\unit{m} \cdot (-2\,\unit{rad/s^2} - 1\,\unit{rad/s^2}) = -0.3\,\unit{m/s^2}",
+        ),
+    ]
 
 
 def test_a_pose_is_checked_by_a_distance_that_is_given() -> None:

@@ -1,6 +1,5 @@
 """Checks of gears on a carrier: seen from it all turn about fixed centres, and rims that run on
-each other move alike, those of gears that a third one joins too. About fixed axes the ground is
-the carrier.
+each other move alike, those of gears that a third one joins too.
 """
 
 from __future__ import annotations
@@ -26,9 +25,9 @@ from kinegrade.worked.vectors.vectors import UNITS
 
 def list_carrier_checks(level: Level, case: Case) -> Iterator[Check]:
     """The checks of all gears that roll on a fixed circle, then of those that mesh with one third
-    gear, then of wheels about fixed axes, unless nothing moves at this level.
+    gear, unless nothing moves at this level.
     """
-    return chain(_list_rolling(level, case), _list_joined(level, case), _list_fixed(level, case))
+    return chain(_list_rolling(level, case), _list_joined(level, case))
 
 
 def _list_rolling(level: Level, case: Case) -> Iterator[Check]:
@@ -136,31 +135,10 @@ def _check_joined(one: _Pair, other: _Pair, level: Level, case: Case) -> Iterato
     yield compare(way, left, turned, UNITS[level, False])
 
 
-def _list_fixed(level: Level, case: Case) -> Iterator[Check]:
-    """The checks of two wheels about fixed axes of which one drives the other, the last first."""
-    for relation in reversed(case.motion.frames.relations):
-        mesh = relation.source.find_rims() if relation.source else None
-        if mesh and mesh.carrier == GROUND:
-            yield from _check_fixed(_list_pairs(mesh)[0], level, case)
-
-
-def _check_fixed(pair: _Pair, level: Level, case: Case) -> Iterator[Check]:
-    """The rim speeds of both wheels, in the sense of the first."""
-    left, right = (_state_rim(gear, GROUND, level, case) for gear in (pair.first, pair.second))
-    if not double(left.value):
-        return
-    first, second = (case.naming.body(gear.body) for gear in (pair.first, pair.second))
-    way = Message(f"solution.fixed-rims-{level}", first=first, second=second)
-    turned = Side(right.numbers.signed(pair.sense), right.value * pair.sense)
-    yield compare(way, left, turned, UNITS[level, False])
-
-
 def _state_rim(gear: _Gear, carrier: str, level: Level, case: Case) -> Side:
     """The speed of a gear's rim, seen from the carrier."""
     rates, turned = case.rates(level), UNITS[level, True]
     rate, radius = rates[make_turning(gear.body)], gear.circle.radius
-    rim, spin = measure(radius, "m"), measure(rate, turned)
-    if carrier == GROUND:
-        return Side(rim.dot(spin), radius * rate)
     frame = rates[make_turning(carrier)]
-    return Side(rim.dot(spin - measure(frame, turned)), radius * (rate - frame))
+    spin = measure(rate, turned) - measure(frame, turned)
+    return Side(measure(radius, "m").dot(spin), radius * (rate - frame))

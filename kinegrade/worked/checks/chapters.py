@@ -16,14 +16,15 @@ from kinegrade.worked.checks.places import list_place_checks
 from kinegrade.worked.checks.poles import list_pole_checks
 from kinegrade.worked.checks.projections import list_projection_checks
 from kinegrade.worked.checks.tracks import list_track_checks
+from kinegrade.worked.checks.trains import list_train_checks
 from kinegrade.worked.document import Block
 from kinegrade.worked.vectors.stage import Stage
 
 
 def check_rates(stages: Mapping[Step, Stage], level: Level, case: Case) -> Iterator[Block]:
     """The check of the last step that has one, else that of a wheel between tracks, of the points
-    of a body or of gears on a carrier, else of a step by sums of angles that are still to be worked
-    out.
+    of a body, of gears on a carrier or about fixed axes, else of a step by sums of angles that are
+    still to be worked out.
     """
     if case.findings.places_alone:
         yield from _say_chosen(list_pole_checks(stages.values(), case), case)
@@ -31,7 +32,7 @@ def check_rates(stages: Mapping[Step, Stage], level: Level, case: Case) -> Itera
     last_first = tuple(reversed(tuple(stages.items())))
     projections = (list_projection_checks(step, stage) for step, stage in last_first)
     summed = (list_projection_checks(step, stage, summing=True) for step, stage in last_first)
-    kinds = (list_track_checks, list_body_checks, list_carrier_checks)
+    kinds = (list_track_checks, list_body_checks, list_carrier_checks, list_train_checks)
     others = (kind(level, case) for kind in kinds)
     yield from _say_chosen(chain.from_iterable(chain(projections, others, summed)), case)
 

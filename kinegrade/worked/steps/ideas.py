@@ -117,7 +117,7 @@ def _find_reasons(step: Step, stage: Stage) -> Iterator[Message]:
         yield Message("solution.idea-together" if coupled else "solution.idea-several")
     elif stage.equations and _joins_rotations(stage.equations[0]):
         yield _explain_common_point(stage.equations[0], case)
-    elif stage.equations and len(stage.equations[0].unknowns) == 2:
+    elif stage.equations:
         yield from _explain_frames(stage)
 
 
@@ -225,11 +225,16 @@ def _explain_poles(by_normals: Set[str | None], case: Case) -> Iterator[Message]
 
 
 def _explain_frames(stage: Stage) -> Iterator[Message]:
-    """Why a moving frame serves, or two."""
+    """Why a moving frame serves, or two, where there are as many unknowns as these can give."""
     case, compositions = stage.case, stage.equations[0].compositions
     point = case.naming.point(compositions[0].point) if compositions else ""
     frames = [case.naming.body(part.frame) for part in compositions]
-    if len(frames) == 1:
+    unknown = len(stage.equations[0].unknowns)
+    if unknown == 1 and len(frames) == 1:
+        yield Message("solution.idea-composed-known", point=point, frame=frames[0])
+    elif unknown != 2:
+        return
+    elif len(frames) == 1:
         yield Message("solution.idea-composed", point=point, frame=frames[0])
     elif frames and len({part.point for part in compositions}) == 1:
         yield Message("solution.idea-composed-twice", point=point, frames=list_all(frames))
