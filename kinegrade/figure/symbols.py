@@ -249,6 +249,11 @@ def draw_slotted_bar(
     return (ground, Outline(edge, FIRM), Outline(hole, THIN))
 
 
+def draw_broad_bar(start: Vector, end: Vector) -> tuple[Primitive, ...]:
+    """A rounded bar on which something is drawn."""
+    return (Outline(trace_round((start, end), BAR_WIDTH / 2), FIRM, "grey"),)
+
+
 def draw_sleeve(at: Vector, along: Vector) -> tuple[Primitive, ...]:
     """A sleeve around a bar."""
     return (draw_block(at, along, 6.4, SLEEVE_WIDTH),)

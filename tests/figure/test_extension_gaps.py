@@ -8,9 +8,11 @@ from math import radians
 
 import pytest
 
+from kinegrade.figure.marks.lengths.dimension_lines import SymbolBeside
 from kinegrade.figure.marks.lengths.extension_gaps import Around, Gap, find_gap
 from kinegrade.figure.mechanism.straight_parts import Bar
 from kinegrade.figure.placing.obstacles import Obstacles
+from kinegrade.figure.placing.place import place_label
 from kinegrade.figure.plane import polar
 from kinegrade.mechanics.vector import Vector
 
@@ -33,3 +35,17 @@ def test_an_extension_line_begins_where_a_bar_beside_it_is_clear_of_it() -> None
     """At 10 degrees half a bar and 0.7 mm take 1.1/sin(10 degrees); at 1 degree it is too far."""
     assert _find_gap_beside(10.0).reach == pytest.approx(6.335, abs=1e-3)
     assert [_find_gap_beside(turn).reach for turn in (1.0, 20.0)] == [1.6, 1.6]
+
+
+def test_the_symbol_of_a_bar_is_not_nearer_to_another_one() -> None:
+    """Two bars at a sharp angle: the symbol stands outside it, or where they are well apart."""
+    bar, slotted = (
+        Bar("OA", POINT, POINT + polar(radians(90)) * 20.0),
+        Bar("OB", POINT, POINT + polar(radians(75)) * 20.0, "slot"),
+    )
+    around = Around(NOTHING, NOTHING, (bar,), (slotted,))
+    others = tuple(around.list_other_bars(bar.start, bar.end))
+    beside = SymbolBeside(bar.start, bar.end, "r", others=others)
+    assert place_label(beside.wish(), NOTHING).label.centre.x < POINT.x
+    other_way = SymbolBeside(bar.end, bar.start, "r", others=others)
+    assert place_label(other_way.wish(), NOTHING).label.centre.x < POINT.x

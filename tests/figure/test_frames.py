@@ -8,15 +8,16 @@ from dataclasses import replace
 from math import hypot
 
 import pytest
-from shapely import LineString, Point, Polygon
+from shapely import Point, Polygon
 
 from kinegrade.figure.marks.frames import add_axes_aside, add_frames
 from kinegrade.figure.mechanism.layers import Drawing
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.placing.obstacles import Obstacles
-from kinegrade.figure.plane import length, nearest_of
+from kinegrade.figure.plane import length, nearest_of, unit
 from kinegrade.figure.scene import BOLD, FIRM, THIN, Bow, Disc, Label, Outline, Scene, Strokes
 from kinegrade.figure.sketch import sketch
+from kinegrade.figure.symbols import PIN
 from kinegrade.mechanics.joints import GROUND, Line, Slide
 from kinegrade.mechanics.mechanism import Body, Mechanism
 from kinegrade.mechanics.vector import Vector
@@ -75,21 +76,35 @@ def test_the_frame_of_a_body_has_y_a_quarter_turn_after_x(along: str, x: float, 
 
 
 @pytest.mark.parametrize("origin", ["O", "A"])
-def test_an_axis_along_a_long_bar_stands_beside_it_from_its_origin_on(origin: str) -> None:
+def test_an_axis_along_a_long_link_is_seen_on_it_from_its_origin_on(origin: str) -> None:
     far = "A" if origin == "O" else "O"
     mechanism, _ = slider_crank(1.0, 1.75, 60)
     frame = BodyFrame("x_1", "y_1", origin, origin, far)
     scene = sketch(mechanism, FigureHints(frames=(frame,)))
-    pins = {name: mechanism.points[name] * scene.scale for name in "OA"}
+    toward = unit(mechanism.points[far] - mechanism.points[origin])
     first, second = (head.corners[0] for head in heads(scene))
-    crank, other = LineString(lines(scene, BOLD)[0]), pins[far] - pins[origin]
-    assert crank.distance(Point(first)) == pytest.approx(1.6)
-    start = nearest_end(lines(scene, BOLD)[0], first)
-    assert (first - start).dot(other) / length(other) == pytest.approx(12.0)
-    assert (first - start).dot(second - start) > 0  # on the side of the frame's other axis
-    assert (second - start).dot(other) == pytest.approx(0.0, abs=1e-6)
-    [head] = [head for head in heads(scene) if head.corners[0] == first]
-    assert Polygon(head.corners).distance(crank.buffer(BOLD.width / 2)) > 0.5
+    assert (first - second).dot(toward) == pytest.approx(12.0 + PIN)
+    link = find_link(scene)
+    assert link.contains(Point(first))
+    (letter,) = (label for label in scene.labels if label.symbol == "x_1")
+    assert not link.intersects(Point(letter.centre).buffer(1.0))
+
+
+def test_the_length_of_a_broad_link_stands_beside_it() -> None:
+    mechanism, _ = slider_crank(1.0, 1.75, 60)
+    frame, measured = BodyFrame("x_1", "y_1", "O", "O", "A"), Length("r", "O", "A")
+    scene = sketch(mechanism, FigureHints(frames=(frame,), lengths=(measured,)))
+    (letter,) = (label for label in scene.labels if label.symbol == "r")
+    assert 1.0 < find_link(scene).distance(Point(letter.centre)) < 3.0
+    assert len(heads(scene)) == 2
+
+
+def find_link(scene: Scene) -> Polygon:
+    """The only broad link of a figure."""
+    (link,) = (
+        each for each in scene.primitives if isinstance(each, Outline) and each.fill == "grey"
+    )
+    return Polygon(link.corners)
 
 
 def nearest_end(line: tuple[Vector, Vector], at: Vector) -> Vector:

@@ -68,8 +68,8 @@ def test_no_symbol_stands_beside_the_other_arrow_or_just_past_its_tip() -> None:
             assert max(gaps) - min(gaps) > 0.4
 
 
-@pytest.mark.parametrize("count", [1, 2])
-def test_arrows_along_a_rod_start_at_its_free_end_on_its_line(count: int) -> None:
+def rod_with_walls() -> tuple[Site, Layout, Vector]:
+    """A rod to the right of B with bars on both of its sides, and its end."""
     mechanism = slider(1, 1)
     at = mechanism.points["B"]
     body = mechanism.bodies[-1].name
@@ -80,12 +80,43 @@ def test_arrows_along_a_rod_start_at_its_free_end_on_its_line(count: int) -> Non
     )
     beside = [(at + UP * level, end + UP * level) for level in (3.6, -3.6, 5.8, -5.8)]
     layout = Layout.of([Strokes(((at, end), *beside), BOLD)])
-    layout = add_motions(layout, Site(mechanism, (), (rod,)), BOTH[:count])
+    return Site(mechanism, (), (rod,)), layout, end
+
+
+@pytest.mark.parametrize(("count", "levels"), [(1, [0.0]), (2, [-0.7, 0.7])])
+def test_arrows_along_a_rod_start_at_its_free_end(count: int, levels: list[float]) -> None:
+    site, layout, end = rod_with_walls()
+    layout = add_motions(layout, site, BOTH[:count])
     _, *shafts = [part.lines[0] for part in layout.lines if isinstance(part, Strokes)]
-    assert len(shafts) == count
+    assert sorted(start.y - end.y for start, _ in shafts) == pytest.approx(levels)
     for start, tip in shafts:
-        assert (start.y, tip.y) == (at.y, at.y)
+        assert start.y == tip.y
         assert 0.2 < start.x - end.x < 0.5
+
+
+def test_an_arrow_whose_symbol_names_its_point_does_not_start_at_the_end_of_a_rod() -> None:
+    site, layout, end = rod_with_walls()
+    layout = add_motions(layout, site, [replace(BOTH[0], symbol="v_{B}")])
+    _, *shafts = [part.lines[0] for part in layout.lines if isinstance(part, Strokes)]
+    assert all(start.x < end.x for start, _ in shafts)
+
+
+def test_neither_of_two_arrows_of_a_block_lies_on_its_edge() -> None:
+    mechanism = slider(1, 1)
+    at = mechanism.points["B"]
+    layout = add_motions(Layout.of(()), Site(mechanism, [lay_under_block(at)]), BOTH)
+    for start, _ in list_shafts(layout):
+        assert abs(start.y - at.y) < 1.5 - 0.4
+
+
+def test_a_symbol_past_the_end_of_a_rail_stands_on_either_side() -> None:
+    mechanism = slider(1, 0)
+    at = mechanism.points["B"]
+    wall = Strokes(((at + Vector(3.0, 2.0), at + Vector(20.0, 2.0)),), BOLD)
+    for reach, below in ((20.0, False), (4.0, True)):
+        rail = replace(lay_under_block(at), start=at - RIGHT * 7, end=at + RIGHT * reach)
+        layout = add_motions(Layout.of((wall,)), Site(mechanism, [rail]), BOTH[:1])
+        assert (layout.labels[0].centre.y < at.y - 1.0) == below
 
 
 def test_at_the_centre_of_a_wheel_no_arrow_stands_beside_it() -> None:
@@ -119,4 +150,4 @@ def test_the_places_of_two_arrows_to_come_are_on_either_side_of_their_line() -> 
     mechanism = slider(1, 1)
     at = mechanism.points["B"]
     levels = [start.y - at.y for start, _ in list_likely_motions(Site(mechanism), BOTH)]
-    assert levels == [0.0, 0.0, pytest.approx(1.4), pytest.approx(-1.4)]
+    assert levels == [0.0, 0.0, pytest.approx(1.0), pytest.approx(-1.0)]

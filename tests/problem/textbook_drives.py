@@ -179,6 +179,6 @@ CASES: tuple[Case, ...] = (
     ("spool-pulled-by-cord", pull_spool, {"R": 40, "r": 12, "u": 35, "w": -20}),
     ("geneva-drive", index_geneva_wheel, {"a": 10, "phi": 30, "n": 60}),
     ("geneva-drive", index_geneva_wheel, {"a": 14, "phi": -20, "n": 105}),
-    ("scotch-yoke-driven-by-guide", push_yoke, {"r": 180, "phi": 150, "v": 100, "a": -300}),
-    ("scotch-yoke-driven-by-guide", push_yoke, {"r": 120, "phi": 35, "v": -400, "a": -900}),
+    ("scotch-yoke-driven-by-guide", push_yoke, {"r": 180, "phi": 150, "v": -100, "a": 300}),
+    ("scotch-yoke-driven-by-guide", push_yoke, {"r": 120, "phi": 35, "v": 400, "a": 900}),
 )

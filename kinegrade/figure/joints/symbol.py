@@ -16,7 +16,7 @@ from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
 
 Kind = Literal["wheel", "gear", "slot", "cam", "edge"]
-Use = Literal["link", "slot", "bar", "face", "rack", "jaw"]
+Use = Literal["link", "broad", "slot", "bar", "face", "rack", "jaw"]
 Strand = tuple[Vector, Vector]  # a straight part of a belt, from rim to rim
 _BEYOND = 0.65  # radians that an arc goes on beyond its last contact
 NO_BACK = Vector(0.0, 0.0)

@@ -7,7 +7,7 @@ from itertools import pairwise
 
 from kinegrade.figure.mechanism.layers import Drawing
 from kinegrade.figure.mechanism.plates import Plate
-from kinegrade.figure.mechanism.straight_parts import Bar, Rod, is_slender, list_ways
+from kinegrade.figure.mechanism.straight_parts import Bar, Rod
 from kinegrade.figure.placing.obstacles import Segment
 from kinegrade.figure.plane import NEAR, length, mean, on_line, unit
 from kinegrade.figure.scene import Disc
@@ -51,14 +51,6 @@ def find_edge(at: Vector, toward: Vector, drawing: Drawing) -> tuple[float, Vect
             reaches = [step.dot(toward) for step in steps if abs(step.cross(toward)) < NEAR]
             found.append((max(reaches, default=0.0), outward))
     return max(found, key=lambda edge: edge[0])
-
-
-def measure_bar(at: Vector, toward: Vector, drawing: Drawing) -> float:
-    """How far, in millimetres, a slender bar runs from a point on it in a direction (a unit
-    vector); 0 when none does.
-    """
-    ways = [way for part in drawing.parts if is_slender(part) for way in list_ways(part, at)]
-    return max((length(way) for way in ways if length(unit(way) - toward) < NEAR), default=0.0)
 
 
 def find_block(at: Vector, toward: Vector, drawing: Drawing) -> tuple[float, float]:

@@ -6,20 +6,20 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import assert_never
 
 import numpy as np
 
 from kinegrade.figure.marks.drawn import (
     find_block,
     find_edge,
-    measure_bar,
     measure_drawn,
     meets_face,
 )
 from kinegrade.figure.mechanism.layers import Drawing
+from kinegrade.figure.mechanism.straight.broad_links import find_frame_place, measure_way
+from kinegrade.figure.mechanism.straight_parts import Bar
 from kinegrade.figure.placing.layout import Layout
-from kinegrade.figure.placing.mark import Mark, direction
+from kinegrade.figure.placing.mark import Mark
 from kinegrade.figure.placing.obstacles import Segment
 from kinegrade.figure.placing.place import Wish, list_spots_around
 from kinegrade.figure.plane import NEAR, length, unit
@@ -39,7 +39,6 @@ _LEG_LENGTHS = (22.0, 25.0, 19.0)  # millimetres of an axis that is the leg of a
 _BEYOND_LEG = 4.0  # millimetres of an axis beyond the point that gives the side of an angle
 _BEYOND_BAR = (6.0, 7.5, 9.0)  # millimetres of an axis beyond the bar or the ground that it is on
 _ON_EDGE = 5.0  # millimetres of an edge or a bar beyond the longest axis along it
-_BESIDE = 1.6  # millimetres between a bar and the axis that is drawn beside it
 _OUTWARD = 3.0  # share of the way out of a plate, of the way from the tip on its edge to the letter
 _OTHER_SIDE = 0.25  # demerit of the side of a bar on which the frame's other axis is not
 _BEFORE_BLOCK = 18.0  # millimetres before a block that have no room for an axis and its letter
@@ -63,7 +62,8 @@ def add_frames(
     """The layout with the axes that stand at points: those of bodies, then x and y at the
     origin; their letters keep clear of lines that are still to come. An axis along a bar or the
     ground runs on beyond it, as does one to a block; along the long edge of a plate it lies on
-    that, along a long bar close beside it; one that is the leg of an angle reaches beyond its arc.
+    that, along a long link on that, which is broad; one that is the leg of an angle reaches beyond
+    its arc.
     """
     axes = [
         axis for frame in hints.frames for axis in _name_axes(*find_frame_place(at, frame), frame)
@@ -78,16 +78,16 @@ def add_frames(
 def _list_ways(
     at: Mapping[str, Vector], hints: FigureHints, drawing: Drawing, axis: _NamedAxis
 ) -> list[Mark]:
-    """An axis in the lengths that it may have; on a long edge, or beside a long bar, so that it is
-    seen to begin at its own origin.
+    """An axis in the lengths that it may have; on a long edge or a broad bar, so that it is seen
+    to begin at its own origin.
     """
     symbol, origin, toward, usual = axis
-    (edge, outward), bar = find_edge(origin, toward, drawing), measure_bar(origin, toward, drawing)
+    edge, outward = find_edge(origin, toward, drawing)
+    if any(measure_way(bar, origin, toward) for bar in _list_broad_bars(drawing)):
+        return _list_axes_on_bar(axis)
     if edge > max(usual) + _ON_EDGE:
         ways = _list_axes(origin + toward * PIN, toward, symbol, usual)
         return [replace(way, away=toward + outward * _OUTWARD, bare=True) for way in ways]
-    if bar > max(usual) + _ON_EDGE:
-        return _list_axes_beside(axis)
     begins, ends = find_block(origin, toward, drawing)
     if begins and (begins < _BEFORE_BLOCK or _has_line(at, hints, origin, origin + toward * ends)):
         line = (origin + toward * PIN, origin + toward * begins)
@@ -105,15 +105,19 @@ def _list_ways(
     return [replace(way, free=free) for way in ways]
 
 
-def _list_axes_beside(axis: _NamedAxis) -> list[Mark]:
-    """An axis beside the bar that it runs along, on either side in the lengths that it may have."""
+def _list_axes_on_bar(axis: _NamedAxis) -> list[Mark]:
+    """An axis on the broad bar along which it runs, with its letter on either side of that."""
     symbol, origin, toward, usual = axis
     found: list[Mark] = []
     for rank, outward in enumerate((toward.turned(), -toward.turned())):
-        for way in _list_axes(origin + outward * _BESIDE, toward, symbol, usual):
+        for way in _list_axes(origin + toward * PIN, toward, symbol, usual):
             worse = way.demerit + _OTHER_SIDE * rank
-            found.append(replace(way, demerit=worse, free=True, away=toward + outward))
+            found.append(replace(way, demerit=worse, bare=True, away=toward + outward * _OUTWARD))
     return found
+
+
+def _list_broad_bars(drawing: Drawing) -> list[Bar]:
+    return [part for part in drawing.parts if isinstance(part, Bar) and part.use == "broad"]
 
 
 def _has_line(at: Mapping[str, Vector], hints: FigureHints, start: Vector, end: Vector) -> bool:
@@ -181,18 +185,6 @@ def _find_free_corner(layout: Layout) -> Vector:
     letter = _CLEAR + 1.0
     taken = layout.obstacles.under_box(box.left + letter / 2, box.bottom, letter, 2 * letter)
     return Vector(box.left - (_ROOM + _CLEAR / 2 if taken else _ASIDE), box.bottom)
-
-
-def find_frame_place(at: Mapping[str, Vector], frame: BodyFrame) -> tuple[Vector, Vector]:
-    """Where the origin of a body's frame is, and the direction of its x axis."""
-    along = unit(direction(at, at[frame.start], frame.end))
-    match frame.along:
-        case "x":
-            return at[frame.at], along
-        case "y":
-            return at[frame.at], -along.turned()
-        case _:
-            assert_never(frame.along)
 
 
 def _list_axes(

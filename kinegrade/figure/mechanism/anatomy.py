@@ -10,6 +10,7 @@ from kinegrade.figure.joints.table import find_symbols
 from kinegrade.figure.mechanism.bars import find_straight_parts
 from kinegrade.figure.mechanism.plates import Plate, find_outward_direction
 from kinegrade.figure.mechanism.rims import find_rims, order_rims
+from kinegrade.figure.mechanism.straight.broad_links import broaden_links
 from kinegrade.figure.mechanism.straight.gussets import Corner, find_corners
 from kinegrade.figure.mechanism.straight_parts import Bar, Part, Rod, find_guided_rack
 from kinegrade.figure.plane import unit
@@ -41,6 +42,7 @@ class Anatomy:
         symbols = find_symbols(mechanism, hints.shapes)
         rims = order_rims(find_rims(mechanism, symbols, hints.circles))
         parts = find_straight_parts(mechanism, hints.shapes, symbols, rims)
+        parts = broaden_links(parts, mechanism.points, hints.frames)
         pins = find_pins(mechanism, symbols)
         edges, corners = _find_knife_edges(symbols, parts), find_corners(parts, symbols, pins)
         return Anatomy(mechanism, hints, symbols, rims, parts, edges, corners)

@@ -58,6 +58,8 @@ def _draw_bar(bar: Bar, rims: Sequence[Rim]) -> tuple[Primitive, ...]:
             return symbols.draw_rack(bar.start, bar.end, bar.back, gap, eyes)
         case "slot":
             return symbols.draw_slotted_bar(bar.start, bar.end, _find_slot(bar), bar.fill)
+        case "broad":
+            return symbols.draw_broad_bar(bar.start, bar.end)
         case "jaw":
             return symbols.draw_jaw(bar.start, bar.end, bar.back)
         case "link" | "bar" | "face":

@@ -23,7 +23,8 @@ class Bar:
     other bodies slide or rest on it.
 
     A rack has its pitch line as axis and its material in the direction `back`; a jaw starts at its
-    pivot and has its teeth on the side away from `back`. A slotted bar in front of a disc is white.
+    pivot and has its teeth on the side away from `back`. A slotted bar in front of a disc is
+    white. On a broad one an axis is drawn.
     """
 
     body: str

@@ -5,10 +5,11 @@ symbol at the end of a leader.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import ceil
 
 from kinegrade.figure.placing.leading import list_spots_at_leader
 from kinegrade.figure.placing.obstacles import Segment
-from kinegrade.figure.placing.place import Wish, list_spots_beside
+from kinegrade.figure.placing.place import Wish, list_spots_beside, rate_nearness
 from kinegrade.figure.plane import NEAR, length, nearest_of, polar, unit
 from kinegrade.figure.scene import THIN, Primitive, Strokes
 from kinegrade.figure.symbols import HEAD_LENGTH, draw_arrowhead
@@ -17,6 +18,9 @@ from kinegrade.mechanics.vector import Vector
 _LEFT = 4.2  # millimetres from a point in which its own bars leave beside an extension line
 _ONE_FOOT = 0.1  # millimetres within which the ends of two dimension lines are one
 _BESIDE = 3.6  # millimetres between parallel dimension lines side by side
+_EVERY = 2.0  # millimetres between the places of a bar that are looked at
+# Millimetres by which a symbol is nearer to its bar than to another one, and the demerit of less
+_CLEARLY, _OF_OTHER = 0.4, 1.2
 
 
 @dataclass(frozen=True)
@@ -122,14 +126,16 @@ def _cross_any(lines: tuple[Segment, ...], across: Segment) -> bool:
 
 @dataclass(frozen=True)
 class SymbolBeside:
-    """The symbol alone, close to a line that is drawn between the two points, where the most room
-    is.
+    """The symbol alone, close to a line that is drawn between the two points, or to the edge of a
+    link of `half` a width, where the most room is, and not nearer to places on `others`.
     """
 
     start: Vector
     end: Vector
     symbol: str
     demerit: float = 0.0
+    half: float = 0.0
+    others: tuple[Vector, ...] = ()
     shared: bool = True
 
     def path(self) -> tuple[Segment, ...]:
@@ -138,10 +144,12 @@ class SymbolBeside:
 
     def wish(self) -> Wish:
         """Close beside the line."""
-        return Wish(
-            self.symbol,
-            list_spots_beside(self.symbol, self.start, self.end, gaps=(0.8, 1.3), stations=5),
-        )
+        gaps = (self.half + 0.8, self.half + 1.3)
+        spots = list_spots_beside(self.symbol, self.start, self.end, gaps=gaps, stations=5)
+        steps = ceil(length(self.end - self.start) / _EVERY)
+        own = [self.start + (self.end - self.start) * (n / steps) for n in range(steps + 1)]
+        other = rate_nearness(self.symbol, spots, own, self.others, _CLEARLY - self.half)
+        return Wish(self.symbol, spots, demerits=_OF_OTHER * other)
 
     def primitives(self) -> tuple[Primitive, ...]:
         """Empty: no line is drawn."""

@@ -74,7 +74,8 @@ def add_length(layout: Layout, at: Mapping[str, Vector], hint: Length, around: A
     demerit = _JOINED[find_join(around.drawn, start, end, _DRAWN_GAP)]
     if find_join(layout.obstacles, start, end, _DRAWN_GAP) == "whole":
         demerit = min(demerit, _LEG)
-    letters = _list_letters(at, hint, demerit)
+    half = around.find_half_width(start, end)
+    letters = _list_letters(at, hint, 0.0 if half else demerit, half, around)
     led = demerit < _PART and letters
     leaders = partial(list_leaders, layout, (start, end), hint.symbol) if led else no_others
     close = [company.rate(mark) for mark in dimensions if mark.demerit < _LIKELY]
@@ -190,15 +191,18 @@ def _draw_close_dimension(
     return DimensionLine(points, (feet[0], feet[1]), symbol, _CLOSER, _measure(gaps))
 
 
-def _list_letters(at: Mapping[str, Vector], hint: Length, demerit: float) -> list[Mark]:
-    """The symbol beside the line between the two points; nothing where no line joins the points,
-    or a part of it could be meant.
+def _list_letters(
+    at: Mapping[str, Vector], hint: Length, demerit: float, half: float, around: Around
+) -> list[Mark]:
+    """The symbol beside the line between the two points, or the link of that half width; nothing
+    where no line joins the points, or a part of it could be meant.
     """
     start, end = at[hint.start], at[hint.end]
-    others = [point for name, point in at.items() if name not in (hint.start, hint.end)]
-    if hint.along is not None or demerit == inf or _between(start, end, others):
+    points = [point for name, point in at.items() if name not in (hint.start, hint.end)]
+    if hint.along is not None or demerit == inf or _between(start, end, points):
         return []
-    return [SymbolBeside(start, end, hint.symbol, demerit)]
+    others = tuple(around.list_other_bars(start, end))
+    return [SymbolBeside(start, end, hint.symbol, demerit, half, others)]
 
 
 def find_extension_angles(

@@ -8,7 +8,8 @@ from functools import partial
 
 from kinegrade.figure.marks.imposed import find_imposed_direction
 from kinegrade.figure.marks.straight.moving_arrow import ARROW, LEAVING, MovingArrow
-from kinegrade.figure.marks.straight.twin_arrows import list_twins
+from kinegrade.figure.marks.straight.twin_arrows import AT_END, IN_BLOCK, Stance, list_twins
+from kinegrade.figure.marks.straight.twin_arrows import AT_PIN as TWINS_AT_PIN
 from kinegrade.figure.mechanism.rails import Rail
 from kinegrade.figure.mechanism.straight_parts import Part, Rod
 from kinegrade.figure.placing.mark import direction
@@ -35,8 +36,7 @@ _ABOVE, _OFF_GROUND = 1.1, 0.2
 _OFFSETS = {3.6: 1.0, -3.6: 1.3, 2.8: 1.6, -2.8: 1.9, 5.0: 2.0, -5.0: 2.3, 6.6: 3.0, -6.6: 3.3}
 _SHIFTS = {0.0: 0.0, 2.5: 6.0, 4.0: 9.0}
 _FREER = 3.0  # millimetres by which the mechanism lies on one side for the other to be the free one
-# Millimetres from the free end of a rod to the tail of an arrow there, and the demerit
-_AT_END, _FROM_END = 0.3, 6.0
+_FROM_END = 6.0  # demerit of an arrow from the free end of a rod
 _PAIR = 2  # motions of one point that may be twins
 _SAME = 1e-3  # between two unit vectors of one direction
 
@@ -63,12 +63,12 @@ class Site:
             return
         begun = [_list_begun(ways) for ways in usual]
         for first, second in zip(*begun, strict=True):
-            if first.point != self.mechanism.points[hints[0].point]:
-                continue
             own = self.find_rails(first.point)
+            at_end = first.point != self.mechanism.points[hints[0].point]
+            stance = AT_END if at_end else IN_BLOCK if own else TWINS_AT_PIN
             if not any(rail.bare for rail in own):
                 side = -own[0].side if own else self._find_open_side(first.point, first.toward)
-                twins = partial(_list_twins_of, side=side, lift=bool(own))
+                twins = partial(_list_twins_of, side=side, stance=stance)
                 yield [twins(first, short=True), twins(second, short=False)]
                 yield [twins(first, short=False), twins(second, short=True)]
 
@@ -105,8 +105,9 @@ class Site:
             if abs(step.dot(toward)) < NEAR
         ]
         ahead += [
-            MovingArrow(end + toward * _AT_END, toward, hint, _FROM_END, end)
+            MovingArrow(end + toward * AT_END.tail, toward, hint, _FROM_END, end)
             for end in self._list_rod_ends(hint.point, toward)
+            if hint.point not in hint.symbol  # else it is read as leaving that point
         ]
         beside = [
             MovingArrow(point + across * offset + toward * shift, toward, hint, worse, point)
@@ -138,8 +139,8 @@ def _list_among(
     return (arrow.among(placed) for arrow in ways)
 
 
-def _list_twins_of(on_line: MovingArrow, *, side: Vector, lift: bool, short: bool) -> Ways:
-    twins = tuple(list_twins(on_line, side, lift=lift, short=short))
+def _list_twins_of(on_line: MovingArrow, *, side: Vector, stance: Stance, short: bool) -> Ways:
+    twins = tuple(list_twins(on_line, side, stance, short=short))
     return lambda _: twins
 
 

@@ -34,7 +34,9 @@ _ROOM_FOR_SYMBOL, _IN_BETWEEN = 4.8, 4.0
 _MISTAKEN = 20.0  # demerit of a symbol about as near to another arrow at the same point
 _NEARER = 0.5  # millimetres by which a symbol is nearer to its own arrow than to another one
 _CLAIMED = 4.0  # millimetres past the tip of an arrow that are its own
-_PARTED = 4.0  # demerit of a symbol on the other side of the rail of the arrow's point
+# Demerit of a symbol on the other side of the rail of the arrow's point, and millimetres past an
+# end of the rail from which on there is no other side
+_PARTED, _PAST_END = 4.0, 1.5
 _LEAST_OFFSET = 1.3  # millimetres from which on an arrow stands beside its point
 _ONE_LINE = 1.0  # millimetres within which two arrows lie on one line
 # Millimetres by which an arrow is longer than another one on whose line it is, and the demerit
@@ -171,7 +173,10 @@ class MovingArrow:
         for rail in rails:
             levels = (wish.spots - np.array(rail.at)) @ np.array(rail.side)
             behind = (self.start - rail.at).dot(rail.side) > rail.level
-            parted = np.maximum(parted, (levels > rail.level) != behind)
+            steps = (wish.spots - np.array(rail.at)) @ np.array(rail.along)
+            first, last = sorted((end - rail.at).dot(rail.along) for end in (rail.start, rail.end))
+            before = (steps > first - _PAST_END) & (steps < last + _PAST_END)
+            parted = np.maximum(parted, before & ((levels > rail.level) != behind))
         return replace(wish, demerits=_MISTAKEN * mistaken + _PARTED * parted)
 
     def list_stations(self) -> list[Vector]:
