@@ -27,9 +27,11 @@ def find_later_keys(folders: Iterable[MarksFolder]) -> Iterator[Fault]:
 
 def list_exams_around(folder: Path) -> Iterator[ExamFolder]:
     """The exams beside a folder; what is damaged there is passed over."""
-    for file in sorted(folder.resolve().parent.glob(f"*/{HEAD}")):
+    itself = folder.resolve()
+    for file in sorted(itself.parent.glob(f"*/{HEAD}")):
         with suppress(KinegradeError):
-            yield open_exam(file.parent)
+            if file.parent != itself:
+                yield open_exam(file.parent)
 
 
 def _list_beside(marks: MarksFolder) -> Iterator[ExamFolder]:

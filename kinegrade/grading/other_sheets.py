@@ -44,7 +44,7 @@ def _find_sheets(exam: Path, answers: Mapping[int, tuple[str, Numbers]]) -> Mapp
     one. No exam is opened when nobody is left, and no key is read of one that has nobody of them.
     """
     found: dict[int, Path] = {}
-    others = _list_others(exam)
+    others = list_exams_around(exam)
     while len(found) < len(answers) and (other := next(others, None)) is not None:
         left = {row: own for row, own in answers.items() if row not in found}
         found |= dict.fromkeys(_list_right(other, left), exam.with_name(other.path.name))
@@ -73,9 +73,3 @@ def _has_all(intervals: Sequence[Intervals], place: int, numbers: Numbers) -> bo
     own = np.array([place])
     fits = [each.at(own).fit(numbers)[:, 0] for each in intervals]
     return bool(np.any(fits, axis=0).all())
-
-
-def _list_others(exam: Path) -> Iterator[ExamFolder]:
-    """The other exams beside this one; what is damaged there is passed over."""
-    itself = exam.resolve()
-    return (each for each in list_exams_around(exam) if each.path.resolve() != itself)

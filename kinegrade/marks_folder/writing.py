@@ -174,13 +174,21 @@ def _write_grade_lines(grades: Sequence[Grade], needed: Sequence[str]) -> Iterat
     names = write_csv_cells(neutralise_cells([grade.name for grade in grades]))
     for grade, student, name in zip(grades, students, names, strict=True):
         # by identity, because hashing a fraction takes longer than the rest of the line
-        shared = id(grade.points), id(grade.out_of), id(grade.kept), id(grade.subtracted)
-        which = *shared, grade.absent
+        which = (
+            id(grade.points),
+            id(grade.out_of),
+            id(grade.kept),
+            id(grade.subtracted),
+            grade.absent,
+        )
         if which not in known:
             status: Status = "absent" if grade.absent else "marked"
             known[which] = ",".join((*_write_amounts(grade), status))
-        last = "".join([f",{write_csv_cell(_LAST[each](grade))}" for each in needed])
-        yield f"{student},{name},{known[which]}{last}\n"
+        if needed:
+            last = "".join([f",{write_csv_cell(_LAST[each](grade))}" for each in needed])
+            yield f"{student},{name},{known[which]}{last}\n"
+        else:
+            yield f"{student},{name},{known[which]}\n"
 
 
 _LAST: Mapping[str, Callable[[Grade], str]] = {

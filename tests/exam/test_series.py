@@ -17,7 +17,7 @@ from kinegrade.deadlines.moment import is_past, parse_moment, read_moment, write
 from kinegrade.errors import FieldError
 from kinegrade.exam.folder.exam_folder import ExamFolder, open_exam
 from kinegrade.files.csv_writing import write_csv_text
-from kinegrade.grading import other_sheets
+from kinegrade.grading import exams_beside, other_sheets
 from kinegrade.grading.fast.intervals import Intervals, list_intervals
 from tests.problem.crank import crank_text
 from tests.small_class import contents, key_lines, kinegrade
@@ -294,7 +294,12 @@ def test_answers_to_an_earlier_sheet_are_told(
         read.append(exam.path)
         return list_intervals(exam)
 
+    def open_another(path: Path) -> ExamFolder:
+        assert path != second
+        return open_exam(path)
+
     monkeypatch.setattr(other_sheets, "list_intervals", note)
+    monkeypatch.setattr(exams_beside, "open_exam", open_another)
     values = key_lines(first)[0]["questions"][0]["asks"]
     typed = ",".join(values[ask]["decimal"] for ask in ("v_x", "v_y"))
     answers = tmp_path / "answers.csv"

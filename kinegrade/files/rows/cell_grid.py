@@ -62,6 +62,9 @@ class CellGrid(MadeRows):
         """The cells of a column."""
         begins, ends = self.bounds[number:-1][:: self.width], self.bounds[number + 1 :: self.width]
         pieces = zip((begins + 1).tolist(), ends.tolist(), strict=True)
+        if self.text.isascii():  # where letters are bytes, the whole is decoded at once
+            letters = self.text.decode("ascii")
+            return [letters[begin:end] for begin, end in pieces]
         return [_decode(self.text[begin:end]) for begin, end in pieces]
 
     def tabulate(self, cells: _Places) -> LetterTable | None:
