@@ -1,5 +1,5 @@
 """What the examples in docstrings find: a bank, a roster, an exam and its marks, in a folder of
-their own.
+their own; modules that have none are not read for them.
 """
 
 from __future__ import annotations
@@ -12,6 +12,7 @@ import pytest
 import kinegrade
 
 _AT_WORK = ("kinegrade.public.", "kinegrade.exam.roster.roster")  # modules whose examples need them
+_PROMPT = b">>> "
 _BANK = """title = "Quiz"
 course = "Mechanics"
 
@@ -19,6 +20,13 @@ course = "Mechanics"
 template = "slider-crank"
 asks = { v_B = 2 }
 """
+
+
+def pytest_ignore_collect(collection_path: Path) -> bool | None:
+    """Pass over a module that has neither tests nor examples."""
+    if collection_path.suffix != ".py" or collection_path.name.startswith("test_"):
+        return None
+    return None if _PROMPT in collection_path.read_bytes() else True
 
 
 @pytest.fixture(scope="session")

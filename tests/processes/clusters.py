@@ -10,8 +10,6 @@ import time
 from collections.abc import Callable
 from pathlib import Path
 
-from distributed import Client
-
 ENVIRONMENT = {
     **os.environ,
     "PYTHONPATH": os.pathsep.join(sys.path),
@@ -67,5 +65,9 @@ def wait_until(ready: Callable[[], bool]) -> None:
 
 def count_workers(address: str) -> int:
     """How many workers a scheduler has."""
+    from distributed import (
+        Client,
+    )  # takes a second to import, which one worker of tests alone needs
+
     with Client(address, set_as_default=False) as client:  # type: ignore[no-untyped-call]
         return len(client.nthreads())  # type: ignore[no-untyped-call]

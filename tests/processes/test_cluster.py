@@ -17,7 +17,6 @@ from types import SimpleNamespace
 from typing import Any
 
 import pytest
-from distributed import KilledWorker
 
 from kinegrade.errors import InstallationError, KinegradeError, WorkerError
 from kinegrade.exam.folder.exam_folder import open_exam
@@ -228,6 +227,8 @@ class Losing(Executor):
     """Loses every task."""
 
     def submit(self, task: object, /, *given: object, **named: object) -> Future[bytes]:  # type: ignore[override]
+        from distributed import KilledWorker  # as in clusters.py
+
         future: Future[bytes] = Future()
         future.set_exception(KilledWorker("task", SimpleNamespace(address="a"), 3))  # type: ignore[no-untyped-call]
         return future
