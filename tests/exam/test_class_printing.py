@@ -30,10 +30,13 @@ BANK = """title = "T"
 course = "C"
 shuffle = true
 [[questions]]
-template = "slider-crank"
+template = "crank.toml"
+draw = { h = "0 .. 10 step 1", omega = "1 .. 40 step 1" }
+asks = { v_x = 1 }
 [[questions]]
 template = "crank.toml"
 draw = { h = "0 .. 10 step 1", omega = "1 .. 40 step 1" }
+asks = { v_y = 1 }
 """
 
 FEW = """title = "T"
@@ -135,7 +138,8 @@ def test_copies_of_a_process_without_threads_write_the_same_bytes(
 
 
 def test_versions_are_drawn_in_every_process_and_counted_once(few: Path) -> None:
-    (few / "bank.toml").write_text("versions = 3\n" + BANK, encoding="utf-8")
+    mistaken = '[[questions]]\ntemplate = "slider-crank"\n'
+    (few / "bank.toml").write_text(f"versions = 3\n{BANK}{mistaken}", encoding="utf-8")
     assert generate(few, "ONE", "--jobs", "1").exit_code == 0
     assert generate(few, "TWO", "--jobs", "2").exit_code == 0
     assert "mistake" in (few / "ONE" / "exam.json").read_text(encoding="utf-8")
