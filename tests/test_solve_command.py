@@ -18,6 +18,7 @@ def sine(degrees: float) -> float:
     return sin(radians(degrees))
 
 
+@pytest.mark.sampled(4)
 @pytest.mark.parametrize("name", find_template_names())
 @pytest.mark.parametrize("language", ["en", "zh"])
 def test_show_tells_parameters_asks_and_the_number_of_instances(name: str, language: str) -> None:

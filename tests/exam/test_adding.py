@@ -188,7 +188,7 @@ def test_sorted_rosters_give_the_same_papers(grown: Path, tmp_path: Path) -> Non
     assert contents(tmp_path / "EXAM" / "papers") == contents(grown / "EXAM" / "papers")
 
 
-@pytest.mark.sampled(2, by="options")
+@pytest.mark.sampled(3, by="options")
 @pytest.mark.parametrize(
     ("bank", "options"),
     [

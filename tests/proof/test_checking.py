@@ -37,7 +37,7 @@ def checked(old: str, new: str) -> Report:
     return check(read_template("slider-crank", SLIDER.replace(old, new)), sample=2)
 
 
-@pytest.mark.sampled(3)  # "sound templates" of `make prove` looks at each at more instances
+@pytest.mark.sampled(9)  # "sound templates" of `make prove` looks at each at more instances
 @pytest.mark.parametrize("name", find_template_names())
 def test_shipped_templates_are_sound(name: str) -> None:
     reports = (check(load_template(name), sample) for sample in SAMPLES)
