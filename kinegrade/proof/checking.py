@@ -23,7 +23,8 @@ from kinegrade.problem.template.texts import find_unfinished_translations
 from kinegrade.proof.answerable import find_answerable, write_values
 from kinegrade.proof.assemblies import note_assemblies
 from kinegrade.proof.causes import find_causes, write_causes
-from kinegrade.proof.claims import find_false_claims, note_other_kinds
+from kinegrade.proof.claims.claims import find_false_claims
+from kinegrade.proof.claims.kinds import note_other_kinds
 from kinegrade.proof.demanding import describe_demands
 from kinegrade.proof.ends import note_points_beyond_ends
 from kinegrade.proof.letters import note_letters, note_points_without_letter

@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
 from kinegrade.problem.solving import solve_template
+from kinegrade.problem.template.hints import Rimmed
 from kinegrade.problem.template.library.library import find_template_names, load_template
 from kinegrade.problem.template.library.reading import read_template
 from kinegrade.problem.template.library.starter import write_starter_text
 from kinegrade.problem.template.template import Template
 from kinegrade.proof.checking import check
-from kinegrade.proof.claims import find_false_claims, note_other_kinds
+from kinegrade.proof.claims.claims import find_false_claims
+from kinegrade.proof.claims.kinds import note_other_kinds
 from tests.problem.turning_crank import CRANK
 from tests.said import all_said
 
@@ -80,20 +84,139 @@ def test_a_midpoint_that_is_none_is_a_fault(statement: str) -> None:
 
 
 @pytest.mark.parametrize(
-    ("statement", "right"),
+    ("statement", "said"),
     [
-        ("The crank turns clockwise at the rate {{ omega }}", False),
-        ("The crank turns counter-clockwise at {{ omega }}", True),
-        ("Die Kurbel dreht sich im Uhrzeigersinn mit {{ omega }}", False),
-        ("曲柄以 {{ omega }} 顺时针转动", False),
-        ("The wheel turns clockwise. The rate is {{ omega }}", True),
+        ("The crank turns clockwise at the rate {{ omega }}", "turns clockwise at the rate"),
+        ("The crank turns counter-clockwise at {{ omega }}", ""),
+        ("Die Kurbel dreht sich im Uhrzeigersinn mit {{ omega }}", "dreht sich im Uhrzeigersinn"),
+        ("曲柄以 {{ omega }} 顺时针转动", "以 {{ omega }} 顺时针转动"),
+        ("The wheel turns clockwise. The rate is {{ omega }}", ""),
+        ("The crank $OA$ turns clockwise.", "$OA$ turns clockwise"),
+        ("Die Kurbel $OA$ dreht sich im Uhrzeigersinn.", "$OA$ dreht sich im Uhrzeigersinn"),
+        ("曲柄 $OA$ 顺时针转动.", "$OA$ 顺时针转动"),
+        ("The crank $OA$ turns anticlockwise.", ""),
     ],
 )
-def test_a_sense_that_no_instance_has_is_a_fault(statement: str, right: bool) -> None:
-    said = (
-        "statement: it says clockwise beside omega, which turns counter-clockwise in all instances"
+def test_a_sense_that_no_instance_has_is_a_fault(statement: str, said: str) -> None:
+    (*found,) = find(statement)
+    assert [each.split('"')[1].startswith(said) for each in found] == [True] * bool(said)
+    assert all(each.endswith(", and all instances go the other way") for each in found)
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "turns counter-clockwise with {{ omega }}",
+        "dreht sich mit {{ omega }} gegen den Uhrzeigersinn",
+        "以 {{ omega }} 逆时针转动",
+    ],
+)
+def test_a_sense_that_some_drawn_values_do_not_have_is_a_fault(said: str) -> None:
+    template = read_template(
+        "crank",
+        CRANK.replace("draw = [2]", "draw = [2, -2]").replace(
+            'en = "{{ r }} {{ phi }} {{ omega }}', f'en = "{{{{ r }}}} {{{{ phi }}}} It {said}'
+        ),
     )
-    assert find(statement) == [said] * (not right)
+    solution = solve_template(template, {}, ())
+    assert all_said(find_false_claims(template, [solution])) == [
+        f'statement: it says "{said}", and omega = -2 goes the other way: {{{{ OA.turning }}}} says '
+        "the sense at each value"
+    ]
+
+
+def test_a_body_that_turns_the_other_way_in_some_instances_is_a_fault() -> None:
+    template = crank("$OA$ turns counter-clockwise.")
+    there, back = (solve_template(template, {"omega": omega}, ()) for omega in ("2", "-2"))
+    assert all_said(find_false_claims(template, [there, back])) == [
+        'statement: it says "$OA$ turns counter-clockwise", and some instances go the other way: '
+        "leave the sense out"
+    ]
+
+
+@pytest.mark.parametrize(
+    ("statement", "fault"),
+    [
+        ("The pin $A$ is at rest", "$A$ is at rest"),
+        ("the fixed pin $A$", "the fixed pin $A$"),
+        ("$OA$ stands still", "$OA$ stands still"),
+        ("Der Punkt $A$ ruht", "$A$ ruht"),
+        ("um den festen Punkt $A$", "festen Punkt $A$"),
+        ("$A$ 静止", "$A$ 静止"),
+        ("绕固定点 $A$", "固定点 $A$"),
+        ("the fixed pin $O$", ""),
+        ("$O$ is at rest", ""),
+        ("$A$ is fixed to the disc", ""),
+    ],
+)
+def test_what_moves_and_is_said_to_be_at_rest_is_a_fault(statement: str, fault: str) -> None:
+    said = f'statement: it says "{fault}", and that moves'
+    assert find(statement) == [said] * bool(fault)
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "constant angular velocity {{ omega }}",
+        "uniformly with {{ omega }}",
+        "konstanten Winkelgeschwindigkeit {{ omega }}",
+        "以 {{ omega }} 匀速",
+        "匀角速度 {{ omega }}",
+    ],
+)
+def test_a_rate_said_to_be_constant_whose_input_has_an_acceleration_is_a_fault(said: str) -> None:
+    assert find(f"It turns {said}") == []
+    text = CRANK.replace(
+        'velocity = "omega"', 'velocity = "omega", acceleration = "3/r*omega**2*r"'
+    )
+    template = read_template("crank", text.replace('en = "{{ r }}', f'en = "{{{{ r }}}} {said}'))
+    assert all_said(find_false_claims(template, [solve_template(template, {}, ())])) == [
+        f'statement: it says "{said}", and the input has an acceleration: leave the word out, or '
+        "the acceleration"
+    ]
+
+
+@pytest.mark.parametrize(
+    ("said", "size", "kind"),
+    [
+        ("diameter {{ rim }}", "r/2", "radius"),
+        ("Durchmesser von {{ rim }}", "r/2", "radius"),
+        ("直径为 {{ rim }}", "r/2", "radius"),
+        ("radius {{ rim }}", "r", "diameter"),
+        ("Radius {{ rim }}", "r", "diameter"),
+        ("半径 {{ rim }}", "r", "diameter"),
+        ("diameter {{ rim }}", "r", ""),
+        ("radius {{ rim }}", "r/2", ""),
+    ],
+)
+def test_a_radius_that_is_called_a_diameter_is_a_fault(said: str, size: str, kind: str) -> None:
+    """The crank has a rim through M about O; rim is 0.5 m."""
+    template = crank(f"A disc of {said}".replace("rim", "half" if size == "r/2" else "r"))
+    template = replace(template, figure=replace(template.figure, circles=(Rimmed("OA", "O", "M"),)))
+    found = all_said(find_false_claims(template, [solve_template(template, {"r": "1"}, ())]))
+    name = "half" if size == "r/2" else "r"
+    other = "diameter" if kind == "radius" else "radius"
+    assert found == [
+        f'statement: it says "{said.replace("rim", name)}", and {name} is the {kind} of a circle of '
+        f"the mechanism, not the {other}"
+    ] * bool(kind)
+
+
+@pytest.mark.parametrize(
+    ("said", "wrong"),
+    [
+        ("$OA$ makes an angle {{ phi }} with the $x$ axis, measured clockwise", True),
+        ("$OA$ makes an angle {{ phi }} with the $x$ axis, measured counter-clockwise", False),
+        ("$OA$ makes an angle {{ phi }} with $OB$, measured clockwise", False),
+        ("$OA$ bildet mit der $x$-Achse den Winkel {{ phi }}, im Uhrzeigersinn", True),
+        ("$OA$ bildet mit der $x$-Achse den Winkel {{ phi }}, gegen den Uhrzeigersinn", False),
+        ("由 $x$ 轴顺时针转到 $OA$ 的角为 {{ phi }}", True),
+        ("由 $x$ 轴逆时针转到 $OA$ 的角为 {{ phi }}", False),
+    ],
+)
+def test_an_angle_that_is_counted_the_other_way_round_is_a_fault(said: str, wrong: bool) -> None:
+    fault = f'statement: it says "{said}", and phi is counted the other way round'
+    assert find(said) == [fault] * wrong
 
 
 @pytest.mark.parametrize(
@@ -144,7 +267,8 @@ def test_the_other_sense() -> None:
         ),
     )
     assert all_said(find_false_claims(template, [solve_template(template, {}, ())])) == [
-        "statement: it says counter-clockwise beside omega, which turns clockwise in all instances"
+        'statement: it says "turns counterclockwise with {{ omega }}", and all instances go the '
+        "other way"
     ]
 
 

@@ -1,0 +1,79 @@
+"""Claims of the way in which something turns or moves."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+
+from kinegrade.language.message import Message
+from kinegrade.problem.solution import Solution
+from kinegrade.problem.template.driven import Driven, DrivenPart, find_driven
+from kinegrade.problem.template.template import Template
+from kinegrade.problem.template.texts import list_prose
+from kinegrade.proof.claims.reading import find_points, list_words, read_claims
+from kinegrade.sign_conventions import Convention
+
+_SENSES: Mapping[str, tuple[Convention, Convention]] = {  # positive in a sense, and in the other
+    "counterclockwise": ("ccw", "cw"),
+    "clockwise": ("cw", "ccw"),
+    "rightwards": ("+x", "-x"),
+    "leftwards": ("-x", "+x"),
+    "upwards": ("+y", "-y"),
+    "downwards": ("-y", "+y"),
+}
+_STILL = 1e-9  # rad/s: less is what doubles leave
+
+
+def find_wrong_senses(template: Template, examples: Sequence[Solution]) -> Iterator[Message]:
+    """What is said of the way in which something goes, and is not so."""
+    yield from _find_wrong_inputs(template)
+    yield from _find_wrong_bodies(template, examples)
+    yield from _find_second_senses(template)
+
+
+def _find_wrong_inputs(template: Template) -> Iterator[Message]:
+    """`turns clockwise with {{ n }}` where some drawable value turns it the other way."""
+    driven: dict[str, tuple[DrivenPart, str, Driven]] = {
+        each.velocity.given: (part, name, each)
+        for part, named in find_driven(template.scheme.drivers, template.parameters).items()
+        for name, each in named.items()
+    }
+    for sense, (same, other) in _SENSES.items():
+        for claim in read_claims(template, sense):
+            part, name, found = driven.get(claim["given"], (None, "", None))
+            if found is None or found.positive not in {same, other}:
+                continue
+            backwards = (found.positive == other) != found.velocity.turned
+            choices = template.parameters[claim["given"]].choices
+            wrong = [each for each in choices if each.startswith("-") != backwards]
+            if wrong and len(wrong) == len(choices):
+                yield Message("template.other-sense", said=claim["said"])
+            elif wrong:
+                slot = f"{{{{ {name}.{part} }}}}"
+                value = f"{claim['given']} = {wrong[0]}"
+                yield Message("template.other-sense-at", said=claim["said"], value=value, slot=slot)
+
+
+def _find_wrong_bodies(template: Template, examples: Sequence[Solution]) -> Iterator[Message]:
+    """`$OA$ turns clockwise` of a body that turns the other way in an instance."""
+    for sense, turn in (("counterclockwise", 1), ("clockwise", -1)):
+        for claim in read_claims(template, f"body-{sense}"):
+            ends = find_points(template, claim["start"], claim["end"])
+            bodies = [
+                body.name for body in template.scheme.bodies if ends and {*ends} <= {*body.points}
+            ]
+            rates = [each.doubles.omega(body) * turn for each in examples for body in bodies[:1]]
+            if rates and max(rates) < -_STILL:
+                yield Message("template.other-sense", said=claim["said"])
+            elif rates and min(rates) < -_STILL:
+                yield Message("template.other-sense-in-some", said=claim["said"])
+
+
+def _find_second_senses(template: Template) -> Iterator[Message]:
+    """`{{ E.moving }}, to the left`: the slot says the sense that each instance has."""
+    texts = [text for _, prose in list_prose(template) for text in prose.texts]
+    senses = "|".join(map(re.escape, list_words("sense")))
+    pattern = rf"(\{{\{{\s*\w+\s*\.\s*(?:moving|turning)\s*\}}\}})[,，]?\s*({senses})(?![\w-])"
+    for text in texts:
+        for slot, said in re.findall(pattern, text):
+            yield Message("template.sense-twice", slot=slot, said=said)
