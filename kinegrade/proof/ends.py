@@ -1,5 +1,5 @@
 """Points beyond the ends of a bar: a block that slides on a bar CB is thought of between C and B,
-and so is a point that is placed on the bar from C toward B.
+and so are a sleeve through which the bar slides and a point that is placed on it from C toward B.
 """
 
 from __future__ import annotations
@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from kinegrade.expressions.tree import Call, Name
 from kinegrade.language.message import Message
 from kinegrade.mechanics.ground import GROUND
+from kinegrade.mechanics.joints import Sleeve
 from kinegrade.problem.solution import Solution
 from kinegrade.problem.template.template import Template
 
@@ -55,7 +56,7 @@ class _Bar:
 def note_points_beyond_ends(template: Template, examples: Iterable[Solution]) -> Iterator[Message]:
     """A remark for each point that lies beyond the ends of its bar in some instances."""
     instances = tuple(examples)
-    for bar in (*_find_slots(template), *_find_marks(template)):
+    for bar in (*_find_slots(template), *_find_sleeves(template), *_find_marks(template)):
         beyond = [ends for each in instances if (ends := bar.find_ends(each)) is not None]
         if beyond and (bar.between or len(beyond) < len(instances)):
             start, end = beyond[0]
@@ -81,6 +82,24 @@ def _find_slots(template: Template) -> Iterator[_Bar]:
                     yield _Bar(joint.point, joint.of, (start, end), others, between=True)
             case _:
                 continue  # a line by its direction has no ends
+
+
+def _find_sleeves(template: Template) -> Iterator[_Bar]:
+    """The points at which sleeves stand on the lines of rods that slide through them."""
+    points = {body.name: body.points for body in template.scheme.bodies}
+    for joint in template.scheme.joints:
+        match joint.on:
+            case Call(function="line", arguments=(Name(start), Name(end))) if (
+                joint.stated is Sleeve
+            ):
+                rod = points[joint.body]
+                known = points.get(joint.of, tuple(template.scheme.points))
+                for name in (start, end):
+                    if name in known and (joint.of != GROUND or name not in rod):
+                        others = [each for each in rod if each != name]
+                        yield _Bar(name, joint.body, (start, end), others, between=True)
+            case _:
+                continue  # a line by its direction names no place of the sleeve
 
 
 def _find_marks(template: Template) -> Iterator[_Bar]:

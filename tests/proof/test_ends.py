@@ -105,3 +105,18 @@ def test_a_point_placed_beyond_the_end_of_its_bar_is_noted(
 def test_a_point_that_is_beyond_the_end_at_some_values_alone_is_noted() -> None:
     template = crank_with_mark("toward(O, A, r*phi)", "O A M")
     assert "in 1 of 2 instances" in "".join(note(template, "30", "60"))
+
+
+@pytest.mark.parametrize(("rod", "noted"), [("l_OA", True), ("2*l_OA", False)])
+@pytest.mark.parametrize("points", ["A B C", "A C"])
+def test_a_sleeve_beyond_the_end_of_the_rod_that_passes_it_is_noted(
+    rod: str, noted: bool, points: str
+) -> None:
+    """AB is 50 cm and l_OA 30 cm."""
+    text = load_template("crank-bar-through-sleeve-with-arm").file.text
+    placed = text.replace("[bodies]", f'C = "toward(A, B, {rod})"\n[bodies]')
+    own = placed.replace('AC = "A B"', f'AC = "{points}"')
+    template = read_template("sleeve", re.sub(r"v_Bp.*|a_Bp.*|\[\[published(.|\n)*", "", own))
+    solution = solve_template(template, {}, ())
+    said = [each.split(",")[0] for each in all_said(note_points_beyond_ends(template, [solution]))]
+    assert said == ["B lies beyond the ends of AC"] * noted
