@@ -23,6 +23,7 @@ from kinegrade.problem.template.texts import find_unfinished_translations
 from kinegrade.proof.answerable import find_answerable, write_values
 from kinegrade.proof.assemblies import note_assemblies
 from kinegrade.proof.causes import find_causes, write_causes
+from kinegrade.proof.claims.circles import note_radii_of_bars
 from kinegrade.proof.claims.claims import find_false_claims
 from kinegrade.proof.claims.kinds import note_other_kinds
 from kinegrade.proof.demanding import describe_demands
@@ -76,6 +77,7 @@ def check(template: Template, sample: int = 200, secret: str = SECRET) -> Report
     report.faults += find_wrong_marks(template, report.examples)
     report.faults += find_false_claims(template, report.examples)
     report.remarks += note_points_beyond_ends(template, report.examples)
+    report.remarks += note_radii_of_bars(template, report.examples)
     report.remarks += note_points_without_letter(template, report.examples[:1])
     report.faults += prove_solutions(report)
     _search(report, min(sample, _SEARCHED))

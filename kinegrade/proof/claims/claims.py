@@ -10,17 +10,25 @@ from kinegrade.language.message import Fault
 from kinegrade.problem.solution import Solution
 from kinegrade.problem.template.template import Template
 from kinegrade.proof.claims.angles import find_wrong_angles
+from kinegrade.proof.claims.circles import find_wrong_circles
+from kinegrade.proof.claims.kinds import find_marks_of_other_kinds, find_wrong_signs
 from kinegrade.proof.claims.places import find_wrong_places
 from kinegrade.proof.claims.senses import find_wrong_senses
 from kinegrade.proof.claims.states import find_wrong_states
 
 
 def find_false_claims(template: Template, examples: Sequence[Solution]) -> Iterator[Fault]:
-    """A fault for each claim of the statement that these instances contradict."""
-    found = (
+    """A fault for each claim of a template's words and marks that these instances contradict."""
+    said = (
         *find_wrong_places(template, examples),
         *find_wrong_senses(template, examples),
         *find_wrong_angles(template, examples),
         *find_wrong_states(template, examples),
     )
-    yield from (Fault("statement", what) for what in dict.fromkeys(found))
+    found = (
+        *(Fault("statement", what) for what in said),
+        *find_wrong_circles(template, examples),
+        *find_wrong_signs(template),
+        *find_marks_of_other_kinds(template),
+    )
+    yield from dict.fromkeys(found)

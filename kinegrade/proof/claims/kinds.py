@@ -2,12 +2,33 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import re
+from collections.abc import Iterator, Mapping
+from typing import assert_never
 
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.known import known_languages
-from kinegrade.language.message import Message
-from kinegrade.problem.template.template import Template
+from kinegrade.language.message import Fault, Message, Quoted
+from kinegrade.mechanics.vector_equation import Level
+from kinegrade.numbers.units import Unit
+from kinegrade.problem.template.hints import FigureHints, Moving, Turning
+from kinegrade.problem.template.meaning.senses import find_positive
+from kinegrade.problem.template.template import Ask, Parameter, Template
+from kinegrade.problem.template.translated import Translated
+from kinegrade.proof.claims.reading import list_words
+from kinegrade.sign_conventions import OPPOSITE, Convention
+
+_Powers = tuple[int, int, int]
+_NUMBER: _Powers = (0, 0, 0)  # a factor stands for the size that it gives
+_POWERS_OF_TIME: Mapping[Level, int] = {"velocity": -1, "acceleration": -2}
+_SIGNS: Mapping[Convention, str] = {
+    "ccw": "counterclockwise",
+    "cw": "clockwise",
+    "+x": "right",
+    "-x": "left",
+    "+y": "up",
+    "-y": "down",
+}
 
 # Rates by the powers of length, time and angle of their units; words of the first contain others
 _KINDS = {
@@ -19,14 +40,72 @@ _KINDS = {
 
 
 def note_other_kinds(template: Template) -> Iterator[Message]:
-    """A remark for each ask whose words name another kind of rate than its unit has: "angular
-    velocity" in rad/s^2.
+    """A remark for each ask and given whose words name another kind of rate than its unit has:
+    "angular velocity" in rad/s^2.
+    """
+    stated: tuple[Parameter | Ask, ...] = (
+        *template.asks.values(),
+        *template.parameters.values(),
+    )
+    for each in stated:
+        own = _KINDS.get(_list_powers(each.unit))
+        named = ({*name_kinds(text)} for text in each.means.texts)
+        if own and any(kinds and own not in kinds for kinds in named):
+            yield Message("template.another-kind", name=each.name, unit=each.unit.printed)
+
+
+def find_wrong_signs(template: Template) -> Iterator[Fault]:
+    """A fault for each sign in words that names the sense opposite to the one in which its quantity
+    is positive: "positive clockwise" of omega(AB).
     """
     for name, ask in template.asks.items():
-        own = _KINDS.get((ask.unit.length, ask.unit.time, ask.unit.angle))
-        named = {kind for text in ask.means.texts for kind in name_kinds(text)}
-        if own and named and own not in named:
-            yield Message("template.another-kind", name=name, unit=ask.unit.printed)
+        if isinstance(ask.sign, Translated):
+            positive = find_positive(ask)
+            for said in ask.sign.texts:
+                named = {sense for sense in _SIGNS if _names_sense(said, sense)}
+                if positive and named == {OPPOSITE[positive]}:
+                    what = Message("template.sign-other-way", said=said, sign=Quoted(positive))
+                    yield Fault(f"asks.{name}.sign", what)
+
+
+def _names_sense(said: str, sense: Convention) -> bool:
+    """Whether words name a sense; counter-clockwise is not clockwise."""
+    words = list_words(f"sign-{_SIGNS[sense]}")
+    return any(re.search(rf"(?<![\w-]){re.escape(word)}", said, re.ASCII) for word in words)
+
+
+def find_marks_of_other_kinds(template: Template) -> Iterator[Fault]:
+    """A fault for each mark of the figure that carries the symbol of a given of another kind: an
+    angle at a dimension, a speed at an arrow that turns.
+    """
+    givens = {each.symbol: each for each in template.parameters.values()}
+    for symbol, powers in _list_marks(template.figure):
+        given = givens.get(symbol)
+        if given is not None and _list_powers(given.unit) not in {powers, _NUMBER}:
+            what = Message(
+                "template.mark-of-another-kind", name=given.name, unit=given.unit.printed
+            )
+            yield Fault("figure", what, do=Message("template.mark-its-own"))
+
+
+def _list_marks(figure: FigureHints) -> Iterator[tuple[str, _Powers]]:
+    """The symbols of the marks of a figure, with the kind of value that each stands for."""
+    yield from ((each.symbol, (1, 0, 0)) for each in figure.lengths)
+    yield from ((each.symbol, (1, 0, 0)) for each in figure.radii)
+    yield from ((each.symbol, (0, 0, 1)) for each in figure.angles)
+    for arrow in figure.arrows:
+        match arrow:
+            case Turning():
+                yield arrow.symbol, (0, _POWERS_OF_TIME[arrow.level], 1)
+            case Moving():
+                yield arrow.symbol, (1, _POWERS_OF_TIME[arrow.level], 0)
+            case _:
+                assert_never(arrow)
+
+
+def _list_powers(unit: Unit) -> _Powers:
+    """The powers of length, time and angle in a unit."""
+    return unit.length, unit.time, unit.angle
 
 
 def name_kinds(said: str) -> Iterator[str]:

@@ -1,4 +1,4 @@
-"""Claims of what is at rest or constant, and of circles by their diameters and radii."""
+"""Claims of what is at rest or constant."""
 
 from __future__ import annotations
 
@@ -8,20 +8,18 @@ from kinegrade.expressions.tree import find_names
 from kinegrade.figure.plane import length
 from kinegrade.language.message import Message
 from kinegrade.mechanics.ground import GROUND
-from kinegrade.numbers.floats import Floats
 from kinegrade.problem.solution import Solution
 from kinegrade.problem.template.template import Template
 from kinegrade.proof.claims.kinds import name_kinds
-from kinegrade.proof.claims.reading import DIFFERENT, find_points, read_claims
+from kinegrade.proof.claims.reading import find_points, read_claims
 
 _STILL = 1e-9  # m/s: less is what doubles leave
 
 
 def find_wrong_states(template: Template, examples: Sequence[Solution]) -> Iterator[Message]:
-    """What is said to be at rest, constant, a diameter or a radius, and is not so."""
+    """What is said to be at rest or constant, and is not so."""
     yield from _find_moving(template, examples)
     yield from _find_changing(template, examples)
-    yield from _find_wrong_circles(template, examples)
 
 
 def _find_moving(template: Template, examples: Sequence[Solution]) -> Iterator[Message]:
@@ -57,36 +55,3 @@ def _find_changing(template: Template, examples: Sequence[Solution]) -> Iterator
                 drivers = [each.assembly.mechanism.drivers[place] for each in examples]
                 if any(float(each.acceleration) for each in drivers):
                     yield Message("template.constant-changes", said=claim["said"])
-
-
-def _find_wrong_circles(template: Template, examples: Sequence[Solution]) -> Iterator[Message]:
-    """`of diameter {{ r }}` where r is the radius of a circle, or the other way round."""
-    for kind, stated, other in (("diameter", 0.5, 1.0), ("radius", 1.0, 0.5)):
-        for claim in read_claims(template, kind):
-            given = template.parameters.get(claim["given"])
-            if given is None or not given.unit.is_length:
-                continue
-            scale = Floats().scale(given.unit.scale)
-            sizes = [
-                (abs(each.parameters[given.name].value) * scale, _list_radii(template, each))
-                for each in examples
-            ]
-            if any(_is_one_of(stated * size, radii) for size, radii in sizes):
-                continue
-            if sizes and all(_is_one_of(other * size, radii) for size, radii in sizes):
-                yield Message(f"template.said-{kind}", said=claim["said"], name=given.name)
-
-
-def _list_radii(template: Template, example: Solution) -> list[float]:
-    """The radii of all circles of an instance, those of its joints and of its figure, in metres."""
-    joints, at = example.assembly.mechanism.map(float).joints, example.doubles.points
-    rims = template.figure.circles
-    return [
-        *(circle.radius for joint in joints for circle in joint.list_circles()),
-        *(length(at[each.through] - at[each.centre]) for each in rims),
-    ]
-
-
-def _is_one_of(size: float, radii: Sequence[float]) -> bool:
-    """Whether a circle has this radius."""
-    return any(abs(radius - size) <= DIFFERENT * size for radius in radii)

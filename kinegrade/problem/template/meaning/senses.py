@@ -49,6 +49,14 @@ def _take_off_minus(quantity: Expression) -> tuple[Expression, bool]:
     return quantity, False
 
 
+def find_positive(ask: Ask) -> Convention | None:
+    """The sense in which a plain rate or component counts as positive; None for any other."""
+    plain, negated = _take_off_minus(ask.quantity)
+    if not isinstance(plain, Call) or plain.function not in _POSITIVE:
+        return None
+    return _POSITIVE[plain.function][negated]
+
+
 def _require_positive(sign: Convention, function: str, *, negated: bool) -> None:
     """Raises FieldError where a function, or its negative, counts in another sense."""
     fitting, opposite = _POSITIVE[function]
