@@ -14,6 +14,7 @@ from typing import Literal, TypeAlias, assert_never, get_args
 from kinegrade.expressions.tree import SIDES_OF
 from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
+from kinegrade.language.known import known_languages
 from kinegrade.language.message import Message
 from kinegrade.mechanics.branches import BRANCHES
 from kinegrade.mechanics.drivers import DRIVERS, Driver
@@ -65,6 +66,28 @@ class Section:
 def describe_group(group: Group) -> Message:
     """What the words of a group are for."""
     return Message(f"words.group-{group}")
+
+
+def list_names(group: Group, language: Language) -> list[str]:
+    """What a group is called in a language.
+
+    >>> list_names("joints", Language("en")), list_names("tags", Language("de"))
+    (['joints'], ['Stichwörter', 'Schlagwörter'])
+    """
+    return open_catalogue(language).text(f"words.named-{group}").split("|")
+
+
+def find_group(name: str) -> Group | None:
+    """The group that goes by a name in some language; None where none does.
+
+    >>> find_group("gelenke"), find_group("铰链"), find_group("doors")
+    ('joints', 'joints', None)
+    """
+    for group in GROUPS:
+        for language in known_languages():
+            if name.casefold() in map(str.casefold, list_names(group, language)):
+                return group
+    return None
 
 
 def list_sections(group: Group) -> tuple[Section, ...]:

@@ -28,6 +28,7 @@ from kinegrade.problem.template.tags import TAGS
 from kinegrade.problem.vocabulary import (
     GROUPS,
     describe_group,
+    list_names,
     list_sections,
     write_meaning,
 )
@@ -185,3 +186,24 @@ def test_a_group_that_there_is_not_is_refused() -> None:
 
 def test_a_group_is_found_by_its_singular() -> None:
     assert kinegrade("words", "joint").stdout == kinegrade("words", "joints").stdout != ""
+
+
+@pytest.mark.parametrize("name", ["Gelenke", "gelenke", "铰链", "运动副", "joint"])
+def test_a_group_is_found_by_its_name_in_any_language(name: str) -> None:
+    result = kinegrade("words", name, "--lang", "en")
+    assert result.exit_code == 0, result.output
+    assert result.output == kinegrade("words", "joints", "--lang", "en").output
+
+
+def test_groups_are_named_in_the_language_of_their_list() -> None:
+    assert "joints      Gelenke: Die Sätze" in kinegrade("words", "--lang", "de").output
+    assert "joints      The sentences" in kinegrade("words", "--lang", "en").output
+
+
+def test_no_two_groups_share_a_name() -> None:
+    names = [
+        name.casefold()
+        for group in GROUPS
+        for name in {each for lang in known_languages() for each in list_names(group, lang)}
+    ]
+    assert len(names) == len(set(names))

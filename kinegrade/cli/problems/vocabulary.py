@@ -28,19 +28,37 @@ def _read_groups() -> tuple[str, ...]:
     return GROUPS
 
 
+class _GroupChoice(LateChoice):
+    """Reads the name of a group, in any language."""
+
+    def convert(self, value: str, param: click.Parameter | None, ctx: click.Context | None) -> str:
+        """The group of that name."""
+        from kinegrade.problem.vocabulary import find_group
+
+        return super().convert(find_group(value) or value, param, ctx)
+
+
 @command()
-@click.argument("group", metavar="[GROUP]", type=LateChoice(_read_groups), required=False)
+@click.argument("group", metavar="[GROUP]", type=_GroupChoice(_read_groups), required=False)
 @READER_LANGUAGE
 @refusing
 def words(group: Group | None, language: Language | None) -> None:
     """List what a template may say: sentences, constructions, quantities, keys, units."""
-    from kinegrade.problem.vocabulary import GROUPS, describe_group, list_sections, write_meaning
+    from kinegrade.problem.vocabulary import (
+        GROUPS,
+        describe_group,
+        list_names,
+        list_sections,
+        write_meaning,
+    )
 
     chosen = language or choose_terminal_language()
     if group is None:
         width = max(map(len, GROUPS))
         for each in GROUPS:
-            click.echo(f"{each:{width}}  {write_meaning(describe_group(each), chosen)}")
+            name = list_names(each, chosen)[0]
+            own = "" if name == each else f"{name}: "
+            click.echo(f"{each:{width}}  {own}{write_meaning(describe_group(each), chosen)}")
         return
     lines = [_write_section(section, chosen) for section in list_sections(group)]
     click.echo("\n\n".join("\n".join(section) for section in lines))
