@@ -9,8 +9,9 @@ from pathlib import Path
 
 import pytest
 
+from kinegrade.problem.template.library.alike import find_alike
 from kinegrade.problem.template.library.library import load_template
-from kinegrade.problem.template.library.starter import find_alike, write_starter_text
+from kinegrade.problem.template.library.starter import write_starter_text
 from kinegrade.problem.template.sections.keys import NEEDED, OPTIONAL
 from tests.small_class import kinegrade
 
@@ -119,13 +120,32 @@ def test_a_shared_mechanism_is_written_beside_and_one_that_is_there_is_kept(
 @pytest.mark.parametrize(
     ("words", "like"),
     [
-        ("slotted rocker", "rolling-wheel-pin-slotted-rocker"),
-        ("Four-bar COUPLER", "pole-four-bar-coupler"),
-        ("凸轮", "pose-cam-tappet"),
+        ("slotted rocker", "slotted-rocker-and-slider-two-drivers"),
+        ("Four-bar COUPLER", "pose-four-bar-coupler"),
+        ("a ladder slides down a wall", "rod-ground-and-incline"),
+        ("winch that lifts a load by a rope through gears", "hoist-with-gears"),
+        ("reel pulled by its thread", "spool-pulled-by-cord"),
+        ("excavator boom moved by a hydraulic cylinder", "slotted-link-on-cylinder"),
+        ("Kolben, Pleuel und Kurbel", "slider-crank"),
+        ("Eine Leiter lehnt an der Wand und rutscht", "rod-ground-and-incline"),
+        ("Zahnrad zwischen zwei Zahnstangen", "pinion-between-two-racks"),
+        ("Planetengetriebe mit gegebenen Zähnezahlen", "differential-epicyclic-train"),
+        ("Momentanpol der Koppel", "pole-four-bar-coupler"),
+        ("Malteserkreuz", "geneva-drive"),
+        ("行星轮系", "epicyclic-train-by-tooth-counts"),
+        ("皮带轮", "crossed-belt-drive"),
+        ("梯子沿墙滑下", "rod-ground-and-incline"),
+        ("机械臂", "two-link-robot-arm"),
     ],
 )
 def test_a_template_is_found_by_words(words: str, like: str) -> None:
     assert find_alike(words) == like
+
+
+@pytest.mark.parametrize("name", ["slider-crank", "geneva-drive", "hoist-with-gears"])
+def test_a_template_is_found_by_its_own_statement(name: str) -> None:
+    for text in load_template(name).words.statement.texts:
+        assert find_alike(text) == name
 
 
 def test_words_that_the_nearest_template_has_nothing_of_are_named(
@@ -133,7 +153,7 @@ def test_words_that_the_nearest_template_has_nothing_of_are_named(
 ) -> None:
     monkeypatch.chdir(tmp_path)
     assert kinegrade("new", "x", "--from", "slotted unicorn rocker").stderr.startswith(
-        "rolling-wheel-pin-slotted-rocker is the nearest; it has nothing of: unicorn\nx.toml: written"
+        "slotted-rocker-and-slider-two-drivers is the nearest; it has nothing of: unicorn\nx.toml: written"
     )
     assert "nearest" not in kinegrade("new", "y", "--from", "slotted rocker").stderr
 

@@ -58,11 +58,8 @@ def _write_plainly(kind: str, package: str, name: str, output: Path | None, forc
 
 
 def _write_template(name: str, like: str, words: str, output: Path | None, force: bool) -> None:
-    from kinegrade.problem.template.library.starter import (
-        find_alike,
-        find_unmatched,
-        write_starter,
-    )
+    from kinegrade.problem.template.library.alike import find_alike, find_unmatched
+    from kinegrade.problem.template.library.starter import write_starter
 
     model = find_alike(words) if words else like
     path = write_starter(name, output, like=model, force=force)

@@ -9,11 +9,10 @@ from pathlib import Path
 from kinegrade.errors import TemplateError
 from kinegrade.files.output import write_file
 from kinegrade.files.starter import read_starter_text
-from kinegrade.language.message import Fault, Message, Quoted
-from kinegrade.problem.template.library.library import find_template_names, load_template
+from kinegrade.language.message import Fault, Message
+from kinegrade.problem.template.library.library import load_template
 from kinegrade.problem.template.sections.opening import FOLDER, require_file_name
-from kinegrade.problem.template.tags import list_tags
-from kinegrade.problem.template.template import MechanismFile, Template
+from kinegrade.problem.template.template import MechanismFile
 
 
 def write_starter_text() -> str:
@@ -49,39 +48,3 @@ def _write_mechanism(mechanism: MechanismFile, folder: Path) -> None:
     if not file.exists():
         folder.mkdir(exist_ok=True)
         write_file(file, mechanism.text.encode("utf-8"), "toml")
-
-
-def find_alike(words: str) -> str:
-    """The shipped template with most of the words in its name, title, family or tags; the shortest
-    of several. Raises TemplateError where none has any.
-
-    >>> find_alike("slotted rocker")
-    'rolling-wheel-pin-slotted-rocker'
-    """
-    wanted = words.casefold().split()
-    templates = {name: load_template(name) for name in find_template_names()}
-    texts = {name: _list_words(template) for name, template in templates.items()}
-    found = {name: sum(word in text for word in wanted) for name, text in texts.items()}
-    best = max(found, key=lambda name: (found[name], -len(templates[name].file.text)))
-    if not found[best]:
-        raise TemplateError(Message("template.none-alike", words=Quoted(words)))
-    return best
-
-
-def find_unmatched(words: str, name: str) -> list[str]:
-    """Those of the words that a shipped template has nothing of.
-
-    >>> find_unmatched("slotted unicorn", "rolling-wheel-pin-slotted-rocker")
-    ['unicorn']
-    """
-    text = _list_words(load_template(name))
-    return [word for word in words.split() if word.casefold() not in text]
-
-
-def _list_words(template: Template) -> str:
-    """What a template is called and tagged, in all its languages."""
-    title = template.about.title
-    titles = list(title.texts)
-    return " ".join(
-        (template.name, template.about.family, *list_tags(template), *titles)
-    ).casefold()
