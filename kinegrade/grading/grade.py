@@ -22,13 +22,14 @@ from kinegrade.grading.answer_lines import write_marks
 from kinegrade.grading.by_hand.gathering import HandSources, gather_hand_marks
 from kinegrade.grading.by_hand.markable import find_markable
 from kinegrade.grading.by_hand.settling import HandMarking, Settled
-from kinegrade.grading.class_answers import AnswersSeen
 from kinegrade.grading.fast.another_paper import PapersAnswered
 from kinegrade.grading.judging.follow import Follows
 from kinegrade.grading.lateness.submissions import check_times
 from kinegrade.grading.marking import MarkingTerms, mark_blocks
 from kinegrade.grading.marks import ClassGrades, collect_grades
-from kinegrade.grading.other_papers import refuse_other_papers
+from kinegrade.grading.misplaced.class_answers import AnswersSeen
+from kinegrade.grading.misplaced.other_papers import refuse_other_papers
+from kinegrade.grading.misplaced.typing_slips import find_typing_slips
 from kinegrade.grading.policy.accepted import alternatives
 from kinegrade.grading.policy.policy import Policy
 from kinegrade.grading.policy.reading import read_policy, stated_policy
@@ -37,7 +38,6 @@ from kinegrade.grading.sheets.class_sheet import class_sheet
 from kinegrade.grading.sheets.pool import read_pool
 from kinegrade.grading.totals import TotalTerms, work_out_totals
 from kinegrade.grading.typed.decimal_style import Mark as DecimalMark
-from kinegrade.grading.typing_slips import find_typing_slips
 from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.marks_folder.folder import MarksFolder, open_marks

@@ -17,8 +17,9 @@ from kinegrade.deadlines.moment import is_past, parse_moment, read_moment, write
 from kinegrade.errors import FieldError
 from kinegrade.exam.folder.exam_folder import ExamFolder, open_exam
 from kinegrade.files.csv_writing import write_csv_text
-from kinegrade.grading import exams_beside, other_sheets
+from kinegrade.grading import exams_beside
 from kinegrade.grading.fast.intervals import Intervals, list_intervals
+from kinegrade.grading.misplaced import other_sheets
 from tests.problem.crank import crank_text
 from tests.small_class import contents, key_lines, kinegrade
 

@@ -10,10 +10,10 @@ from random import Random
 import pytest
 
 from kinegrade.files.tables import parse_table
-from kinegrade.grading.class_answers import AnswersSeen
-from kinegrade.grading.displaced_columns import DisplacedColumns
 from kinegrade.grading.fast.another_paper import PapersAnswered
 from kinegrade.grading.marking import MarkingTerms, mark_blocks
+from kinegrade.grading.misplaced.class_answers import AnswersSeen
+from kinegrade.grading.misplaced.displaced_columns import DisplacedColumns
 from kinegrade.grading.sheets.class_sheet import read_sheet
 from tests.grading.sitting_class import FACTORS, SittingClass, sitting_class
 from tests.said import said

@@ -64,7 +64,7 @@ class PapersAnswered:
         return list_intervals(self.sitting)
 
     @cached_property
-    def _different(self) -> Places:
+    def different(self) -> Places:
         """The first student of each lot that has the same paper, as where there are versions."""
         values = [each.value[: len(self.sitting.students)] for each in self.intervals]
         if any(len(np.unique(each)) == len(each) for each in values):
@@ -76,7 +76,7 @@ class PapersAnswered:
     @cached_property
     def _students(self) -> list[Intervals]:
         """The intervals on the different papers of students."""
-        return [each.at(self._different) for each in self.intervals]
+        return [each.at(self.different) for each in self.intervals]
 
     @cached_property
     def _sorted(self) -> list[SortedIntervals]:
@@ -143,8 +143,8 @@ class PapersAnswered:
             others = others[self._students[ask].at(others).fit(numbers[[ask]])[0]]
             if not len(others):
                 return ""
-        by_chance = len(self._different) * prod(self._nearby(numbers, amiss))
-        owner = self.sitting.students[self._different[others.min()]]
+        by_chance = len(self.different) * prod(self._nearby(numbers, amiss))
+        owner = self.sitting.students[self.different[others.min()]]
         return owner if owner != paper.student and by_chance <= _LEVEL else ""
 
     def _list_candidates(self, numbers: Numbers, amiss: Sequence[int]) -> Places:
@@ -154,7 +154,7 @@ class PapersAnswered:
         for ask in amiss:
             if not self._students[ask].period:
                 return self._sorted[ask].list_near(float(numbers[ask]))
-        return np.arange(len(self._different))
+        return np.arange(len(self.different))
 
     def _nearby(self, numbers: Numbers, amiss: Sequence[int]) -> Iterator[float]:
         """For each of these numbers the share of different papers on which it would be right by

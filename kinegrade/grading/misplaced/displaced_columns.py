@@ -16,9 +16,9 @@ from typing import NamedTuple
 import numpy as np
 
 from kinegrade.files.tables import Complaint
-from kinegrade.grading.class_answers import ClassAnswers
 from kinegrade.grading.fast.bounds import Flags, Numbers, Places
 from kinegrade.grading.fast.intervals import Intervals
+from kinegrade.grading.misplaced.class_answers import ClassAnswers
 from kinegrade.language.message import Message
 
 _LEAST_SORTED = 10  # numbers in order: fewer may be so by chance

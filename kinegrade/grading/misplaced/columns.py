@@ -1,10 +1,8 @@
-"""Answers that stand under another title than their own: columns exchanged, typed in another unit
-or without their signs, and rows typed in the order of a shuffled paper or a cell too far.
+"""Columns of answers that stand under another title than their own, were typed in another unit or
+lack their signs.
 
 A column of which hardly any answer is right is told with what its answers fit; so is one that fits
-nothing, as its key may be wrong. A row is told if most of its wrong answers are right elsewhere on
-the student's paper, and more of them than chance explains, which is measured on papers of lines
-farther off. No mark is changed.
+nothing, as its key may be wrong. No mark is changed.
 """
 
 from __future__ import annotations
@@ -18,19 +16,15 @@ from typing import NamedTuple
 import numpy as np
 
 from kinegrade.files.tables import Complaint
-from kinegrade.grading.class_answers import ClassAnswers
 from kinegrade.grading.fast.bounds import Flags, Numbers, Places
 from kinegrade.grading.fast.intervals import Intervals
-from kinegrade.grading.poisson import find_tail
+from kinegrade.grading.misplaced.class_answers import ClassAnswers
 from kinegrade.language.message import Message
 
 _LEAST_ANSWERS = 10  # of a column: fewer may all be wrong
 _HARDLY_ANY = 0.05  # of the answers of a column
 _MOST_OF_THEM = 0.6
 _LEAST_UNSIGNED = 4  # answers that lack their minus sign in a column that has none
-_LEAST_WRONG = 3  # answers of a row: fewer may be right elsewhere by chance
-_LEVEL = 0.01  # chance that any row of a class is told without reason
-_FARTHER = (3, 4, 5, 6, 7, 8)  # lines off, on whose papers numbers are right by chance
 _OTHER_UNIT = (10, 100, 1000, 3.6, 60 / (2 * pi), 180 / pi)
 _FACTORS = (-1.0, *_OTHER_UNIT, *(1 / factor for factor in _OTHER_UNIT))
 
@@ -43,7 +37,7 @@ class _Guess(NamedTuple):
 
 
 @dataclass(frozen=True)
-class MisplacedAnswers:
+class MisplacedColumns:
     """The answers of a class beside its papers, which are in the order of the rows, with the
     `titles` of its columns.
     """
@@ -53,16 +47,20 @@ class MisplacedAnswers:
     answers: ClassAnswers
 
     def list_complaints(self) -> Iterator[Complaint]:
-        """A complaint for each column, then for each row."""
-        told = [ask for ask in range(len(self.titles)) if self._is_missed(ask)]
-        for ask in told:
+        """A complaint for each column that was missed, then for each that lacks its signs."""
+        for ask in self._missed:
             yield self._complain_of_column(ask)
-        others = [ask for ask in range(len(self.titles)) if ask not in told]
-        for ask in others:
+        for ask in self.others:
             yield from self._complain_of_signs(ask)
-        for row, wrong, elsewhere in self._find_rows(others):
-            problem = Message("marking.row-misplaced", count=elsewhere, wrong=wrong)
-            yield self.answers.complain(row, problem, Message("marking.check-row"))
+
+    @cached_property
+    def others(self) -> Sequence[int]:
+        """The asks whose columns were not missed."""
+        return [ask for ask in range(len(self.titles)) if ask not in self._missed]
+
+    @cached_property
+    def _missed(self) -> Sequence[int]:
+        return [ask for ask in range(len(self.titles)) if self._is_missed(ask)]
 
     @cached_property
     def _given(self) -> Flags:
@@ -123,39 +121,3 @@ class MisplacedAnswers:
         intervals = self.intervals[ask]
         telling = intervals.low[rows] * intervals.high[rows] > 0
         return int((telling & intervals.fit_beside(answers, rows)).sum())
-
-    def _find_rows(self, asks: Sequence[int]) -> Iterator[tuple[int, int, int]]:
-        """The rows to be told, how many of their answers are wrong, and how many of these are
-        right elsewhere on the paper.
-        """
-        wrong = self.answers.wrong[:, asks]
-        counts, right = wrong.sum(axis=1), self._right[:, asks].sum(axis=1)
-        rows = np.flatnonzero((counts >= _LEAST_WRONG) & (counts > right))
-        if not len(rows):
-            return
-        found = self._count_elsewhere(rows, rows, asks, wrong[rows])
-        chance = self._measure_chance(rows, asks, wrong[rows])
-        for row, count, elsewhere in zip(rows.tolist(), counts[rows], found, strict=True):
-            enough = elsewhere >= max(_LEAST_WRONG, _MOST_OF_THEM * count)
-            if enough and len(rows) * find_tail(int(elsewhere), chance * count) <= _LEVEL:
-                yield row, int(count), int(elsewhere)
-
-    def _count_elsewhere(
-        self, rows: Places, papers: Places, asks: Sequence[int], wrong: Flags
-    ) -> Places:
-        """How many wrong answers of each row are right in another place of the paper beside it."""
-        counts = np.zeros(len(rows), dtype=np.intp)
-        for place, ask in enumerate(asks):
-            answers = self.answers.numbers[rows, ask]
-            fits = np.zeros(len(rows), dtype=np.bool_)
-            for other in range(len(self.titles)):
-                if other != ask:
-                    fits |= self.intervals[other].fit_beside(answers, papers)
-            counts += fits & wrong[:, place]
-        return counts
-
-    def _measure_chance(self, rows: Places, asks: Sequence[int], wrong: Flags) -> float:
-        """The share of wrong answers that are right elsewhere on papers of lines farther off."""
-        papers = [(rows + far) % len(self.answers.numbers) for far in _FARTHER]
-        found = sum(int(self._count_elsewhere(rows, each, asks, wrong).sum()) for each in papers)
-        return (found + 1) / (len(_FARTHER) * int(wrong.sum()) + 1)

@@ -12,10 +12,10 @@ import numpy as np
 from kinegrade.errors import KinegradeError
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.files.tables import Complaint
-from kinegrade.grading.class_answers import ClassAnswers
 from kinegrade.grading.exams_beside import list_exams_around
 from kinegrade.grading.fast.bounds import Numbers
 from kinegrade.grading.fast.intervals import Intervals, list_intervals
+from kinegrade.grading.misplaced.class_answers import ClassAnswers
 from kinegrade.language.message import Message
 
 _LEAST_WRONG = 2  # one may be right elsewhere by chance

@@ -19,10 +19,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinegrade.errors import ExamError
-from kinegrade.grading.class_answers import ClassAnswers
 from kinegrade.grading.fast.another_paper import PapersAnswered
 from kinegrade.grading.fast.bounds import Flags, Numbers
 from kinegrade.grading.fast.intervals import Intervals
+from kinegrade.grading.misplaced.class_answers import ClassAnswers
 from kinegrade.language.message import Fault, Message
 
 _LOOKED_AT = 400  # students, evenly across the class: enough for a share, few enough for any class

@@ -8,11 +8,12 @@ from collections.abc import Iterator, Sequence
 
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.files.tables import Complaint
-from kinegrade.grading.class_answers import ClassAnswers
-from kinegrade.grading.displaced_columns import DisplacedColumns
 from kinegrade.grading.fast.another_paper import PapersAnswered
-from kinegrade.grading.misplaced_answers import MisplacedAnswers
-from kinegrade.grading.other_sheets import find_other_sheets
+from kinegrade.grading.misplaced.class_answers import ClassAnswers
+from kinegrade.grading.misplaced.columns import MisplacedColumns
+from kinegrade.grading.misplaced.displaced_columns import DisplacedColumns
+from kinegrade.grading.misplaced.other_sheets import find_other_sheets
+from kinegrade.grading.misplaced.rows import MisplacedRows
 
 
 def find_typing_slips(
@@ -20,5 +21,8 @@ def find_typing_slips(
 ) -> Iterator[Complaint]:
     """The complaints, columns first. Raises ExamError where the papers cannot be read."""
     yield from DisplacedColumns(papers.intervals, titles, answers).list_complaints()
-    yield from MisplacedAnswers(papers.intervals, titles, answers).list_complaints()
+    columns = MisplacedColumns(papers.intervals, titles, answers)
+    yield from columns.list_complaints()
+    rows = MisplacedRows(papers.intervals, papers.different, exam.students, answers, columns.others)
+    yield from rows.list_complaints()
     yield from find_other_sheets(exam, answers)

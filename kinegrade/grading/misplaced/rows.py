@@ -1,0 +1,182 @@
+"""Rows of which most numbers are wrong where they stand, and right elsewhere: in another column of
+the same paper, without the decimal mark that was lost, or on the paper of another student.
+
+A row is told if more of its numbers are right there than chance explains, which is measured on
+papers that have nothing to do with it. No mark is changed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import NamedTuple
+
+import numpy as np
+
+from kinegrade.files.tables import Complaint
+from kinegrade.grading.fast.bounds import Flags, Numbers, Places
+from kinegrade.grading.fast.intervals import Intervals
+from kinegrade.grading.misplaced.class_answers import ClassAnswers
+from kinegrade.grading.poisson import find_tail
+from kinegrade.language.message import Message, Quoted
+
+_LEAST_WRONG = 3  # answers of a row: fewer may be right elsewhere by chance
+_MOST_OF_THEM = 0.6
+_LEVEL = 0.01  # chance that any row of a class is told without reason
+_FARTHER = (3, 4, 5, 6, 7, 8)  # lines off, on whose papers numbers are right by chance
+_SHIFTS = (10.0, 100.0, 1e3, 1e4, 1e5, 1e6)  # what a lost decimal mark multiplies a number by
+_TOGETHER = 2000  # papers that rows are held against: they are exchanged with rows nearby
+_WIDENED = 20  # times a tolerance: how densely right answers lie in a small class
+
+
+class _Elsewhere(NamedTuple):
+    """A row that is right elsewhere, and what is said of it."""
+
+    row: int
+    problem: Message
+
+
+@dataclass(frozen=True)
+class MisplacedRows:
+    """The answers of a class beside its papers, which are in the order of the rows, and of which
+    those of `different` are no two alike; `students` are their ids, `asks` those that are looked
+    at.
+    """
+
+    intervals: Sequence[Intervals]
+    different: Places
+    students: Sequence[str]
+    answers: ClassAnswers
+    asks: Sequence[int]
+
+    def list_complaints(self) -> Iterator[Complaint]:
+        """A complaint for each row that is right elsewhere, which says where."""
+        if not len(self._rows):
+            return
+        told: dict[int, _Elsewhere] = {}
+        for found in (self._find_exchanged(), self._find_unpointed(), self._find_of_others()):
+            for each in found:
+                told.setdefault(each.row, each)
+        for row in sorted(told):
+            yield self.answers.complain(row, told[row].problem, Message("marking.check-row"))
+
+    @cached_property
+    def _wrong(self) -> Flags:
+        wrong: Flags = self.answers.wrong[:, self.asks]
+        return wrong
+
+    @cached_property
+    def _right(self) -> Flags:
+        """Which numbers have full credit."""
+        right: Flags = (self.answers.given & ~self.answers.wrong)[:, self.asks]
+        return right
+
+    @cached_property
+    def _rows(self) -> Places:
+        """The rows of which most numbers are wrong, and enough of them."""
+        counts = self._wrong.sum(axis=1)
+        return np.flatnonzero((counts >= _LEAST_WRONG) & (counts > self._right.sum(axis=1)))
+
+    def _find_exchanged(self) -> Iterator[_Elsewhere]:
+        """The rows that are right in other columns of their own papers."""
+        found = self._count_exchanged(self._rows)
+        farther = [self._count_exchanged(papers) for papers in self._list_farther()]
+        for row, count, wrong in self._choose(found, farther):
+            problem = Message("marking.row-misplaced", count=count, wrong=wrong)
+            yield _Elsewhere(row, problem)
+
+    def _find_unpointed(self) -> Iterator[_Elsewhere]:
+        """The rows whose whole numbers are right with a decimal mark in them."""
+        found = self._count_unpointed(self._rows)
+        farther = [self._count_unpointed(papers) for papers in self._list_farther()]
+        for row, count, wrong in self._choose(found, farther):
+            problem = Message("marking.row-unpointed", count=count, wrong=wrong)
+            yield _Elsewhere(row, problem)
+
+    def _list_farther(self) -> Iterator[Places]:
+        """For each row the paper of a line farther off, at several distances."""
+        return ((self._rows + far) % len(self.answers.numbers) for far in _FARTHER)
+
+    def _choose(self, found: Places, farther: Sequence[Places]) -> Iterator[tuple[int, int, int]]:
+        """The rows of which more is found than farther off, with how much and of how many wrong
+        numbers.
+        """
+        wrong = self._wrong[self._rows].sum(axis=1)
+        by_chance = sum(int(each.sum()) for each in farther) + 1
+        share = by_chance / (len(farther) * int(wrong.sum()) + 1)
+        for row, count, of in zip(self._rows.tolist(), found.tolist(), wrong.tolist(), strict=True):
+            enough = count >= max(_LEAST_WRONG, _MOST_OF_THEM * of)
+            if enough and len(self._rows) * find_tail(count, share * of) <= _LEVEL:
+                yield row, count, of
+
+    def _count_exchanged(self, papers: Places) -> Places:
+        """How many wrong numbers of each row are right in another place of the paper beside it."""
+        counts = np.zeros(len(self._rows), dtype=np.intp)
+        for place, ask in enumerate(self.asks):
+            answers = self.answers.numbers[self._rows, ask]
+            fits = np.zeros(len(self._rows), dtype=np.bool_)
+            for other in range(len(self.intervals)):
+                if other != ask:
+                    fits |= self.intervals[other].fit_beside(answers, papers)
+            counts += fits & self._wrong[self._rows, place]
+        return counts
+
+    def _count_unpointed(self, papers: Places) -> Places:
+        """How many wrong whole numbers of each row are right there with a decimal mark in them."""
+        counts = np.zeros(len(self._rows), dtype=np.intp)
+        for place, ask in enumerate(self.asks):
+            answers = self.answers.numbers[self._rows, ask]
+            fits = np.zeros(len(self._rows), dtype=np.bool_)
+            for shift in _SHIFTS:
+                fits |= self.intervals[ask].fit_beside(answers / shift, papers)
+            counts += fits & (answers == np.rint(answers)) & self._wrong[self._rows, place]
+        return counts
+
+    def _find_of_others(self) -> Iterator[_Elsewhere]:
+        """The rows that are mostly right on the paper of another student, but not wholly: those are
+        told where they stand.
+        """
+        for rows, papers in self._list_blocks():
+            yield from self._find_owners(rows, papers)
+
+    def _list_blocks(self) -> Iterator[tuple[Places, Places]]:
+        """The rows, and the different papers that they are held against."""
+        if len(self.different) <= _TOGETHER:
+            yield self._rows, self.different
+            return
+        of_rows, of_papers = self._rows // _TOGETHER, self.different // _TOGETHER
+        for block in np.unique(of_rows).tolist():
+            yield self._rows[of_rows == block], self.different[of_papers == block]
+
+    def _find_owners(self, rows: Places, papers: Places) -> Iterator[_Elsewhere]:
+        """The same, of these rows on these papers."""
+        given = self.answers.given[rows][:, self.asks].sum(axis=1)
+        counts = np.zeros((len(rows), len(papers)), dtype=np.intp)
+        density = np.zeros(len(rows))
+        for ask in self.asks:
+            answers, intervals = self.answers.numbers[rows, ask], self.intervals[ask].at(papers)
+            fits = intervals.fit(answers)
+            counts += fits
+            density += _measure_density(intervals, answers, fits)
+        best = counts.argmax(axis=1)
+        chances = zip(rows.tolist(), given.tolist(), best.tolist(), density.tolist(), strict=True)
+        for place, (row, of, owner, mean) in enumerate(chances):
+            count, right = int(counts[place, owner]), int(self._right[row].sum())
+            enough = max(_LEAST_WRONG, _MOST_OF_THEM * of) <= count < of and count > right
+            if enough and len(rows) * len(papers) * find_tail(count, mean) <= _LEVEL:
+                other = Quoted(self.students[papers[owner]])
+                kinds = {"count": count, "given": of, "right": right}
+                problem = Message("marking.row-mostly-of-another", **kinds, other=other)
+                yield _Elsewhere(row, problem)
+
+
+def _measure_density(intervals: Intervals, answers: Numbers, fits: Flags) -> Numbers:
+    """The share of papers on which each answer is right by chance: not counting the one that is
+    looked for, or as densely as right answers lie around it.
+    """
+    papers = len(intervals.value)
+    by_chance = np.maximum(fits.sum(axis=1) - 1, 0) / papers
+    around: Numbers = intervals.widened(_WIDENED).fit(answers).mean(axis=1) / _WIDENED
+    density: Numbers = np.maximum(by_chance, around)
+    return density
