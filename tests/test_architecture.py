@@ -24,8 +24,9 @@ from kinegrade.mechanics.relations import Kind as TermKind
 from kinegrade.mechanics.vector_equation import Role
 from kinegrade.problem.template.library.library import find_template_names, load_template
 from kinegrade.problem.template.texts import list_lines, list_prose
+from tests.package_files import GROUP, package_files
 
-pytestmark = pytest.mark.xdist_group("architecture")  # one worker walks through the package, once
+pytestmark = GROUP
 PACKAGE = Path(kinegrade.__file__).parent
 ROOT = PACKAGE.parent
 FLOORS = {
@@ -88,16 +89,13 @@ def module_name(file: Path) -> str:
 @cache
 def read_texts() -> Mapping[str, str]:
     """The modules of the package."""
-    return {
-        module_name(file): file.read_text(encoding="utf-8")
-        for file in sorted(PACKAGE.rglob("*.py"))
-    }
+    return {module_name(ROOT / file.path): file.text for file in package_files()}
 
 
 @cache
 def read_trees() -> Mapping[str, ast.Module]:
     """The modules of the package, parsed."""
-    return {module: ast.parse(text) for module, text in read_texts().items()}
+    return {module_name(ROOT / file.path): file.tree for file in package_files()}
 
 
 @cache

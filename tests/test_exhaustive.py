@@ -8,17 +8,15 @@ import ast
 from collections.abc import Mapping
 from dataclasses import replace
 from functools import cache
-from pathlib import Path
 
 import pytest
 
-import kinegrade
 from kinegrade.language.known import known_languages
 from tests.defaults import defaults
 from tests.own_words import Vocabulary, vocabulary
+from tests.package_files import GROUP, locate, package_files
 
-pytestmark = pytest.mark.xdist_group("exhaustive")  # one worker reads the package, once
-PACKAGE = Path(kinegrade.__file__).parent
+pytestmark = GROUP
 EXCEPTIONS = {
     "proof/causes.py: if refused.reason == 'mistake'": "any other reason is of one cause at one ask or place",
     "proof/causes.py: detail.where if isinstance(detail, Fault) else detail": "what is no fault has no place "
@@ -349,10 +347,7 @@ match token:
 @cache
 def words_of_package() -> tuple[Mapping[str, ast.Module], Vocabulary]:
     """The syntax trees of the package by file, and what they define."""
-    trees = {
-        str(file.relative_to(PACKAGE)): ast.parse(file.read_text(encoding="utf-8"))
-        for file in sorted(PACKAGE.rglob("*.py"))
-    }
+    trees = {locate(file): file.tree for file in package_files()}
     words = vocabulary(list(trees.values()))
     return trees, replace(words, languages=frozenset(known_languages()))
 

@@ -2,24 +2,24 @@
 
 from __future__ import annotations
 
-from pathlib import Path
+import ast
 
 import pytest
 
-import kinegrade
 from tests.allowed_words import ALLOWED, NAMES
+from tests.package_files import GROUP, locate, package_files
 from tests.words import find_words
 
-PACKAGE = Path(kinegrade.__file__).parent
+pytestmark = GROUP
 
 
 @pytest.fixture(scope="module")
 def found() -> list[tuple[str, int, str]]:
     """What the rules find in the package: file, line, text."""
     return [
-        (file.relative_to(PACKAGE).as_posix(), one.line, one.text)
-        for file in sorted(PACKAGE.rglob("*.py"))
-        for one in find_words(file.read_text(encoding="utf-8"))
+        (locate(file), one.line, one.text)
+        for file in package_files()
+        for one in find_words(file.tree)
     ]
 
 
@@ -65,7 +65,7 @@ def test_no_exception_is_left_without_its_text(found: list[tuple[str, int, str]]
     ],
 )
 def test_words_are_found(code: str) -> None:
-    assert len(list(find_words(code))) == 1
+    assert len(list(find_words(ast.parse(code)))) == 1
 
 
 @pytest.mark.parametrize(
@@ -83,4 +83,4 @@ def test_words_are_found(code: str) -> None:
     ],
 )
 def test_code_is_passed(code: str) -> None:
-    assert list(find_words(code)) == []
+    assert list(find_words(ast.parse(code))) == []

@@ -38,11 +38,10 @@ class Found:
     text: str
 
 
-def find_words(source: str) -> Iterator[Found]:
+def find_words(tree: ast.Module) -> Iterator[Found]:
     """The texts of a module that have words of a language, docstrings and errors for programmers
     left out.
     """
-    tree = ast.parse(source)
     passed = set(_list_passed(tree))
     for node in ast.walk(tree):
         if node not in passed and isinstance(node, ast.Constant | ast.JoinedStr):

@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import ast
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 from babel.messages.catalog import Catalog, Message
 from babel.messages.pofile import read_po
+
+from benchmarks.modules import File
+from tests.package_files import locate
 
 PLACE = re.compile(r"<([A-Za-z][a-z_]*)(?::([a-z]+))?>")
 DEBRIS = re.compile(r"^\s|\s$")
@@ -115,14 +118,12 @@ class Named:
     parts: frozenset[str] | None
 
 
-def find_named(package: Path) -> Iterator[Named]:
-    """All entries that the code of a package names."""
-    for file in sorted(package.rglob("*.py")):
-        tree = ast.parse(file.read_text(encoding="utf-8"))
-        for node in ast.walk(tree):
+def find_named(files: Iterable[File]) -> Iterator[Named]:
+    """All entries that the code of some modules names."""
+    for file in files:
+        for node in file.nodes:
             if isinstance(node, ast.Call) and node.args:
-                place = f"{file.relative_to(package)}:{node.lineno}"
-                yield from _read_call(node, place)
+                yield from _read_call(node, f"{locate(file)}:{node.lineno}")
 
 
 def _read_call(call: ast.Call, place: str) -> Iterator[Named]:
@@ -162,12 +163,12 @@ def _read_parts(call: ast.Call) -> frozenset[str] | None:
     return frozenset(str(keyword.arg) for keyword in call.keywords)
 
 
-def find_code_faults(package: Path, source: Path) -> Iterator[str]:
+def find_code_faults(files: Iterable[File], source: Path) -> Iterator[str]:
     """Entries that code names and English lacks, parts that do not fit, entries nothing names."""
     entries = read_messages(source)
     used: set[str] = set()
-    for named in find_named(package):
-        fitting = [key for key in entries if re.fullmatch(named.pattern, key)]
+    for named in find_named(files):
+        fitting = _find_fitting(named.pattern, entries)
         used.update(fitting)
         if not fitting:
             yield f"{named.place}: no entry {_plain(named.pattern)}"
@@ -179,6 +180,14 @@ def find_code_faults(package: Path, source: Path) -> Iterator[str]:
                 yield f"{named.place}: {key} takes {sorted(wanted)}, not {sorted(named.parts)}"
     for key in sorted(entries.keys() - used):
         yield f"{key}: no code names it"
+
+
+def _find_fitting(pattern: str, entries: Mapping[str, Message]) -> list[str]:
+    """The keys that fit a pattern, one at most where nothing is filled in."""
+    plain = _plain(pattern)
+    if re.escape(plain) == pattern:
+        return [plain] if plain in entries else []
+    return [key for key in entries if re.fullmatch(pattern, key)]
 
 
 def _plain(pattern: str) -> str:

@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 import kinegrade
+from benchmarks.modules import read_package
 from kinegrade.language import ENGLISH, Language
 from kinegrade.language.known import known_languages
 from tests.language.catalogue_faults import (
@@ -16,9 +17,10 @@ from tests.language.catalogue_faults import (
     read_messages,
 )
 from tests.language.update import update_language
+from tests.package_files import GROUP, package_files
 
-PACKAGE = Path(kinegrade.__file__).parent
-CATALOGUES = PACKAGE / "language" / "catalogues"
+pytestmark = GROUP
+CATALOGUES = Path(kinegrade.__file__).parent / "language" / "catalogues"
 HELP = "help."  # its entries are named by the commands and options: tests/language/test_terminal.py
 
 
@@ -28,7 +30,7 @@ def test_every_entry_is_translated_with_its_places_numbers_and_forms(language: L
 
 
 def test_code_names_entries_that_there_are_gives_their_parts_and_leaves_none_unused() -> None:
-    found = find_code_faults(PACKAGE, CATALOGUES / ENGLISH)
+    found = find_code_faults(package_files(), CATALOGUES / ENGLISH)
     assert [fault for fault in found if not fault.startswith(HELP)] == []
 
 
@@ -105,7 +107,7 @@ def test_code_that_names_no_entry_or_gives_other_parts_is_found(tmp_path: Path) 
         'words.text(f"grammar.{joint}", first="a", last="b")\n',
         encoding="utf-8",
     )
-    found = list(find_code_faults(tmp_path, CATALOGUES / ENGLISH))
+    found = list(find_code_faults(read_package(tmp_path), CATALOGUES / ENGLISH))
     assert found[:2] == [
         "code.py:1: no entry grammar.nothing",
         "code.py:2: grammar.expected takes ['expected'], not ['what']",
