@@ -1,7 +1,7 @@
 """What follows from shipped files and stated numbers alone, found once in each process of tests: the
 templates, which mistakes their draws keep apart, what equal banks deal by equal secrets, the paths
-along which mechanisms move, and the pictures of their vectors. `make prove` finds it anew, as users
-do.
+along which mechanisms move, the pictures of their vectors, and the worked solutions of
+exams. `make prove` finds it anew, as users do.
 """
 
 from __future__ import annotations
@@ -14,24 +14,31 @@ from typing import Any, TypeVar
 
 from kinegrade.draws import draw_filter
 from kinegrade.draws.deal import Look
+from kinegrade.exam.printing import solution_pages
+from kinegrade.exam.quiz import paper
 from kinegrade.exam.setting import dealing
 from kinegrade.exam.setting.alike_deal import AlikeDeal, deal_alike
 from kinegrade.exam.setting.kept_deal import Stated
 from kinegrade.exam.setting.setting import Exam
 from kinegrade.figure.scene import Scene
 from kinegrade.figure.vectors.mechanism import draw_with_vectors
+from kinegrade.language import Language
 from kinegrade.mechanics.plan import Plan
 from kinegrade.motion import path
 from kinegrade.motion.system import System
 from kinegrade.motion.tracing import Trace, trace_path
+from kinegrade.practice import questions
+from kinegrade.problem.solution import Solution
 from kinegrade.problem.template.beside import Translations
 from kinegrade.problem.template.library import library
 from kinegrade.problem.template.library.reading import read_template
 from kinegrade.problem.template.sections.opening import FOLDER, Mechanisms
-from kinegrade.problem.template.template import Ask, Template
+from kinegrade.problem.template.template import Ask, Method, Template
 from kinegrade.students.mistaking.mistakes import Values
 from kinegrade.students.rounding.accuracy import Accuracy
 from kinegrade.students.separation import Separation, find_separation
+from kinegrade.worked.document import WorkedSolution
+from kinegrade.worked.solution import write_worked_solution
 from kinegrade.worked.steps import pictures
 
 Kept = TypeVar("Kept")
@@ -48,6 +55,7 @@ class KeptResults:
     deals: dict[str, AlikeDeal] = field(default_factory=dict)
     traces: dict[str, Trace] = field(default_factory=dict)
     scenes: dict[str, Scene] = field(default_factory=dict)
+    solutions: dict[str, WorkedSolution] = field(default_factory=dict)
     shipped: set[int] = field(default_factory=set)  # the identities of those templates
 
     def read_template(
@@ -110,6 +118,19 @@ class KeptResults:
         """As `draw_with_vectors` of figures; equal pictures are drawn once."""
         return _keep(self.scenes, repr(given), lambda: draw_with_vectors(*given))
 
+    def write_worked_solution(
+        self,
+        solution: Solution,
+        asks: tuple[str, ...],
+        language: Language,
+        method: Method | None = None,
+    ) -> WorkedSolution:
+        """As `write_worked_solution` of worked; that of an equal instance is written once."""
+        instance = solution.template, dict(solution.parameters), dict(solution.answers)
+        key = sha256(repr((instance, asks, language, method)).encode()).hexdigest()
+        given = solution, asks, language, method
+        return _keep(self.solutions, key, lambda: write_worked_solution(*given))
+
 
 def _keep(kept: dict[str, Kept], key: str, find: Callable[[], Kept]) -> Kept:
     """What is kept under a key, found first where nothing is; the oldest goes where many are."""
@@ -128,4 +149,6 @@ def keep_results() -> None:
     draw_filter.find_separation = results.find_separation
     dealing.deal_alike = results.deal_alike
     path.trace_path = results.trace_path
+    for module in (paper, questions, solution_pages):
+        module.write_worked_solution = results.write_worked_solution
     pictures.draw_with_vectors = results.draw_with_vectors
