@@ -160,7 +160,8 @@ def test_a_planet_is_checked_as_its_carrier_sees_it() -> None:
 
 
 def test_gears_that_a_planet_joins_are_checked_as_their_carrier_sees_them() -> None:
-    (check,) = read_checks("differential-epicyclic-train")
+    values = {"z_S": "24", "z_R": "64", "l": "80", "n_S": "-300", "n_A": "30", "phi": "15"}
+    (check,) = find_checks(stated("differential-epicyclic-train", **values))
     assert check == Check(
         "the rim speeds of gear $S$ and of gear $R$, equal by way of the planet gear, "
         "seen from the arm $OP$",

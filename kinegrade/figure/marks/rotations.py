@@ -11,7 +11,13 @@ from kinegrade.figure.marks.imposed import find_imposed_sense
 from kinegrade.figure.marks.lengths.dimensions import find_extension_angles
 from kinegrade.figure.marks.tied_arrows import list_tied_arrows
 from kinegrade.figure.marks.turning_arrow import Company, TurningArrow
-from kinegrade.figure.marks.turning_radii import BEYOND, RADII, ROOMY, order_radii
+from kinegrade.figure.marks.turning_radii import (
+    BEYOND,
+    RADII,
+    ROOMY,
+    find_body_direction,
+    order_radii,
+)
 from kinegrade.figure.mechanism.layers import Drawing
 from kinegrade.figure.mechanism.straight_parts import Bar, Rod
 from kinegrade.figure.placing.aligned import list_thin_lines
@@ -59,7 +65,8 @@ def add_rotations(
     arrows: list[TurningArrow] = []
     spared: list[Sequence[Primitive]] = []
     likely: list[Label] = []  # the symbols of earlier arrows, as long as no later one is known
-    for hint in hints:
+    hints = tuple(hints)
+    for number, hint in enumerate(hints):
         for arrow, letters in zip(arrows[-1:], spared[-1:], strict=True):
             wish = arrow.wish_apart(arrows[:-1])
             likely += layout.captioned(wish, (*letters, *likely)).labels[-1:]
@@ -69,10 +76,14 @@ def add_rotations(
         pins = [at for at in mechanism.points.values() if length(at - centre) < _ABOUT]
         company = replace(company, pins=tuple(at for at in pins if length(at - centre) > NEAR))
         close = [wish for wish in named if length(Vector(*wish.spots[0]) - centre) < _LETTERED]
-        spared.append(layout.written(close).labels)
         around = _find_claims(layout, pins, drawing, centre)
-        ways = _list_arrows(mechanism, hint, centre, drawing)
+        followed = any(later.body == hint.body for later in hints[number + 1 :])
+        ways = _list_arrows(mechanism, hint, centre, drawing, followed=followed)
         rated = [way.among(company, around) for way in ways]
+        # The letter of a pivot leaves a bound arrow its place: that can go nowhere else
+        bound = next((way for way in rated if way.tied), None)
+        before = layout.drawn(bound.primitives()) if bound else layout
+        spared.append(before.written(close).labels)
         layout, _ = layout.chosen(rated, (*spared[-1], *likely))
         arrows += [mark for mark in layout.marks[-1:] if isinstance(mark, TurningArrow)]
     for arrow, letters in zip(arrows, spared, strict=True):
@@ -103,11 +114,11 @@ def find_turning_centre(mechanism: Mechanism, hint: Turning, drawing: Drawing) -
 
 
 def _list_arrows(
-    mechanism: Mechanism, hint: Turning, centre: Vector, drawing: Drawing
+    mechanism: Mechanism, hint: Turning, centre: Vector, drawing: Drawing, *, followed: bool
 ) -> list[TurningArrow]:
     """The arrows that may show a rotation."""
     if hint.of == GROUND:
-        return _list_absolute_arrows(mechanism, hint, centre, drawing)
+        return _list_absolute_arrows(mechanism, hint, centre, drawing, followed=followed)
     return _list_relative_arrows(mechanism, hint, centre, drawing)
 
 
@@ -141,7 +152,7 @@ def _list_bars(drawing: Drawing, body: str) -> Iterator[Segment]:
 
 
 def _list_absolute_arrows(
-    mechanism: Mechanism, hint: Turning, centre: Vector, drawing: Drawing
+    mechanism: Mechanism, hint: Turning, centre: Vector, drawing: Drawing, *, followed: bool
 ) -> list[TurningArrow]:
     """Arrows about the pivot of a body, where the body leaves it first; those of an eccentric disc,
     where there is no room inside, beyond its rim, where that is nearest.
@@ -160,10 +171,11 @@ def _list_absolute_arrows(
                 away,
                 astray=_AT_RIM,
             )
-    crank = _find_crank_direction(mechanism, hint.body, centre, drawing)
+    crank = find_body_direction(mechanism, hint.body, centre, drawing)
     radii = order_radii(mechanism, hint.body, centre, drawing)
     arrows = list_turning_arrows(hint, sense, centre, radii, crank, astray=_ASTRAY)
-    tied = list_tied_arrows(hint, centre, _ARCS[hint.level] * TURN[sense], drawing)
+    shaft = _ARCS[hint.level] * TURN[sense]
+    tied = list_tied_arrows(hint, centre, shaft, drawing, followed=followed)
     return [
         *tied,
         *(replace(arrow, demerit=arrow.demerit + _LOOSE * bool(tied)) for arrow in arrows),
@@ -177,7 +189,7 @@ def _list_relative_arrows(
     where the other is near.
     """
     sense = hint.sense or find_imposed_sense(mechanism, hint)
-    start = _find_crank_direction(mechanism, hint.of, centre, drawing)
+    start = find_body_direction(mechanism, hint.of, centre, drawing)
     return [
         TurningArrow(
             Bow(centre, radius, start, size / radius * TURN[sense], THIN), hint, rank + less
@@ -207,21 +219,6 @@ def list_turning_arrows(
             demerit = 1.5 * abs(radius - radii[0]) + astray * abs(shorter_way(angle - toward))
             found.append(TurningArrow(bow, hint, demerit))
     return found
-
-
-def _find_crank_direction(
-    mechanism: Mechanism, body: str, centre: Vector, drawing: Drawing
-) -> float:
-    """The direction in which a body extends from its pivot; up when it extends in none."""
-    points = [mechanism.points[name] for name in mechanism.body(body).points]
-    points += [
-        end
-        for part in drawing.parts
-        if isinstance(part, Bar) and part.body == body
-        for end in part.free
-    ]
-    far = max(points, key=lambda point: length(point - centre))
-    return angle_of(far - centre) if length(far - centre) > 1.0 else pi / 2
 
 
 def _find_common_point(mechanism: Mechanism, hint: Turning) -> Vector:

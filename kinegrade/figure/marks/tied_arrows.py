@@ -7,10 +7,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
+from itertools import product
 from math import asin, copysign
 
 from kinegrade.figure.joints.symbol import Rim
 from kinegrade.figure.marks.turning_arrow import TurningArrow
+from kinegrade.figure.marks.turning_radii import ROOMY
 from kinegrade.figure.mechanism.layers import Drawing
 from kinegrade.figure.mechanism.straight_parts import Bar
 from kinegrade.figure.placing.obstacles import Obstacles
@@ -23,6 +25,12 @@ from kinegrade.problem.template.hints import Turning
 # Radii, and millimetres from a tail to the pin at the end of the bar
 _RADII, _SHORT_OF_PIN = tuple(5.0 + 1.5 * step for step in range(24)), 3.0
 _FARTHER_OUT = 0.1  # demerit of each millimetre farther out
+# Shares of the usual length of an arrow on a bar, and the demerits of shorter ones
+_SHARES = (1.0, 0.0), (0.8, 2.0)
+# Demerit of an arrow out of a disc about the pivot that has room for it, far from that
+_OUT_OF_DISC = 12.0
+# Millimetres between two arrows on a bar, and the demerit of the first where the second has no room
+_ROOM, _IN_THE_WAY = 6.5, 8.0
 # Millimetres between an arrow and the disc of another body, and those from the disc at the end of
 # a bar to the tail of an arrow ahead of it
 _OFF_DISC, _AHEAD = 1.0, 2.0
@@ -36,10 +44,11 @@ _ONWARD, _FARTHER_ON = (0.0, 0.4, 0.8, 1.2, 1.6), 5.0  # radians farther ahead, 
 
 
 def list_tied_arrows(
-    hint: Turning, centre: Vector, shaft: float, drawing: Drawing
+    hint: Turning, centre: Vector, shaft: float, drawing: Drawing, *, followed: bool = False
 ) -> list[TurningArrow]:
     """Arrows about a centre, so many millimetres long, positive counter-clockwise, that show which
-    bar turns; none where no other body is a circle about the centre.
+    bar turns; none where no other body is a circle about the centre. One that is `followed` by
+    another of its bar leaves that room.
     """
     others = [rim for rim in drawing.rims if rim.body != hint.body]
     if not any(length(rim.at - centre) < NEAR for rim in others):
@@ -48,7 +57,11 @@ def list_tied_arrows(
     ends = (end for bar in bars for end in (bar.start, bar.end))
     steps = [end - centre for end in ends if length(end - centre) > NEAR]
     discs = [rim for rim in others if not rim.ring and length(rim.at - centre) > NEAR]
-    tied = _list_on_bars(hint, centre, shaft, steps)
+    about = [rim.radius for rim in others if not rim.ring and length(rim.at - centre) < NEAR]
+    roomy = [size for size in about if size > ROOMY]
+    tied: Iterable[TurningArrow] = _list_on_bars(hint, centre, shaft, steps, roomy)
+    if followed:
+        tied = [replace(arrow, demerit=arrow.demerit + _rate_room(arrow)) for arrow in tied]
     within = [rim for rim in others if rim.ring and length(rim.at - centre) < NEAR]
     ahead = _list_ahead(hint, centre, shaft, steps, discs) if within else ()
     lines = (part for part in drawing.primitives if isinstance(part, Strokes) and part.pen == THIN)
@@ -71,15 +84,25 @@ def _rate_crossings(arrow: TurningArrow, thin: Obstacles) -> float:
     return _CROSSES * thin.along(arrow.path(), arrow.shared) + _MEETS * meets
 
 
+def _rate_room(arrow: TurningArrow) -> float:
+    """The demerit of an arrow that is neither at its pivot nor clear of one there."""
+    return _IN_THE_WAY * (_RADII[0] < arrow.bow.radius < _RADII[0] + _ROOM)
+
+
 def _list_on_bars(
-    hint: Turning, centre: Vector, shaft: float, steps: Iterable[Vector]
+    hint: Turning,
+    centre: Vector,
+    shaft: float,
+    steps: Iterable[Vector],
+    discs: Sequence[float],
 ) -> Iterator[TurningArrow]:
-    """Arrows with their tails on a bar."""
+    """Arrows with their tails on a bar, rather in the discs of those radii about the pivot."""
     for step in steps:
-        for radius in _RADII:
+        for radius, (share, worse) in product(_RADII, _SHARES):
             if radius < length(step) - _SHORT_OF_PIN:
-                bow = Bow(centre, radius, angle_of(step), shaft / radius, THIN)
-                yield TurningArrow(bow, hint, _FARTHER_OUT * radius, tied=True)
+                bow = Bow(centre, radius, angle_of(step), share * shaft / radius, THIN)
+                out = _OUT_OF_DISC * any(radius > disc - _OFF_DISC for disc in discs)
+                yield TurningArrow(bow, hint, worse + _FARTHER_OUT * radius + out, tied=True)
 
 
 def _list_ahead(

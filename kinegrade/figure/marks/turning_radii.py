@@ -1,13 +1,16 @@
-"""How far from its pivot the arrow of a rotation stands, by what turns about it."""
+"""How far from its pivot the arrow of a rotation stands, by what turns about it, and in which
+direction.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator
+from math import pi
 
 from kinegrade.figure.joints.symbol import find_fixed_pin
 from kinegrade.figure.mechanism.layers import Drawing
-from kinegrade.figure.mechanism.straight_parts import GenevaWheel, SlottedDisc
-from kinegrade.figure.plane import NEAR, length
+from kinegrade.figure.mechanism.straight_parts import Bar, GenevaWheel, Rod, SlottedDisc
+from kinegrade.figure.plane import NEAR, angle_of, length
 from kinegrade.figure.scene import PITCH, Disc
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
@@ -67,3 +70,19 @@ def _list_discs(drawing: Drawing, bodies: Collection[str]) -> Iterator[float]:
     for rim in drawing.rims:
         if rim.body in bodies and not rim.ring:
             yield rim.radius
+
+
+def find_body_direction(mechanism: Mechanism, body: str, centre: Vector, drawing: Drawing) -> float:
+    """The direction in which a body extends from its pivot; when it extends in none, away from the
+    bars of others there, or up.
+    """
+    points = [mechanism.points[name] for name in mechanism.body(body).points]
+    bars = [part for part in drawing.parts if isinstance(part, Bar | Rod)]
+    points += [end for bar in bars if isinstance(bar, Bar) and bar.body == body for end in bar.free]
+    far = max(points, key=lambda point: length(point - centre))
+    if length(far - centre) > 1.0:
+        return angle_of(far - centre)
+    others = [(bar.start, bar.end) for bar in bars if bar.body != body]
+    ends = [end for bar in others for end in (bar, bar[::-1])]
+    away = sum((start - end for start, end in ends if length(start - centre) < NEAR), Vector(0, 0))
+    return angle_of(away) if length(away) > NEAR else pi / 2
