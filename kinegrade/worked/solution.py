@@ -28,6 +28,7 @@ from kinegrade.worked.case import Case
 from kinegrade.worked.checks.chapters import check_places
 from kinegrade.worked.contacts import find_contact, introduce_contacts
 from kinegrade.worked.document import Block, Heading, WorkedSolution
+from kinegrade.worked.economy import leave_out_unused
 from kinegrade.worked.findings import Ways
 from kinegrade.worked.formulas.symbols import read_symbol
 from kinegrade.worked.numbering import number_steps
@@ -73,7 +74,8 @@ def write_worked_solution(
             return WorkedSolution(tuple(boxes.frame(explain_steps(asked, case, boxes))))
     # Centrodes are worked out at other poses too: in the precision of this one
     with case.arithmetic.context():
-        told = tuple(boxes.frame(_write_blocks(case, asked, boxes)))
+        framed = tuple(boxes.frame(_write_blocks(case, asked, boxes)))
+        told = leave_out_unused(framed, case.findings.told)
         return WorkedSolution((*_note_idle_method(method, asked, case), *number_steps(told, case)))
 
 

@@ -8,8 +8,8 @@ from kinegrade.language import Language
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.library.library import load_template
 from kinegrade.worked.solution import write_worked_solution
-from tests.worked.draws import kept
-from tests.worked.telling import lines
+from tests.worked.draws import kept, stated
+from tests.worked.telling import displayed, lines
 
 
 def _read_after(name: str, start: str, count: int, language: Language = "en") -> list[str]:
@@ -82,3 +82,13 @@ def test_it_is_said_in_every_language(language: Language, start: str) -> None:
     announced, inserted = _read_after("spool-pulled-by-cord", start, 2, language)
     assert announced.endswith((r"$\omega$ unbekannt:", r"$\omega$："))
     assert r"\cdot \omega &=" in inserted
+
+
+def test_a_component_has_each_of_its_factors_in_numbers() -> None:
+    values = {"gamma": "60", "v_A": "0.4", "a_A": "0", "v_B": "0.2", "a_B": "0"}
+    (line,) = (
+        line
+        for line in displayed(stated("two-rods-driven-ends", **values))
+        if line.startswith("v_{C,x} &=")
+    )
+    assert r"= 0.4\,\unit{m/s} \cdot \cos 60^\circ" in line

@@ -69,7 +69,7 @@ class AnswerBoxes:
 
     def _frame_value(self, left: Row, line: Row) -> Row:
         """The line with its value in a box, where it gives an answer for the first time."""
-        start, end = _find_value(line)
+        start, end = find_value(line)
         for name, sought in self.missing.items():
             if left in sought.letters and line[start:end] in sought.boxes:
                 del self.missing[name]
@@ -97,7 +97,7 @@ def _find_left(line: Row) -> Row:
     return line[: line.index(Mark())] if Mark() in line else ()
 
 
-def _find_value(line: Row) -> tuple[int, int]:
+def find_value(line: Row) -> tuple[int, int]:
     """Where the last right side of a line begins and ends, its sense in words left out."""
     relations = [place for place, node in enumerate(line) if node in _RELATIONS]
     start = relations[-1] + 1 if relations else len(line)

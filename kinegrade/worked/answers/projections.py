@@ -11,9 +11,10 @@ from kinegrade.worked.case import Case
 from kinegrade.worked.findings import Fact, Piece
 from kinegrade.worked.formulas.atoms import ZERO, add_terms
 from kinegrade.worked.formulas.formula import Formula, Function
-from kinegrade.worked.formulas.measures import bearing, double, length, tidy
-from kinegrade.worked.formulas.numbers import measure, state_angle
+from kinegrade.worked.formulas.measures import bearing, double, tidy
+from kinegrade.worked.formulas.numbers import state_angle
 from kinegrade.worked.vectors.by_components import project_components, split
+from kinegrade.worked.vectors.components import state_signed
 from kinegrade.worked.vectors.inclinations import (
     Inclination,
     is_inclination_known,
@@ -96,10 +97,3 @@ def _turn_to_axis(size: Formula, piece: Piece, angle: float, case: Case) -> Form
     if by_sine and angle:
         return size * Function("sin", state_angle(rest))
     return multiply_by_cosine(size, angle)
-
-
-def state_signed(piece: Piece, case: Case) -> Formula:
-    """The number of a piece, negative where it points against its positive sense."""
-    size = length(piece.value, case.arithmetic)
-    signed = -size if double(piece.value.dot(piece.positive)) < 0 else size
-    return measure(signed, piece.symbol.unit)

@@ -24,7 +24,6 @@ from kinegrade.worked.answers.projections import (
     name_known_axis,
     project,
     project_on,
-    state_signed,
 )
 from kinegrade.worked.case import Case
 from kinegrade.worked.findings import Fact
@@ -42,7 +41,7 @@ from kinegrade.worked.formulas.measures import bearing, double, length
 from kinegrade.worked.formulas.numbers import measure, round_number, state_angle
 from kinegrade.worked.rates.speeds import find_rotation_value, name_rotation
 from kinegrade.worked.vectors.by_components import split
-from kinegrade.worked.vectors.components import find_heading, list_component
+from kinegrade.worked.vectors.components import find_heading, list_component, state_signed
 from kinegrade.worked.vectors.inclinations import Inclination
 from kinegrade.worked.vectors.summands import name_component
 from kinegrade.worked.vectors.vectors import UNITS

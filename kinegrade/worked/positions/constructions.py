@@ -12,13 +12,14 @@ from typing import assert_never
 from kinegrade.expressions.tree import Call, Expression, Name, Number, Operation, list_parts
 from kinegrade.language.math.tree import Row
 from kinegrade.language.message import Message
-from kinegrade.worked.document import Block, Display
+from kinegrade.worked.document import Block
+from kinegrade.worked.formulas.atoms import Symbol
 from kinegrade.worked.positions.algebra import ZERO, over, plus
 from kinegrade.worked.positions.axes import length_of, scale
 from kinegrade.worked.positions.construction_steps import Step
 from kinegrade.worked.positions.instance import Instance
 from kinegrade.worked.positions.intersections import explain_foot, explain_meeting
-from kinegrade.worked.positions.parts import Coordinates, Part, Stated, write_parts
+from kinegrade.worked.positions.parts import Coordinates, Derived, Part, Stated, write_parts
 from kinegrade.worked.positions.polar import find_polar_way, write_positive
 from kinegrade.worked.positions.vectors import describe_vector, negate, write_way
 
@@ -97,19 +98,20 @@ def _describe_polar_place(
     return Message("solution.polar", **named, angle=way.angle)
 
 
-def _explain_toward(step: Step, instance: Instance) -> tuple[Block, ...]:
+def _explain_toward(step: Step, instance: Instance) -> Part:
     """A point at a distance from one point towards another, or along a vector."""
     start, end, distance = list_parts(step.tree)
     vector = write_way(start, end, instance)
     size, direction = length_of(vector, instance.axes), instance.axes.pair(vector)
     base = instance.axes.pair(start)
-    sentence = instance.say(_describe_reached_place(step, vector, instance))
+    sentence = _describe_reached_place(step, vector, instance)
     if base is None or direction is None:
-        return (sentence,)
+        return (instance.say(sentence),)
     lines = write_length_lines(size, instance)
     reached = scale(direction, over(distance, size)) or (ZERO, ZERO)
     pair = plus(base[0], reached[0]), plus(base[1], reached[1])
-    return sentence, Display((*lines, *instance.coordinate_lines(step.point, pair)))
+    before = (Derived(Symbol(instance.formula(size).print()), lines),) if lines else ()
+    return Stated(sentence, instance.coordinates(step.point, pair), before)
 
 
 def _describe_reached_place(step: Step, vector: Expression, instance: Instance) -> Message:

@@ -34,11 +34,12 @@ class Coordinates:
 @dataclass(frozen=True)
 class Stated:
     """A point whose coordinates follow at once from where it lies, or lengths, as a sentence says;
-    the origin has none to work out.
+    the origin has none to work out. `before` are the lengths that lead to the coordinates.
     """
 
     sentence: Message
     found: tuple[Derived, ...]
+    before: tuple[Derived, ...] = ()
 
 
 # Or the blocks of a longer construction
@@ -55,9 +56,15 @@ def select_used(parts: Sequence[Part], later: Iterable[Row]) -> tuple[Part, ...]
         match part:
             case Coordinates() | Stated():
                 found = tuple(each for each in part.found if is_met(each.symbol, met))
+                before = part.before if isinstance(part, Stated) else ()
                 if found or not part.found:
                     kept.append(replace(part, found=found))
-                    met |= find_symbols(_display(found).lines)
+                elif any(is_met(each.symbol, met) for each in before):
+                    found, before = before, ()
+                    kept.append(Stated(Message("solution.lengths"), found))
+                else:
+                    before = ()
+                met |= find_symbols(_display((*before, *found)).lines)
             case tuple():
                 kept.append(part)
                 met |= find_symbols(list_lines(part))
@@ -97,7 +104,8 @@ def write_parts(parts: Iterable[Part], case: Case) -> tuple[Block, ...]:
             case Coordinates():
                 blocks += (case.say(_announce(part.letters)), _display(part.found))
             case Stated():
-                blocks += (case.say(part.sentence), *([_display(part.found)] if part.found else []))
+                lines = _display((*part.before, *part.found))
+                blocks += (case.say(part.sentence), *([lines] if lines.lines else []))
             case tuple():
                 blocks += part
             case _:

@@ -11,6 +11,7 @@ from kinegrade.worked.case import Case
 from kinegrade.worked.document import Block
 from kinegrade.worked.formulas.atoms import AXES, OTHER, AxisName, add_terms
 from kinegrade.worked.formulas.equation import Equation, drop_repetition, equate
+from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.measures import double
 from kinegrade.worked.formulas.numbers import measure, state_number
 from kinegrade.worked.formulas.symbols import name_coordinate
@@ -62,16 +63,24 @@ def _state_coordinate(
     sign = {"x": -1, "y": 1}[axis]
     base, rate = case.motion.frames.bases[body].point, case.motion.omega(body)
     known = find_known(name_point_vector(base, "velocity", case), velocity, case)
-    speeds = [share.in_symbols.signed(sign) for share in list_component(known, other, case)]
-    arms = ((speed.size / case.naming.omega(body)).signed(speed.sign) for speed in speeds)
+    shares = tuple(list_component(known, other, case))
     start = name_coordinate(axis, case.naming.letter(base))
     place, across = case.motion.points[base][PLACES[axis]], velocity[PLACES[other]]
-    arm = (measure(across, "m/s") / measure(rate, "rad/s")).signed(sign)
-    if choose_axes(list_steps(case.template)).coordinate(axis, base) == NOTHING:
-        symbols, numbers = add_terms(arms), arm
-    else:
-        symbols, numbers = add_terms((start, *arms)), measure(place, "m") + arm
-    links = equate(symbols, numbers) if double(across) else equate(symbols)
+    symbols, numbers = (
+        [_divide(speed.signed(sign), by) for speed in speeds]
+        for speeds, by in (
+            ((one.in_symbols for one in shares), case.naming.omega(body)),
+            ((one.in_numbers for one in shares if one.counts), measure(rate, "rad/s")),
+        )
+    )
+    if choose_axes(list_steps(case.template)).coordinate(axis, base) != NOTHING:
+        symbols, numbers = [start, *symbols], [measure(place, "m"), *numbers]
+    sums = map(add_terms, (symbols, numbers) if double(across) else (symbols,))
     place = case.motion.pole(body, case.arithmetic)[PLACES[axis]]
     left = name_coordinate(axis, case.naming.letter(pole))
-    return Equation(left, drop_repetition(links, state_number(place, "m")))
+    return Equation(left, drop_repetition(equate(*sums), state_number(place, "m")))
+
+
+def _divide(speed: Formula, rate: Formula) -> Formula:
+    """A speed over a rate, the sign of the speed before the fraction."""
+    return (speed.size / rate).signed(speed.sign)

@@ -15,7 +15,7 @@ from kinegrade.worked.formulas.equation import Equation, equate
 from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.measures import double, is_zero, length
 from kinegrade.worked.formulas.numbers import measure, state_number
-from kinegrade.worked.vectors.components import find_heading
+from kinegrade.worked.vectors.components import find_heading, state_signed
 from kinegrade.worked.vectors.facts import make_key
 from kinegrade.worked.vectors.inclinations import Inclination, find_cosine
 from kinegrade.worked.vectors.summands import name_component
@@ -71,18 +71,10 @@ def project_components(
             return ()
         cosine = find_cosine(heading, axis)
         turned = (heading.quarters - axis.quarters) % 4
-        size = _state_piece(piece, case, in_numbers=in_numbers)
+        size = state_signed(piece, case) if in_numbers else piece.symbol
         if cosine is not None:
             share = size.size * cosine.state(in_numbers)
             shares.append(share.signed(cosine.sign * size.sign))
         elif turned % 2 == 0:
             shares.append(size.signed(1 - turned))
     return tuple(shares)
-
-
-def _state_piece(piece: Piece, case: Case, *, in_numbers: bool) -> Formula:
-    """A piece along its positive sense: its symbol, or its number."""
-    if not in_numbers:
-        return piece.symbol
-    sign = -1 if double(piece.value.dot(piece.positive)) < 0 else 1
-    return measure(length(piece.value, case.arithmetic) * sign, piece.symbol.unit)

@@ -14,9 +14,10 @@ from kinegrade.mechanics.vector_equation import Level
 from kinegrade.worked.case import Case
 from kinegrade.worked.findings import Fact, Piece
 from kinegrade.worked.formulas.atoms import OTHER, TWO, AxisName, VectorSymbol
+from kinegrade.worked.formulas.atoms import ZERO as NOTHING
 from kinegrade.worked.formulas.equation import Equation
 from kinegrade.worked.formulas.formula import Formula
-from kinegrade.worked.formulas.measures import bearing, double, is_zero
+from kinegrade.worked.formulas.measures import bearing, double, is_zero, length
 from kinegrade.worked.formulas.numbers import measure
 from kinegrade.worked.formulas.symbols import name_coordinate
 from kinegrade.worked.positions.algebra import ZERO
@@ -83,11 +84,18 @@ def _project(piece: Piece, axis: AxisName, case: Case) -> tuple[Summand, ...] | 
     if cosine is None and quarters % 2:
         return ()
     sign = 1 - quarters if cosine is None else cosine.sign
-    formula: Formula = piece.symbol
-    if cosine is not None:
-        formula = formula * cosine.state(False)
-    number = measure(piece.value[PLACES[axis]] * sign, piece.symbol.unit)
-    return (Summand(_SIGNS[sign], formula, (number,)),)
+    size = state_signed(piece, case)
+    if cosine is None:
+        return (Summand(_SIGNS[sign], piece.symbol, (size,)),)
+    numbers = (size, cosine.state(True)) if double(piece.value[PLACES[axis]]) else (NOTHING,)
+    return (Summand(_SIGNS[sign], piece.symbol * cosine.state(False), numbers),)
+
+
+def state_signed(piece: Piece, case: Case) -> Formula:
+    """The number of a piece, negative where it points against its positive sense."""
+    size = length(piece.value, case.arithmetic)
+    against = double(piece.value.dot(piece.positive)) < 0
+    return measure(-size if against else size, piece.symbol.unit)
 
 
 def find_heading(piece: Piece, case: Case) -> Inclination | None:

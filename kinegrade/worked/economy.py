@@ -1,0 +1,78 @@
+"""A finished solution without the coordinates that nothing takes up: of a pole, of a point that a
+triangle or a length has placed.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import assert_never
+
+from kinegrade.language.math.tree import Accent, Letter, Mark, Node, Row, Scripts
+from kinegrade.worked.answers.boxes import find_value
+from kinegrade.worked.case import write_row
+from kinegrade.worked.document import Block, Display, Heading, Pictures, Prose, TermTable
+from kinegrade.worked.positions.parts import find_symbols
+
+_COORDINATES = (Letter("x"), Letter("y"))
+
+
+def leave_out_unused(blocks: Sequence[Block], told: Sequence[Row]) -> tuple[Block, ...]:
+    """The blocks without coordinates that are neither zero nor answers, and that neither a formula
+    further down nor one of sentences, `told`, takes up by letter or by number; a sentence that led
+    to these alone is left out with them.
+    """
+    page = _Page(find_symbols(told), [])
+    kept = list[Block]()
+    bare = False
+    for block in reversed(blocks):
+        match block:
+            case Display(lines):
+                left = page.select(lines)
+                bare = not left
+                kept += [Display(left)] if left else []
+            case Prose(text):
+                page.said.append(text)
+                if not bare or not text.endswith((":", "：")):
+                    kept.append(block)
+                bare = False
+            case Heading() | TermTable() | Pictures():
+                kept.append(block)
+                bare = False
+            case _:
+                assert_never(block)
+    return tuple(reversed(kept))
+
+
+@dataclass(frozen=True)
+class _Page:
+    """What stands further down: the letters met, and what sentences say."""
+
+    met: set[Node]
+    said: list[str]
+
+    def select(self, lines: Sequence[Row]) -> tuple[Row, ...]:
+        """The lines of the equations that are taken up; their letters count as met from then on."""
+        kept, going_on = list[Row](), list[Row]()
+        for line in reversed(lines):
+            going_on.append(line)
+            left = line[: line.index(Mark())] if Mark() in line else line
+            if left and (not _is_coordinate(left) or self._needs(left, going_on)):
+                kept += going_on
+                self.met.update(find_symbols(going_on))
+            going_on = [] if left else going_on
+        return tuple(reversed((*kept, *going_on)))
+
+    def _needs(self, left: Row, lines: Sequence[Row]) -> bool:
+        start, end = find_value(lines[0])
+        value = write_row(lines[0][start:end]).removeprefix("-")
+        boxed = any(isinstance(node, Accent) for line in lines for node in line)
+        number = re.compile(rf"(?<![\d.,]){re.escape(value)}")
+        said = value == "0" or any(map(number.search, self.said))
+        return boxed or said or left[0] in self.met
+
+
+def _is_coordinate(left: Row) -> bool:
+    only = left[0]
+    return len(left) == 1 and isinstance(only, Scripts) and only.base in _COORDINATES
