@@ -39,12 +39,12 @@ from tests.prove.proof import Proof
 EACH = len(find_template_names())  # so many seeds that follow each other fall on each template once
 
 PROOFS = (
-    Proof("damaged files", damaged_files.hold, cases=10_000, batch=100, sample=304),
+    Proof("damaged files", damaged_files.hold, cases=10_000, batch=100, sample=165),
     Proof("properties", properties.hold, cases=264, batch=1, sample=0),
     Proof("whole tests", whole_tests.hold, cases=len(whole_tests.files()), batch=1, sample=0),
     Proof("independent positions", independent_positions.hold, cases=5_000, batch=50, sample=50),
     Proof("sound templates", sound_templates.hold, cases=200, batch=10, sample=0),
-    Proof("clear figures", clear_figures.hold, cases=2_000, batch=100, sample=13),
+    Proof("clear figures", clear_figures.hold, cases=2_000, batch=100, sample=7),
     Proof("described figures", described_figures.hold, cases=20 * EACH, batch=51, sample=17),
     Proof(
         "sufficient descriptions",
@@ -54,7 +54,7 @@ PROOFS = (
         sample=0,
     ),
     Proof("described pictures", described_pictures.hold, cases=EACH, batch=4, sample=2),
-    Proof("tactile sheets", tactile_sheets.hold, cases=5 * EACH, batch=31, sample=6),
+    Proof("tactile sheets", tactile_sheets.hold, cases=5 * EACH, batch=31, sample=3),
     Proof("printed figures", printed_figures.hold, cases=1_020, batch=51, sample=17),
     Proof("printed mathematics", printed_mathematics.hold, cases=1_020, batch=51, sample=9),
     Proof("solution pages", solution_pages.hold, cases=510, batch=51, sample=0),
@@ -70,5 +70,5 @@ PROOFS = (
     Proof("practice sheet size", practice_sheets.hold_size, cases=1, batch=1, sample=0),
     Proof("practice access", practice_access.hold, cases=EACH, batch=8, sample=0),
     Proof("accessible pages", accessible_pages.hold, cases=20 * EACH, batch=51, sample=2),
-    Proof("fair marks", fair_marks.hold, cases=400, batch=20, sample=3),
+    Proof("fair marks", fair_marks.hold, cases=400, batch=20, sample=1),
 )
