@@ -70,6 +70,22 @@ def test_a_word_in_a_subscript_is_short(language: Language, body: str, letters: 
 
 
 @pytest.mark.parametrize(
+    ("body", "german", "english"),
+    [
+        ("Trommel", "die Trommel", "the drum"),
+        ("Hebel2", "Hebel 2", "lever 2"),
+        ("Schwinge_CD", "die Schwinge $CD$", "the rocker $CD$"),
+        ("Greifer", "Greifer", "Greifer"),
+    ],
+)
+def test_a_word_of_any_language_is_no_symbol(body: str, german: str, english: str) -> None:
+    naming = Naming(load_template("slider-crank"), Language("de"))
+    name = naming.body(body)
+    assert open_catalogue(Language("de")).write(name) == german
+    assert open_catalogue(Language("en")).write(name) == english
+
+
+@pytest.mark.parametrize(
     ("template", "ask", "poles"),
     [
         ("stone-crusher", "EC1", {"C_{1}"}),
@@ -91,5 +107,5 @@ def test_a_pole_has_the_letter_that_the_ask_gives_it(
 def test_a_word_that_no_catalogue_has_stays_as_the_template_writes_it() -> None:
     chinese = open_catalogue(Language("zh"))
     assert chinese.write(name_kind("cylinder")) == "气缸"
-    assert chinese.write(name_kind("lever")) == "lever"
-    assert chinese.write(name_by_number("lever", "2")) == "lever 2"
+    assert chinese.write(name_kind("gripper")) == "gripper"
+    assert chinese.write(name_by_number("gripper", "2")) == "gripper 2"

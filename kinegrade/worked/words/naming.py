@@ -30,7 +30,7 @@ from kinegrade.worked.formulas.symbols import (
     read_symbol,
     replace_letter,
 )
-from kinegrade.worked.words.bodies import is_kind, name_barely, name_by_number, name_kind
+from kinegrade.worked.words.bodies import is_kind, is_word, name_barely, name_by_number, name_kind
 
 # Named by their end points
 _LINKS = frozenset({"crank", "rocker", "rod", "bar", "arm", "strut", "jaw", "coupler"})
@@ -92,9 +92,9 @@ class Naming:
         return (Words(open_catalogue(self.language).write(words)),)
 
     def _find_label(self, name: str) -> _Label:
-        if not name.islower():
+        if not is_word(name):
             head, _, letters = name.partition("_")
-            if letters and head.islower():
+            if letters and is_word(head):
                 return _Label(head, letters)
             if self._is_round(name):
                 return self._label_wheel(name)
@@ -175,7 +175,7 @@ class Naming:
         """The angular velocity with the letters of a link or of a named body, else with the word
         for the body, as of a wheel; so too where another has these letters.
         """
-        if not body.name.islower():
+        if not is_word(body.name):
             letters = self._name_letter(body.name)
         elif self._has_letters(body):
             letters = join_letters(map(name_point, body.points[:2]))
