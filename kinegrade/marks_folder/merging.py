@@ -109,7 +109,7 @@ class Merging:
             missing
             for each in ([first, *differing] if differing else [])
             if each.scale is None  # without points by hand there are no grades yet
-            for missing in describe_unmarked(str(each.path), each.open, ())
+            for missing in describe_unmarked(str(each.path), each.open, each.lacking)
         ] or [Fault(str(each.path), what, do=Message("marks.same-scale")) for each in differing]
         if faults:
             raise TableError(*faults)

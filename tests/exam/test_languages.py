@@ -44,7 +44,8 @@ def test_an_exam_in_a_language_that_bank_and_template_lack_is_refused(tmp_path: 
         "of its name beside it, like demo.zh.toml beside demo.toml",
         'error: crank: no text in "zh" (title, parameters.r.means, parameters.h.means, '
         "parameters.omega.means, asks.v_x.means, asks.v_y.means and 1 more) - expected every text "
-        'in "zh" - write crank.zh.toml beside it, or use --lang en',
+        'in "zh" - write crank.zh.toml beside it, use --lang en, or choose '
+        "another: kinegrade list --lang zh shows which have it",
     ]
     assert not (tmp_path / "EXAM").exists()
 

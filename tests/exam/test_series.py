@@ -309,9 +309,16 @@ def test_answers_to_an_earlier_sheet_are_told(
     assert marked.exit_code == 1
     assert f"are right on the paper of {first} - marked as answers to this one" in marked.stderr
     assert read == [first]  # that of another class has nobody of it, and no third is needed
+    shutil.copytree(second, tmp_path / "HW" / "a copy")
+    numbers = key_lines(second)[0]["questions"][0]["asks"]
+    reversed_row = ",".join(numbers[ask]["decimal"] for ask in ("v_y", "v_x"))
+    answers.write_text(f"student,q1.v_x,q1.v_y\ns0,{reversed_row}\n", encoding="utf-8")
+    copied = kinegrade("grade", second, answers, "-o", tmp_path / "COPIED")
+    assert "right on the paper of" not in copied.stderr
+    answers.write_text(f"student,q1.v_x,q1.v_y\ns0,{typed}\n", encoding="utf-8")
     own = kinegrade("grade", first, answers, "-o", tmp_path / "FIRST")
     assert "marked as answers to this one" not in own.stderr
-    assert read == [first]  # nobody is mostly wrong
+    assert read.count(first) == 2  # the second time for the row that is right on the copy alone
     (first / "key.jsonl").write_text("{}\n", encoding="utf-8")
     damaged = kinegrade("grade", second, answers, "-o", tmp_path / "BESIDE")
     assert damaged.exit_code == 1

@@ -130,9 +130,11 @@ def test_a_language_that_templates_lack_is_refused_with_a_line_for_each() -> Non
     assert caught.value.problems == (
         'crank: no text in "zh" (title, parameters.r.means, parameters.h.means, '
         "parameters.omega.means, asks.v_x.means, asks.v_y.means and 1 more) - expected every text "
-        'in "zh" - write crank.zh.toml beside it, or use --lang en',
+        'in "zh" - write crank.zh.toml beside it, use --lang en, or choose '
+        "another: kinegrade list --lang zh shows which have it",
         'rod: no text in "zh" (parameters.r.means) - expected every text in "zh" - '
-        "write rod.zh.toml beside it, or use --lang en",
+        "write rod.zh.toml beside it, use --lang en, or choose "
+        "another: kinegrade list --lang zh shows which have it",
     )
     nowhere = crank(ONLY_ENGLISH[2], ('en = "height of A", ', ""))
     with pytest.raises(TemplateError, match=r"write crank\.zh\.toml beside it$"):

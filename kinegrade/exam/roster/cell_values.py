@@ -59,8 +59,8 @@ def read_paper_language(cell: str) -> Language | None:
     """The language in a cell, by its name or code ("de", "de-AT"); None for a blank one. Raises
     FieldError.
 
-    >>> read_paper_language("Deutsch"), read_paper_language("zh_CN"), read_paper_language(" ")
-    ('de', 'zh', None)
+    >>> [read_paper_language(cell) for cell in ("Deutsch", "Englisch", "英语", "zh_CN", " ")]
+    ['de', 'en', 'en', 'zh', None]
     """
     key = make_header_key(cell)
     if not is_answered(cell):

@@ -67,6 +67,7 @@ def find_hand_columns(table: Table) -> HandColumns:
             )
         )
     ask, comment = (_find(header, list_preferred_spellings(each)) for each in (_ASK, _COMMENT))
+    ask = None if ask == question else ask  # German has one word for both
     machine, exam = (_find(header, [name]) for name in (_MACHINE, _EXAM))
     names = find_name_columns(table.header)
     return HandColumns(student, code, question, ask, points, comment, machine, exam, names)

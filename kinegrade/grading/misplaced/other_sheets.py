@@ -16,6 +16,7 @@ from kinegrade.grading.exams_beside import list_exams_around
 from kinegrade.grading.fast.bounds import Numbers
 from kinegrade.grading.fast.intervals import Intervals, list_intervals
 from kinegrade.grading.misplaced.class_answers import ClassAnswers
+from kinegrade.grading.same_key import identify_exam
 from kinegrade.language.message import Message
 
 _LEAST_WRONG = 2  # one may be right elsewhere by chance
@@ -30,7 +31,7 @@ def find_other_sheets(exam: ExamFolder, answers: ClassAnswers) -> Iterator[Compl
     missed: list[int] = np.flatnonzero(mostly & (wrong >= _LEAST_WRONG)).tolist()
     students = exam.students if missed else ()
     numbers = {row: (students[row], answers.numbers[row][given[row]]) for row in missed}
-    where = _find_sheets(exam.path, numbers)
+    where = _find_sheets(exam, numbers)
     for row in missed:
         if row in where:
             problem = Message(
@@ -39,15 +40,19 @@ def find_other_sheets(exam: ExamFolder, answers: ClassAnswers) -> Iterator[Compl
             yield answers.complain(row, problem, Message("marking.check-which-sheet"))
 
 
-def _find_sheets(exam: Path, answers: Mapping[int, tuple[str, Numbers]]) -> Mapping[int, Path]:
+def _find_sheets(
+    exam: ExamFolder, answers: Mapping[int, tuple[str, Numbers]]
+) -> Mapping[int, Path]:
     """The first exam on whose paper all is right, for each row of a student and numbers that has
-    one. No exam is opened when nobody is left, and no key is read of one that has nobody of them.
+    one; a copy of the same exam is none. No exam is opened when nobody is left, and no key is read
+    of one that has nobody of them.
     """
     found: dict[int, Path] = {}
-    others = list_exams_around(exam)
+    around, itself = list_exams_around(exam.path), identify_exam(exam.head)
+    others = (each for each in around if not itself or identify_exam(each.head) != itself)
     while len(found) < len(answers) and (other := next(others, None)) is not None:
         left = {row: own for row, own in answers.items() if row not in found}
-        found |= dict.fromkeys(_list_right(other, left), exam.with_name(other.path.name))
+        found |= dict.fromkeys(_list_right(other, left), exam.path.with_name(other.path.name))
     return found
 
 
@@ -69,7 +74,9 @@ def _list_right(exam: ExamFolder, answers: Mapping[int, tuple[str, Numbers]]) ->
 
 
 def _has_all(intervals: Sequence[Intervals], place: int, numbers: Numbers) -> bool:
-    """Whether each of these numbers is right somewhere on the paper at that place."""
+    """Whether each of these numbers is right somewhere on the paper at that place, and not all of
+    them in the same place there.
+    """
     own = np.array([place])
-    fits = [each.at(own).fit(numbers)[:, 0] for each in intervals]
-    return bool(np.any(fits, axis=0).all())
+    fits = np.array([each.at(own).fit(numbers)[:, 0] for each in intervals])
+    return bool(fits.any(axis=0).all()) and int(fits.any(axis=1).sum()) >= _LEAST_WRONG

@@ -45,6 +45,9 @@ _ABOUT = r"[\u2248~\u2243\u2245\u223c]"
 _TAIL = re.compile(r"[\s.;,!\u3001]+$")
 _SIGN = re.compile(r"([+-]?)\s*")
 _NEXT_NUMBER = re.compile(r"[\s.,;'\u3001~=\u2248]*(?:[+-]\s*)?\(?\s*[0-9]")
+_DECIMAL = r"[0-9]+[.,][0-9]+"
+_IN_BRACKETS = re.compile(rf"\(\s*(?:{_DECIMAL}|[0-9]+)\s*\)")
+_SLASH = re.compile(rf"{_DECIMAL}\s*/\s*{_DECIMAL}")
 _SHARE_OF_TIME = re.compile(r"\s*1\s*/\s*[^\W\d]|\s*\(\s*1\s*/")
 
 
@@ -132,7 +135,7 @@ def _read(
     written = sign[1] if sign else ""
     turn, remark = find_direction(sense, written, convention, words) if sense else (1, "")
     minus = (written == "-") != (turn < 0)
-    doubt = _describe_doubt(found, minus)
+    doubt = _describe_form(answer[: found.end]) or _describe_doubt(found, minus)
     both = Message("marking.two-remarks", first=doubt, second=remark)
     said = both if doubt and remark else doubt or remark
     if isinstance(found, TypedNumber) and factor == Conversion():
@@ -154,6 +157,15 @@ def _describe_doubt(found: TypedNumber | Formula, minus: bool) -> Text:
             return found.remark
         case _:
             assert_never(found)
+
+
+def _describe_form(text: str) -> Text:
+    """What the instructor should know of a number in brackets, and of two with a slash between."""
+    if _IN_BRACKETS.fullmatch(text):
+        return Message("typing.in-brackets")
+    if _SLASH.fullmatch(text):
+        return Message("typing.quotient-of-decimals")
+    return ""
 
 
 def _apply_sign(found: TypedNumber, minus: bool) -> str:

@@ -163,7 +163,8 @@ def _advise(template: Template, language: Language) -> Message:
     file = f"{template.name}.{language}.toml"
     if not complete:
         return Message("texts.write-file", file=file)
-    return Message("texts.write-file-or", file=file, languages=list_choices(complete))
+    languages = list_choices(complete)
+    return Message("texts.write-file-or", file=file, languages=languages, language=language)
 
 
 def _list_texts(template: Template) -> Iterator[tuple[Place, Translated]]:
