@@ -94,7 +94,8 @@ class MisplacedColumns:
         given = self._given[:, ask]
         if (self.answers.numbers[given, ask] < 0).any():
             return
-        rows = np.flatnonzero(given & (self.intervals[ask].high < 0))
+        own = self.intervals[ask].high[: len(given)]  # those of a pool stand behind
+        rows = np.flatnonzero(given & (own < 0))
         fits = self._count_fits(ask, rows, -self.answers.numbers[rows, ask])
         if fits >= max(_LEAST_UNSIGNED, _MOST_OF_THEM * len(rows)):
             problem = Message("marking.signs-lost", count=len(rows), fits=fits)
