@@ -41,7 +41,7 @@ from kinegrade.language.message import Text
 from kinegrade.marks_folder.rows import Grade, Submission
 from kinegrade.numbers.amounts import add_amounts
 
-_BLOCK, _LARGE_BLOCK = 500, 1000  # papers marked together: more take less time, and more memory
+_BLOCK, _LARGE_BLOCK = 300, 1000  # papers marked together: more take less time, and more memory
 _LARGE = 10_000  # papers; such a class takes that memory anyway
 
 

@@ -10,6 +10,7 @@ import pytest
 
 from kinegrade.errors import ExamError
 from kinegrade.exam.folder.exam_folder import open_exam
+from kinegrade.files.rows.cell_grid import CellGrid
 from kinegrade.files.tables import Table, read_table
 from kinegrade.grading.marking import MarkingTerms, mark
 from kinegrade.grading.marks import Marks
@@ -154,6 +155,7 @@ def test_marks_are_those_of_the_answer_sheet(
     read = read_responses(way(tmp_path, cells, columns), open_exam(exam))
     found = marked(exam, read.table)
     assert read.source == source
+    assert isinstance(read.table.rows, CellGrid)  # which is marked by columns
     assert read.table.complaints == ()
     assert [row.cells for row in read.table.rows] == [row.cells for row in read_table(plain).rows]
     assert found.grades == expected.grades

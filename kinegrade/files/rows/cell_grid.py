@@ -95,9 +95,11 @@ def read_grid(text: str, separator: str, width: int, line: int) -> CellGrid | No
 
 
 def pack_grid(rows: Sequence[Row]) -> CellGrid | None:
-    """The same rows in a grid; None where they have not equally many cells, or one has a letter
-    that has a meaning here.
+    """The same rows in a grid; None where there are none or they have not equally many cells, or
+    one has a letter that has a meaning here.
     """
+    if not rows:
+        return None
     width = len(rows[0].cells)
     text = "".join([f"{_BETWEEN.join(row.cells)}{_BREAK}" for row in rows])
     even = all(len(row.cells) == width for row in rows)

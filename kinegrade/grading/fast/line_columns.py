@@ -7,6 +7,7 @@ long, or holds a letter with a meaning here, is put in its place at the end.
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
@@ -18,6 +19,8 @@ _Places = NDArray[np.intp]
 
 _NOTHING, _LATER = b"\0", b"\1"
 _LONGEST = 32  # letters in a column; a longer text would make all lines as long
+# Lines put together at once: few enough for a processor's cache, enough to cost little each
+_TOGETHER = 1000
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,19 +66,27 @@ class LineColumns:
 
     def write(self, lines: _Places) -> bytes:
         """The lines with these numbers, which ascend, one behind the other."""
-        whole = np.empty(self.count, [(f"{n}", each.dtype) for n, each in enumerate(self.columns)])
-        for number, column in enumerate(self.columns):
-            whole[f"{number}"] = column
         later = sorted(self.later)
-        if len(lines) < self.count:
+        parts = (lines[begin : begin + _TOGETHER] for begin in range(0, len(lines), _TOGETHER))
+        return b"".join([self._write_part(part, later) for part in parts])
+
+    def _write_part(self, lines: _Places, later: Sequence[tuple[int, int, bytes]]) -> bytes:
+        """Some of them; `later` are the texts to be put in their places, in order."""
+        begin, end = int(lines[0]), int(lines[-1]) + 1
+        columns = [column[begin:end] for column in self.columns]
+        whole = np.empty(end - begin, [(f"{n}", each.dtype) for n, each in enumerate(columns)])
+        for number, column in enumerate(columns):
+            whole[f"{number}"] = column
+        put = later[bisect_left(later, (begin,)) : bisect_left(later, (end,))]
+        if len(lines) < end - begin:
             kept = {*lines.tolist()}
-            whole, later = whole[lines], [each for each in later if each[0] in kept]
+            whole, put = whole[lines - begin], [each for each in put if each[0] in kept]
         text = whole.tobytes().translate(None, _NOTHING)
-        if not later:
+        if not put:
             return text
-        together = [b""] * (2 * len(later) + 1)
+        together = [b""] * (2 * len(put) + 1)
         together[::2] = text.split(_LATER)
-        together[1::2] = [each for _, _, each in later]
+        together[1::2] = [each for _, _, each in put]
         return b"".join(together)
 
 

@@ -18,6 +18,7 @@ from kinegrade.exam.folder.records import Candidate
 from kinegrade.exam.roster.student_ids import describe_restoration
 from kinegrade.files.answer_file import AnswerFile, LeftOut, Sources
 from kinegrade.files.cell_text import shorten, trim
+from kinegrade.files.rows.cell_grid import pack_grid
 from kinegrade.files.rows.packed_rows import pack_rows
 from kinegrade.files.rows.row import Row
 from kinegrade.files.tables import Complaint, Table, drop_headers
@@ -167,7 +168,9 @@ def _answers(
         *(each.complaint for each in left if not each.student),
     )
     header = ("student", *typed.columns)
-    sheet = replace(table, header=header, rows=pack_rows(_rows(pairs)), complaints=complaints)
+    listed = [*_rows(pairs)]
+    rows = pack_grid(listed) or pack_rows(listed)  # a grid is marked by columns
+    sheet = replace(table, header=header, rows=rows, complaints=complaints)
     timed = [each for each, _ in pairs if each.submitted]
     moments, decided = read_times(each.submitted for each in timed)
     lines = [timed[each.place].row.line for each in decided]

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from unittest.mock import patch
+
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from kinegrade.grading.fast import line_columns
 from kinegrade.grading.fast.line_columns import LineColumns
 
 SIZE = 5
@@ -20,9 +23,12 @@ FEW = st.tuples(
 )
 
 
-@given(COLUMNS, FEW, st.lists(st.booleans(), min_size=SIZE, max_size=SIZE))
+@given(COLUMNS, FEW, st.lists(st.booleans(), min_size=SIZE, max_size=SIZE), st.integers(1, SIZE))
 def test_lines_are_their_cells_one_behind_the_other(
-    columns: list[list[bytes]], few: tuple[list[bytes], list[int]], kept: list[bool]
+    columns: list[list[bytes]],
+    few: tuple[list[bytes], list[int]],
+    kept: list[bool],
+    together: int,
 ) -> None:
     texts, chosen = few
     which = np.array(chosen) % len(texts)
@@ -35,9 +41,10 @@ def test_lines_are_their_cells_one_behind_the_other(
         b"".join([*(column[line] for column in columns), texts[which[line]], columns[0][line]])
         for line in range(SIZE)
     ]
-    assert lines.write(np.arange(SIZE)) == b"".join(expected)
     some = np.flatnonzero(kept)
-    assert lines.write(some) == b"".join(expected[line] for line in some)
+    with patch.object(line_columns, "_TOGETHER", together):
+        assert lines.write(np.arange(SIZE)) == b"".join(expected)
+        assert lines.write(some) == b"".join(expected[line] for line in some)
 
 
 @pytest.mark.parametrize("width", [0, 1, 32, 33])
