@@ -182,13 +182,24 @@ def kinegrade(*arguments: str | Path, complaints: bool = False) -> None:
     """Run the command line as a user does; what it refuses is raised with what it said, and so is
     what it complains of, unless that may be.
     """
+    command = list(map(str, arguments))
+    status, said = run(command)
+    if status not in ({0, COMPLAINTS} if complaints else {0}):
+        raise RuntimeError(f"{' '.join(command)}: {said}")
+
+
+def run(command: Sequence[str]) -> tuple[int, str]:
+    """The status of a command in a process of its own, and what it says of faults; `make test` runs
+    it in the process of the tests (`tests/one_process.py`).
+    """
     path = os.pathsep.join(filter(None, (str(ROOT), os.environ.get("PYTHONPATH"))))
-    command = [sys.executable, "-m", "kinegrade", *map(str, arguments)]
     done = subprocess.run(
-        command, capture_output=True, check=False, env={**os.environ, "PYTHONPATH": path}
+        [sys.executable, "-m", "kinegrade", *command],
+        capture_output=True,
+        check=False,
+        env={**os.environ, "PYTHONPATH": path},
     )
-    if done.returncode not in ({0, COMPLAINTS} if complaints else {0}):
-        raise RuntimeError(f"{' '.join(command)}: {done.stderr.decode()}")
+    return done.returncode, done.stderr.decode()
 
 
 def _read_paper(place: int, line: Mapping[str, object]) -> Paper:
