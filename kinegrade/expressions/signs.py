@@ -30,6 +30,16 @@ def fold_signs(tree: Expression, is_negative: Callable[[Expression], bool]) -> E
     Name(name='l')
     >>> fold_signs(Operation("-", Name("r"), beside), lambda part: True)
     Operation(sign='+', left=Name(name='r'), right=Name(name='l'))
+
+    An angle that is mirrored so is counted from where it is counted usually.
+
+    >>> half = Operation("/", Name("pi"), Number(fmpq(2)))
+    >>> left = Operation("*", Operation("-", half, Name("phi")), n)
+    >>> turned = Operation("/", left, Call("abs", (n,)))
+    >>> fold_signs(Operation("-", half, turned), lambda part: False)
+    Name(name='phi')
+    >>> fold_signs(Operation("-", half, turned), lambda part: True)
+    Operation(sign='-', left=Name(name='pi'), right=Name(name='phi'))
     """
     match tree:
         case Number() | Name():
@@ -40,9 +50,8 @@ def fold_signs(tree: Expression, is_negative: Callable[[Expression], bool]) -> E
             rest = fold_signs(_take_out(left, part), is_negative)
             return _negate(rest) if is_negative(part) else rest
         case Operation(sign, left, right):
-            return _combine(
-                Operation(sign, fold_signs(left, is_negative), fold_signs(right, is_negative))
-            )
+            folded = Operation(sign, fold_signs(left, is_negative), fold_signs(right, is_negative))
+            return _mirror(_combine(folded))
         case _:
             assert_never(tree)
 
@@ -98,3 +107,16 @@ def _combine(tree: Operation) -> Expression:
             return tree
         case _:
             assert_never(tree.sign)
+
+
+def _mirror(tree: Expression) -> Expression:
+    """The same with an angle that is counted from its half way, a/2 -+ (a/2 - b), as b or a - b."""
+    match tree:
+        case Operation("-", middle, Operation("-", other, angle)) if middle == other:
+            return angle
+        case Operation("+", Operation("/", whole, two), Operation("-", other, angle)) if (
+            tree.left == other and two == Number(fmpq(2))
+        ):
+            return Operation("-", whole, angle)
+        case _:
+            return tree

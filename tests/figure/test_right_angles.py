@@ -9,9 +9,11 @@ import pytest
 from kinegrade.errors import TemplateError
 from kinegrade.figure.marks.right_angles import add_right_angle
 from kinegrade.figure.mechanism.layers import Drawing
+from kinegrade.figure.mechanism.straight_parts import Bar
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.scene import FIRM, THIN, Disc, Outline, Scene
 from kinegrade.figure.sketch import sketch
+from kinegrade.figure.symbols import BAR_WIDTH
 from kinegrade.mechanics.joints import GROUND, Pin
 from kinegrade.mechanics.mechanism import Body, Mechanism
 from kinegrade.mechanics.vector import Vector
@@ -57,6 +59,15 @@ def test_the_square_is_smaller_than_its_legs_whatever_that_covers() -> None:
     assert isinstance(square, Outline)
     first, far, _ = square.corners
     assert hypot(*(first - far)) < 4.0
+
+
+def test_at_a_broad_bar_the_square_stands_on_its_edge() -> None:
+    at = {"A": Vector(0.0, -20.0), "B": Vector(0.0, 0.0), "C": Vector(30.0, 0.0)}
+    slotted = Bar("rocker", at["C"], Vector(-8.0, 0.0), "slot")
+    drawing = Drawing((), (), (), (slotted,), (), ())
+    *_, square = add_right_angle(Layout.of(()), at, ("A", "B", "C"), drawing).lines
+    assert isinstance(square, Outline)
+    assert max(corner.y for corner in square.corners) == pytest.approx(-BAR_WIDTH / 2)
 
 
 def test_an_angle_that_is_no_right_one_is_not_marked_as_such() -> None:

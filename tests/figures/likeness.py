@@ -30,7 +30,6 @@ ALIKE: Mapping[str, str] = {
     "epicyclic-train-by-tooth-counts": "gears of one size; the arm alone turns",
     "geneva-drive": "four slots fix the shape; the crank is below or above",
     "guided-rack-and-gear": "not widened yet",
-    "pin-in-disc-slot-and-rod": "not widened yet",
     "pin-in-two-rings": "not widened yet",
     "pinion-between-two-racks": "one pinion and two racks; the senses alone differ",
     "ring-gear-planet-relative-spin": "a small planet has no room for its letters",

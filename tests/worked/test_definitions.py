@@ -66,7 +66,7 @@ def test_a_coordinate_that_is_zero_is_not_put_in() -> None:
 
 def test_a_component_follows_from_what_is_known_of_the_vector() -> None:
     # v_D = l omega is normal to OD, which makes the angle phi with x; v_B is taken from it
-    told = displayed(kept("elliptic-trammel-crank-driven"))
+    told = displayed(stated("elliptic-trammel-crank-driven", l="0.2", omega="4"))
     (line,) = (line for line in told if line.startswith("v_{B,x} &="))
     assert line.startswith(r"v_{B,x} &= -v_{D}\sin\varphi - \omega_{AB}(y_{B} - y_{D}) = ")
 

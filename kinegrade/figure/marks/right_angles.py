@@ -8,10 +8,11 @@ from math import acos, degrees
 
 from kinegrade.errors import TemplateError
 from kinegrade.figure.mechanism.layers import Drawing
-from kinegrade.figure.mechanism.straight_parts import Bar, Rod, list_ways
+from kinegrade.figure.mechanism.straight_parts import Bar, Rod, is_slender, list_ways
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.plane import length, unit
 from kinegrade.figure.scene import THIN, Outline
+from kinegrade.figure.symbols import BAR_WIDTH
 from kinegrade.language.message import Fault, Message, Quoted
 from kinegrade.mechanics.vector import Vector
 
@@ -26,7 +27,7 @@ def add_right_angle(
 ) -> Layout:
     """The layout with the square in the corner at the second point, as small as it can be without
     covering more than a larger one, and smaller than its legs; where a bar runs on, it may be
-    beyond the corner.
+    beyond the corner; at a broad bar it stands on the edge of that.
 
     Raises TemplateError when the angle is no right angle.
     """
@@ -39,7 +40,8 @@ def add_right_angle(
     pairs = list(product(*(_list_sides(leg, corner, drawing) for leg in legs)))
     most = _SHARE * min(length(start - corner), length(end - corner))
     sides = [side for side in _SIDES if side <= most] or _SIDES[:1]
-    squares = [_trace_square(corner, pair, side) for side in sides for pair in pairs]
+    inner = [(_find_inner_corner(corner, pair, drawing), pair) for pair in pairs]
+    squares = [_trace_square(at_edge, pair, side) for side in sides for at_edge, pair in inner]
     return layout.drawn((min(squares, key=lambda square: _measure_covering(square, layout)),))
 
 
@@ -48,6 +50,16 @@ def _list_sides(leg: Vector, corner: Vector, drawing: Drawing) -> list[Vector]:
     bars = [part for part in drawing.parts if isinstance(part, Bar | Rod)]
     ways = [unit(way) for bar in bars for way in list_ways(bar, corner)]
     return [leg, *(way for way in ways if way.dot(leg) < _RIGHT - 1)]
+
+
+def _find_inner_corner(corner: Vector, legs: Sequence[Vector], drawing: Drawing) -> Vector:
+    """Where the edges meet of what is drawn along the legs from a corner."""
+    bars = [part for part in drawing.parts if isinstance(part, Bar) and not is_slender(part)]
+    ways = [unit(way) for bar in bars for way in list_ways(bar, corner)]
+    for leg, other in (legs, legs[::-1]):
+        if any(abs(way.dot(leg)) > 1 - _RIGHT for way in ways):
+            corner = corner + other * (BAR_WIDTH / 2)
+    return corner
 
 
 def _trace_square(corner: Vector, legs: Sequence[Vector], side: float) -> Outline:

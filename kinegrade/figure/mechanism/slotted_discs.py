@@ -13,7 +13,7 @@ from kinegrade.figure.scene import FIRM, Disc, Outline, Primitive
 from kinegrade.figure.symbols import SLOT_WIDTH, trace_round
 from kinegrade.mechanics.vector import Vector
 
-_OVERHANG = 8.0  # millimetres of a disc beyond what slides in its slot
+_OVERHANG = 12.0  # millimetres of a disc beyond what slides in its slot, and in a bar across it
 _HUB, _RIM = 3.2, 2.0  # millimetres between a slot and the centre, and the edge
 
 
