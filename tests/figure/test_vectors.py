@@ -116,7 +116,8 @@ def test_a_rotation_has_its_sense(sense: str) -> None:
     assert len(heads(scene)) == 2
 
 
-@pytest.mark.parametrize("name", find_template_names()[::4])
+@pytest.mark.sampled(8)
+@pytest.mark.parametrize("name", find_template_names())
 def test_velocities_and_accelerations_of_shipped_templates_are_clear(name: str) -> None:
     template = load_template(name)
     motion = drawn(draw_filter(template), 1)[0].solution.motion

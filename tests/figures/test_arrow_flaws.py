@@ -60,6 +60,7 @@ def test_a_symbol_beyond_a_bar_from_its_arrow_is_found() -> None:
     assert find_arrow_flaws(draw(VELOCITY, bar, write("v", 8, 13))) == []
 
 
+@pytest.mark.sampled(2, by="template")
 @pytest.mark.parametrize(
     "template",
     [
