@@ -217,6 +217,20 @@ def test_two_gears_about_fixed_axes_are_checked_as_one_of_them_sees_it() -> None
     ]
 
 
+def test_a_point_of_constant_velocity_in_a_turning_slot_is_checked_by_differentiating() -> None:
+    template = load_template("slotted-link-on-cylinder")
+    solution = solve_template(template, {"d": "0.6", "l": "2", "theta": "45", "v": "0.5"})
+    blocks = write_worked_solution(solution, template.asked(), ENGLISH).blocks
+    assert find_checks(blocks)[-1] == Check(
+        r"the time derivative of $AB \cdot \omega_{AC}$, the component of the constant velocity of "
+        "$B$ perpendicular to $AB$",
+        r"0.8485\,\unit{m} \cdot (-0.3472\,\unit{rad/s^2}) + "
+        r"0.3536\,\unit{m/s} \cdot 0.4167\,\unit{rad/s} \approx -0.1473\,\unit{m/s^2}",
+        r"-0.4167\,\unit{rad/s} \cdot 0.5\,\unit{m/s} \cdot \sin 45^\circ"
+        r" \approx -0.1473\,\unit{m/s^2}",
+    )
+
+
 def test_a_pose_is_checked_by_a_distance_that_is_given() -> None:
     values = {"b": "0.8", "l_BC": "1.3", "l_CD": "2.1", "d": "1.9", "theta": "90"}
     assert find_checks(stated("pose-four-bar-coupler", **values))[0] == Check(

@@ -12,6 +12,7 @@ from kinegrade.worked.case import Case
 from kinegrade.worked.checks.bodies import list_body_checks
 from kinegrade.worked.checks.carriers import list_carrier_checks
 from kinegrade.worked.checks.check import Check, choose_check
+from kinegrade.worked.checks.derivatives import list_derivative_checks
 from kinegrade.worked.checks.places import list_place_checks
 from kinegrade.worked.checks.poles import list_pole_checks
 from kinegrade.worked.checks.projections import list_projection_checks
@@ -23,8 +24,8 @@ from kinegrade.worked.vectors.stage import Stage
 
 def check_rates(stages: Mapping[Step, Stage], level: Level, case: Case) -> Iterator[Block]:
     """The check of the last step that has one, else that of a wheel between tracks, of the points
-    of a body, of gears on a carrier or about fixed axes, else of a step by sums of angles that are
-    still to be worked out.
+    of a body, of gears on a carrier or about fixed axes, of a point that slides, else of a step by
+    sums of angles that are still to be worked out.
     """
     if case.findings.places_alone:
         yield from _say_chosen(list_pole_checks(stages.values(), case), case)
@@ -34,7 +35,9 @@ def check_rates(stages: Mapping[Step, Stage], level: Level, case: Case) -> Itera
     summed = (list_projection_checks(step, stage, summing=True) for step, stage in last_first)
     kinds = (list_track_checks, list_body_checks, list_carrier_checks, list_train_checks)
     others = (kind(level, case) for kind in kinds)
-    yield from _say_chosen(chain.from_iterable(chain(projections, others, summed)), case)
+    derivatives = (list_derivative_checks(stages.values()),)
+    found = chain.from_iterable(chain(projections, others, derivatives, summed))
+    yield from _say_chosen(found, case)
 
 
 def check_places(asked: Sequence[Ask], case: Case) -> Iterator[Block]:
