@@ -9,7 +9,7 @@ from kinegrade.problem.template.library.library import load_template
 from kinegrade.problem.template.library.reading import read_template
 from kinegrade.worked.document import Block
 from kinegrade.worked.solution import write_worked_solution
-from tests.worked.chapters import FRAME
+from tests.worked.chapters import FRAME, find_untold
 from tests.worked.telling import displayed, proses
 
 SHOWN = "without a proof for all positions"
@@ -83,3 +83,10 @@ def test_a_centrode_found_by_normals_needs_no_speeds() -> None:
     blocks = write_worked_solution(solution, ["x_S", "y_S", "rho"], "en").blocks
     assert not any("Known:" in text or "Given:" in text for text in proses(blocks))
     assert not any("v_{" in line or "omega" in line for line in displayed(blocks))
+
+
+def test_a_component_of_the_vector_to_a_pole_is_worked_out_by_coordinates() -> None:
+    """It printed the expression of the template, along(AS, midpoint(O, B) - A)."""
+    solution = solve_template(load_template("guide-tube-rod-fixed-centrode"), {})
+    expected = r"\xi_{S} &= x_{S}\cos 30^\circ + y_{S}\sin 30^\circ = -0.05\,\unit{m} \cdot"
+    assert find_untold(expected, solution) == []

@@ -9,12 +9,14 @@ from kinegrade.expressions.tree import Call, Expression, Name, Number, Operation
 from kinegrade.mechanics.vector import Vector
 from kinegrade.worked.case import Case
 from kinegrade.worked.formulas.atoms import AXES, AxisName, Symbol, add_squares, add_terms
-from kinegrade.worked.formulas.formula import Formula
+from kinegrade.worked.formulas.formula import Formula, Function
 from kinegrade.worked.formulas.leaves import formulate
-from kinegrade.worked.formulas.measures import double
-from kinegrade.worked.formulas.numbers import measure
+from kinegrade.worked.formulas.measures import bearing, double, tidy
+from kinegrade.worked.formulas.numbers import measure, state_angle
 from kinegrade.worked.formulas.symbols import collect_symbols, name_coordinate, name_point
 from kinegrade.worked.steps.poles import name_pole
+
+_RIGHT, _CLOSE = 90.0, 1e-7  # degrees
 
 
 def state_place(tree: Expression, case: Case) -> Formula:
@@ -53,15 +55,55 @@ def state_distance(
     return add_squares(symbols), add_squares(numbers)
 
 
+def state_component(
+    ends: Sequence[tuple[Expression, Vector]], direction: Vector, case: Case
+) -> tuple[Formula, Formula]:
+    """The component along a direction of the vector to the first of two points from the second,
+    by their coordinates: in symbols and in numbers.
+    """
+    symbols, numbers = list[Formula](), list[Formula]()
+    for number, (axis, quarter) in enumerate(zip(AXES, (0.0, _RIGHT), strict=True)):
+        apart = abs((bearing(direction) - quarter + 180) % 360 - 180)
+        if abs(apart - _RIGHT) < _CLOSE or not double(ends[0][1][number] - ends[1][1][number]):
+            continue
+        acute, sign = tidy(min(apart, 180 - apart)), (1 if apart < _RIGHT else -1)
+        for told, size in zip((symbols, numbers), _subtract(axis, ends, case), strict=True):
+            told.append(_turn(size, axis, acute).signed(sign))
+    return add_terms(symbols), add_terms(numbers)
+
+
+def _turn(size: Formula, axis: AxisName, acute: float) -> Formula:
+    """A coordinate times the cosine of the acute angle of its axis with a direction; of y the sine
+    of what is left to a right angle.
+    """
+    if acute < _CLOSE:
+        return size
+    match axis:
+        case "x":
+            return size * Function("cos", state_angle(acute))
+        case "y":
+            return size * Function("sin", state_angle(tidy(_RIGHT - acute)))
+        case _:
+            assert_never(axis)
+
+
 def _state_difference(
     axis: AxisName, ends: Sequence[tuple[Expression, Vector]], case: Case
 ) -> tuple[Formula, Formula]:
     """How far one point lies beyond the other along an axis; a coordinate that is zero is left
     out.
     """
-    ordered = sorted(ends, key=lambda end: -double(end[1][AXES.index(axis)]))
+    return _subtract(axis, sorted(ends, key=lambda end: -double(end[1][AXES.index(axis)])), case)
+
+
+def _subtract(
+    axis: AxisName, ends: Sequence[tuple[Expression, Vector]], case: Case
+) -> tuple[Formula, Formula]:
+    """The coordinate of the first of two points less that of the second; one that is zero is left
+    out.
+    """
     symbols, numbers = list[Formula](), list[Formula]()
-    for sign, (tree, place) in zip((1, -1), ordered, strict=True):
+    for sign, (tree, place) in zip((1, -1), ends, strict=True):
         value = place[AXES.index(axis)]
         if double(value):
             letter = Symbol(state_place(tree, case).print())

@@ -18,7 +18,7 @@ from kinegrade.worked.answers.asked_vectors import (
 )
 from kinegrade.worked.answers.dimensions import find_unit
 from kinegrade.worked.answers.directions import is_turn, state_turn
-from kinegrade.worked.answers.places import is_pole, state_distance, state_place
+from kinegrade.worked.answers.places import is_pole, state_component, state_distance, state_place
 from kinegrade.worked.answers.projections import (
     Working,
     name_known_axis,
@@ -59,6 +59,11 @@ def work_out(tree: Expression, case: Case) -> Working:
             return _measure(tree, case)
         case Call(function="distance", arguments=ends) if any(is_pole(end, case) for end in ends):
             return Working(*state_distance([(end, find_value(end, case)) for end in ends], case))
+        case Call(function="along", arguments=(Operation("-", end, start), direction)) if any(
+            is_pole(each, case) for each in (end, start)
+        ):
+            places = [(each, find_value(each, case)) for each in (end, start)]
+            return Working(*state_component(places, find_value(direction, case), case))
         case Call() if is_rotation_call(tree):
             return _state_rotation(tree, case)
         case Operation(left=left) if not isinstance(left, Number):
