@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+import unicodedata
 from collections.abc import Iterable, Mapping
 
 from kinegrade.errors import suggest
@@ -23,6 +25,18 @@ SLIPS: Mapping[str, Text] = {
     "³": Message("expression.cube"),
     "√": Message("expression.root"),
 }
+
+
+def spell_greek(token: str) -> Message | None:
+    """What is expected in place of a Greek letter: its name; None for any other token.
+
+    >>> spell_greek("φ"), spell_greek("f")
+    (Message('expression.greek', name='phi'), None)
+    """
+    named = re.fullmatch(
+        r"GREEK (?:SMALL|CAPITAL) LETTER (\w+)", unicodedata.name(token[:1] or " ", "")
+    )
+    return Message("expression.greek", name=named[1].lower()) if named else None
 
 
 def explain_unknown_name(name: str, known: Iterable[str]) -> Message:

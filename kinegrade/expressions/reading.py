@@ -22,6 +22,7 @@ from flint import fmpq
 from kinegrade.errors import ExpressionError
 from kinegrade.expressions.faults import (
     SLIPS,
+    spell_greek,
 )
 from kinegrade.expressions.tree import (
     PRODUCTS,
@@ -89,7 +90,7 @@ class _Reader:
                 text=Quoted(self.text),
                 place=self.start + 1,
                 found=Quoted(self.token) if self.token else Message("expression.end"),
-                expected=SLIPS.get(self.token, expected),
+                expected=SLIPS.get(self.token) or spell_greek(self.token) or expected,
             )
         )
 

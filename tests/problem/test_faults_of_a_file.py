@@ -9,7 +9,7 @@ from click.testing import CliRunner
 
 from kinegrade.cli import main
 from tests.problem.crank import crank_text
-from tests.problem.turning_crank import changed
+from tests.problem.turning_crank import changed, faults
 from tests.small_class import kinegrade
 
 CHANGES = (
@@ -64,3 +64,33 @@ def test_faults_are_said_in_the_language_of_the_terminal(tmp_path: Path) -> None
     shown = CliRunner(env={"LC_ALL": "zh_CN.UTF-8"}).invoke(main, ["check", str(template)])
     assert shown.exit_code == 2
     assert '这是速度（m/s）：不能以 "m" 计 - 请写 unit = "m/s"，或改求别的量' in shown.stderr
+
+
+@pytest.mark.parametrize("name", ["Kröpfung", "曲柄", "α"])
+def test_names_in_other_letters_are_refused_with_the_letters_that_serve(name: str) -> None:
+    plain = (
+        "letters of A to Z and a to z, digits and _, a letter first; symbol and labels print others"
+    )
+    assert faults(('OA = "O A M"', f'{name} = "O A M"')) == [
+        f'crank.toml:24: the name "{name}" has other letters than A to Z and a to z: write it in '
+        "those - expected a template in TOML - fix it"
+    ]
+    found = faults(
+        ('OA = "O A M"', f'"{name}" = "O A M"'),
+        ("pin O: ground OA", f"pin O: ground {name}"),
+        ("OA turns", f"{name} turns"),
+    )
+    assert found == [
+        f'crank.toml:4: joints[1]: "pin O: ground {name}": the name "{name}" has other letters - '
+        f"expected {plain}",
+        f'crank.toml:5: inputs[1].motion: "{name} turns": the name "{name}" has other letters - '
+        f"expected {plain}",
+        f"crank.toml:24: bodies.{name}: not usable as a name - expected {plain}",
+    ]
+
+
+def test_a_greek_letter_in_an_expression_is_answered_with_its_name() -> None:
+    assert faults(("polar(O, r, phi)", "polar(O, r, φ)")) == [
+        'crank.toml:20: points.A: "polar(O, r, φ)", character 13: found "φ", expected "phi", the '
+        "letter in A to Z"
+    ]

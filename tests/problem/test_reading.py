@@ -175,7 +175,7 @@ def test_the_small_template_is_sound() -> None:
             'M = "polar',
             '"M M" = "polar',
             [
-                "crank.toml:21: points.M M: not usable as a name - expected a letter, then letters, digits and _",
+                "crank.toml:21: points.M M: not usable as a name - expected letters of A to Z and a to z, digits and _, a letter first; symbol and labels print others",
                 'crank.toml:24: bodies.OA: no point "M" - known here: A, M M, O',
             ],
         ),
@@ -216,7 +216,7 @@ def test_the_small_template_is_sound() -> None:
             "v_A = { quantity",
             '"v A" = { quantity',
             [
-                "crank.toml:27: asks.v A: not usable as a name - expected a letter, then letters, digits and _",
+                "crank.toml:27: asks.v A: not usable as a name - expected letters of A to Z and a to z, digits and _, a letter first; symbol and labels print others",
                 'crank.toml:31: published[1].gives.v_A: no ask "v_A" - did you mean "v A"? (known here: v A)',
             ],
         ),

@@ -15,7 +15,7 @@ from unicodedata import normalize
 from kinegrade.errors import TomlError
 from kinegrade.files.fields.digits import TOO_DEEP, TOO_LARGE, Digits, Unbounded, require_bounded
 from kinegrade.language.lines import show_in_one_line
-from kinegrade.language.message import Message
+from kinegrade.language.message import Message, Quoted
 
 _STRING = re.compile(r'"(?:\\.|[^"\\])*"|' + r"'[^']*'")
 _PLACE = re.compile(r" \(at line (\d+), column \d+\)")
@@ -125,6 +125,10 @@ _SLIPS: tuple[tuple[re.Pattern[str], _Advice], ...] = (
     (
         re.compile(r"\d+(?:\.\d+)?\s*%"),
         lambda found: Message("fields.slip-percentage", found=found[0]),
+    ),
+    (
+        re.compile(r"^\s*([\w-]*[^\W\x00-\x7f][\w-]*)\s*="),
+        lambda found: Message("fields.slip-other-letters", name=Quoted(found[1])),
     ),
     (
         re.compile(r"^\s*([\w-]+)\s*:"),

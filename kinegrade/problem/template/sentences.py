@@ -15,11 +15,12 @@ from kinegrade.errors import FieldError, suggest_examples
 from kinegrade.expressions.reading import MAX_LENGTH, read_expression
 from kinegrade.expressions.tree import Call, Expression, Name
 from kinegrade.files.fields.values import found
-from kinegrade.language.message import Message
+from kinegrade.language.message import Message, Quoted
 from kinegrade.mechanics.drivers import DRIVERS, Driver
 from kinegrade.mechanics.joints import GROUND, JOINTS, Joint
 from kinegrade.sign_conventions import Convention
 
+_OTHER_LETTERS = r"\w*[^\W\x00-\x7f]\w*"
 _Stated = TypeVar("_Stated", bound=Joint | Driver)
 _AXES: Mapping[Convention, Expression] = {
     "+x": read_expression("0"),
@@ -67,6 +68,7 @@ def read_joint(text: str) -> JointSentence:
     """The joint that a sentence states. Raises FieldError naming the nearest sentences."""
     stated = _find_stated(JOINTS, text)
     if stated is None:
+        _require_plain_names(JOINTS, text)
         what = Message("template.no-such-joint", sentence=found(text))
         raise FieldError(what, do=_suggest_sentences(text, JOINTS, "joints"))
     kind, parts = stated
@@ -89,6 +91,7 @@ def read_driver(text: str, velocity: Expression, acceleration: Expression) -> Dr
     """The input that a sentence states. Raises FieldError naming the nearest sentences."""
     stated = _find_stated(DRIVERS, text)
     if stated is None:
+        _require_plain_names(DRIVERS, text)
         what = Message("template.no-such-input", sentence=found(text))
         raise FieldError(what, do=_suggest_sentences(text, DRIVERS, "inputs"))
     kind, parts = stated
@@ -116,6 +119,14 @@ def _read_direction(text: str | None) -> Expression | None:
 def find_axis(direction: Expression) -> Convention | None:
     """The axis along which a direction points; None for any other."""
     return next((axis for axis, angle in _AXES.items() if angle == direction), None)
+
+
+def _require_plain_names(kinds: Iterable[type[_Stated]], text: str) -> None:
+    """Raises FieldError where a sentence is right but for a name in other letters."""
+    named = re.search(_OTHER_LETTERS, text)
+    if named and _find_stated(kinds, re.sub(_OTHER_LETTERS, "X", text)):
+        what = Message("template.other-letters", sentence=found(text), name=Quoted(named[0]))
+        raise FieldError(what, Message("template.plain-name"))
 
 
 def _suggest_sentences(
