@@ -17,6 +17,7 @@ from kinegrade.cli import main
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.library.library import find_template_names, load_template
 from kinegrade.problem.template.library.reading import read_template
+from kinegrade.problem.template.library.starter import write_starter_text
 from kinegrade.proof.assemblies import close_otherwise, find_other_assemblies
 from kinegrade.proof.checking import check, choose_drawable
 from kinegrade.proof.neighbours import list_probed
@@ -688,3 +689,15 @@ def test_check_draws_both_assemblies(tmp_path: Path) -> None:
     assert CliRunner().invoke(main, arguments).exit_code == 0
     printed = subprocess.run(["pdftotext", sheet, "-"], capture_output=True, text=True, check=True)
     assert "left" in printed.stdout
+
+
+def test_check_draws_a_file_that_is_in_one_language(tmp_path: Path) -> None:
+    text = re.sub(
+        r', zh = "[^"]*"|\n?zh = (?:"[^"]*"|\'\'\'[\s\S]*?\'\'\')', "", write_starter_text()
+    )
+    path, sheet = tmp_path / "german.toml", tmp_path / "both.pdf"
+    path.write_text(re.sub(r"\ben = ", "de = ", text), encoding="utf-8")
+    arguments = ["check", str(path), "--sample", "4", "-o", str(sheet)]
+    done = CliRunner().invoke(main, arguments, env={"LC_ALL": "en_GB.UTF-8"})
+    assert "no text in" not in done.output
+    assert sheet.exists()

@@ -5,7 +5,8 @@ from __future__ import annotations
 import re
 import shutil
 import sys
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -15,6 +16,7 @@ from kinegrade.cli.help import command
 from kinegrade.cli.option_types import LanguageChoice
 from kinegrade.cli.options import FILE, FORCE, finish_with_complaints, refusing, require_writable
 from kinegrade.cli.terminal import write_line
+from kinegrade.errors import TemplateError
 from kinegrade.files.fields.values import found
 from kinegrade.language import ENGLISH, Language
 from kinegrade.language.known import choose_terminal_language
@@ -186,3 +188,18 @@ def _choose_language(template: Template, wanted: Language | None) -> Language:
         return _prefer(find_languages(template))
     require_language([template], wanted)
     return wanted
+
+
+def choose_common_language(names: Iterable[str]) -> Language:
+    """The reader's language where all of these templates have it, else one that they share; of
+    those that cannot be read nothing is asked.
+    """
+    from kinegrade.problem.template.library.library import load_template
+    from kinegrade.problem.template.texts import find_languages
+
+    shared: list[Language] | None = None
+    for name in names:
+        with suppress(TemplateError):
+            own = find_languages(load_template(name))
+            shared = [each for each in own if shared is None or each in shared]
+    return _prefer(shared or [])

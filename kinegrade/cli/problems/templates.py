@@ -19,9 +19,9 @@ from kinegrade.cli.options import (
     finish_with_complaints,
     refusing,
 )
-from kinegrade.cli.problems.choosing import READER_LANGUAGE
+from kinegrade.cli.problems.choosing import READER_LANGUAGE, choose_common_language
 from kinegrade.cli.terminal import speak, terminal_words
-from kinegrade.language import ENGLISH, Language
+from kinegrade.language import Language
 
 
 @command()
@@ -67,7 +67,8 @@ def check(
                 click.echo(f"  {words.write(finding)}")
             sound &= proof.sound
     if output is not None:
-        write_file(output, make_assembly_sheet(names, language or ENGLISH).pdf, "pdf", force=force)
+        sheet = make_assembly_sheet(names, language or choose_common_language(names))
+        write_file(output, sheet.pdf, "pdf", force=force)
     if not sound:
         sys.exit(COMPLAINTS)
 
