@@ -10,14 +10,19 @@ from pathlib import Path
 
 from kinegrade.errors import OutputError
 from kinegrade.files.output import write_file
+from kinegrade.language import ENGLISH, Language
 from kinegrade.language.message import Fault, Message
 
 _NAME = re.compile(r"\w[\w -]{0,99}")
 
 
-def read_starter_text(package: str) -> str:
-    """The starter that stands in a package, as TOML."""
-    return (files(package) / "starter.toml").read_text(encoding="utf-8")
+def read_starter_text(package: str, language: Language = ENGLISH) -> str:
+    """The starter that stands in a package, as TOML: in a language where there is one in it, else
+    in English.
+    """
+    own = files(package) / f"starter.{language}.toml"
+    starter = own if own.is_file() else files(package) / "starter.toml"
+    return starter.read_text(encoding="utf-8")
 
 
 def write_starter_file(

@@ -6,13 +6,20 @@ from __future__ import annotations
 
 import tomllib
 from pathlib import Path
+from typing import Any
 
 import pytest
+from click.testing import CliRunner
 
+from kinegrade.cli import main
+from kinegrade.language import Language
 from kinegrade.problem.template.library.alike import find_alike
 from kinegrade.problem.template.library.library import load_template
+from kinegrade.problem.template.library.reading import read_template
 from kinegrade.problem.template.library.starter import write_starter_text
 from kinegrade.problem.template.sections.keys import NEEDED, OPTIONAL
+from kinegrade.problem.template.texts import find_languages
+from kinegrade.proof.checking import check
 from tests.small_class import kinegrade
 
 KEYS = (*NEEDED, *OPTIONAL)
@@ -189,3 +196,37 @@ def test_one_model_is_chosen_and_for_a_template_alone(also: list[str]) -> None:
     result = kinegrade("new", "x", "--like", "slider-crank", *also)
     assert result.exit_code == 2
     assert "a template is written --like another or found by --from words" in result.stderr
+
+
+@pytest.mark.parametrize("language", ["de", "zh"])
+def test_the_starter_speaks_the_language_of_the_terminal(language: str, tmp_path: Path) -> None:
+    path = tmp_path / "mine.toml"
+    terminal = {"LC_ALL": f"{language}_XX.UTF-8"}
+    done = CliRunner().invoke(main, ["new", "mine", "-o", str(path)], env=terminal)
+    assert done.exit_code == 0
+    assert path.read_text(encoding="utf-8") == write_starter_text(Language(language))
+    assert check(load_template(str(path)), sample=20).is_sound
+
+
+@pytest.mark.parametrize("language", ["de", "zh"])
+def test_starters_say_the_same_in_each_language(language: str) -> None:
+    own = write_starter_text(Language(language))
+    assert _leave_out_texts(tomllib.loads(own)) == _leave_out_texts(
+        tomllib.loads(write_starter_text())
+    )
+    assert find_languages(read_template("starter", own)) == (language,)
+    comments, english = (
+        {line for line in text.splitlines() if line.startswith("#")}
+        for text in (own, write_starter_text())
+    )
+    assert not comments & english
+
+
+def _leave_out_texts(value: Any) -> Any:
+    """Data without the texts that are in a language, and sources."""
+    if isinstance(value, list):
+        return [_leave_out_texts(each) for each in value]
+    if not isinstance(value, dict):
+        return value
+    kept = {key: each for key, each in value.items() if key not in {"en", "de", "zh", "source"}}
+    return {key: _leave_out_texts(each) for key, each in kept.items()}

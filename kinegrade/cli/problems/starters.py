@@ -9,6 +9,7 @@ import click
 from kinegrade.cli.help import command
 from kinegrade.cli.options import FORCE, OPTIONAL_OUTPUT, refusing
 from kinegrade.cli.terminal import refuse_usage, say
+from kinegrade.language.known import choose_terminal_language
 from kinegrade.language.message import Message, list_plainly
 
 
@@ -62,7 +63,8 @@ def _write_template(name: str, like: str, words: str, output: Path | None, force
     from kinegrade.problem.template.library.starter import write_starter
 
     model = find_alike(words) if words else like
-    path = write_starter(name, output, like=model, force=force)
+    language = choose_terminal_language()
+    path = write_starter(name, output, like=model, language=language, force=force)
     unmatched = find_unmatched(words, model) if words else []
     if unmatched:
         say(Message("terminal.not-alike", name=model, words=list_plainly(unmatched)))

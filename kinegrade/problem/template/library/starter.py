@@ -9,19 +9,27 @@ from pathlib import Path
 from kinegrade.errors import TemplateError
 from kinegrade.files.output import write_file
 from kinegrade.files.starter import read_starter_text
+from kinegrade.language import ENGLISH, Language
 from kinegrade.language.message import Fault, Message
 from kinegrade.problem.template.library.library import load_template
 from kinegrade.problem.template.sections.opening import FOLDER, require_file_name
 from kinegrade.problem.template.template import MechanismFile
 
 
-def write_starter_text() -> str:
-    """The starter as TOML."""
-    return read_starter_text("kinegrade.problem.template.library")
+def write_starter_text(language: Language = ENGLISH) -> str:
+    """The starter as TOML, explained in a language; one that is not in English says everything in
+    that language alone.
+    """
+    return read_starter_text("kinegrade.problem.template.library", language)
 
 
 def write_starter(
-    name: str, path: Path | None = None, *, like: str = "", force: bool = False
+    name: str,
+    path: Path | None = None,
+    *,
+    like: str = "",
+    language: Language = ENGLISH,
+    force: bool = False,
 ) -> Path:
     """Writes the starter, or the shipped template `like` which it is to be, as the template `name`,
     by default to NAME.toml in the current folder; gives its path. A mechanism that the shipped one
@@ -31,7 +39,7 @@ def write_starter(
     and where there is no template `like`; OutputError where the file exists, unless `force`.
     """
     file = load_template(like).file if like else None
-    text = file.text if file is not None else write_starter_text()
+    text = file.text if file is not None else write_starter_text(language)
     require_file_name(name)
     target = path if path is not None else Path(f"{name}.toml")
     if target.name != f"{name}.toml":
