@@ -212,6 +212,10 @@ def test_a_radius_that_is_called_a_diameter_is_a_fault(said: str, size: str, kin
         ("$OA$ bildet mit der $x$-Achse den Winkel {{ phi }}, im Uhrzeigersinn", True),
         ("$OA$ bildet mit der $x$-Achse den Winkel {{ phi }}, gegen den Uhrzeigersinn", False),
         ("由 $x$ 轴顺时针转到 $OA$ 的角为 {{ phi }}", True),
+        ("$OA$ makes an angle {{ phi }} with the $x$ axis and the wheel turns clockwise", False),
+        ("$OA$ bildet mit der $x$-Achse den Winkel {{ phi }}, sie dreht sich im Uhrzeigersinn", 0),
+        ("$OA$ 与 $x$ 轴的夹角为 {{ phi }}，顺时针转动", False),
+        ("$OA$ 与 $x$ 轴的夹角为 {{ phi }}，顺时针量取", True),
         ("由 $x$ 轴逆时针转到 $OA$ 的角为 {{ phi }}", False),
     ],
 )
