@@ -140,7 +140,7 @@ def test_a_shared_mechanism_is_written_beside_and_one_that_is_there_is_kept(
         ("Momentanpol der Koppel", "pole-four-bar-coupler"),
         ("Malteserkreuz", "geneva-drive"),
         ("行星轮系", "epicyclic-train-by-tooth-counts"),
-        ("皮带轮", "crossed-belt-drive"),
+        ("自行车", "belt-driven-bicycle"),
         ("梯子沿墙滑下", "rod-ground-and-incline"),
         ("机械臂", "two-link-robot-arm"),
     ],
