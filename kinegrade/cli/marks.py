@@ -115,8 +115,10 @@ def grade(
     from kinegrade.public.folders import expect_folders
 
     expect_folders((exam, "EXAM"), (never_lower, "MARKS"), (since, "MARKS"))
-    earlier = None if never_lower is None else kinegrade.open_marks(never_lower)
-    logged = None if since is None else kinegrade.open_marks(since)
+    earlier, logged = (
+        None if marks is None else kinegrade.open_marks(marks, to_mark_again=True)
+        for marks in (never_lower, since)
+    )
     wishes = kinegrade.GradeOptions(never_lower=earlier, since=logged, assuming=say, **options)
     graded = kinegrade.grade(
         kinegrade.open_exam(exam), answers, output, force=force, options=wishes

@@ -32,7 +32,12 @@ from kinegrade.marks_folder.check import refuse_changed_totals
 from kinegrade.marks_folder.complaints import read_complaints
 from kinegrade.marks_folder.corrections import read_corrections
 from kinegrade.marks_folder.earlier import find_named_mistakes, names_policy
-from kinegrade.marks_folder.hand_marks import ByHand, find_only_by_hand, read_hand_marks
+from kinegrade.marks_folder.hand_marks import (
+    ByHand,
+    are_edited,
+    find_only_by_hand,
+    read_hand_marks,
+)
 from kinegrade.marks_folder.kept_totals import read_kept_totals
 from kinegrade.marks_folder.layout import (
     ANSWERS,
@@ -228,12 +233,13 @@ class MarksFolder:
             yield Path(file.name).stem, read_whole(self.path, file)
 
 
-def open_marks(path: Path) -> MarksFolder:
+def open_marks(path: Path, *, to_mark_again: bool = False) -> MarksFolder:
     """The marks folder at a path. Raises TableError where its totals contradict its marks, or where
-    it is not a marks folder.
+    it is not a marks folder; but `to_mark_again`, marks by hand may have been taken back since.
     """
     folder = MarksFolder(path)
-    refuse_changed_totals(path, folder.totals, folder.sums, folder.scale)
+    if not (to_mark_again and are_edited(path)):
+        refuse_changed_totals(path, folder.totals, folder.sums, folder.scale)
     return folder
 
 

@@ -21,7 +21,7 @@ from kinegrade.marks_folder.cells import (
     read_amount,
     read_records_if_any,
 )
-from kinegrade.marks_folder.layout import MANUAL
+from kinegrade.marks_folder.layout import GRADES, MANUAL
 from kinegrade.numbers.amounts import add_amounts
 
 BY_HAND = "by hand"  # in place of the machine's verdict
@@ -121,6 +121,15 @@ def read_hand_marks(folder: Path) -> ByHand:
     path = folder / MANUAL.name
     records = read_records_if_any(folder, MANUAL)
     return group_by_student(_read_hand_mark(cells, path, line) for line, cells in records)
+
+
+def are_edited(folder: Path) -> bool:
+    """Whether manual.csv was saved after the totals, which are then still as they were written."""
+    files = folder / MANUAL.name, folder / GRADES.name
+    if not all(file.exists() for file in files):
+        return False
+    by_hand, totals = (file.stat().st_mtime_ns for file in files)
+    return by_hand > totals
 
 
 def _read_hand_mark(cells: Record, path: Path, line: int) -> HandMark:

@@ -28,9 +28,10 @@ def open_exam(path: str | PathLike[str]) -> ExamFolder:
     return exam_folder.open_exam(Path(path))
 
 
-def open_marks(path: str | PathLike[str]) -> MarksFolder:
+def open_marks(path: str | PathLike[str], *, to_mark_again: bool = False) -> MarksFolder:
     """The marks folder there. Raises TableError where its totals contradict its marks, and for
-    anything else.
+    anything else. One that is opened `to_mark_again`, as `GradeOptions(since=...)`, may lack marks
+    by hand that were taken back in its manual.csv.
 
     >>> [student.total for student in open_marks("MARKS").totals.students]
     [Fraction(2, 1), Fraction(0, 1)]
@@ -41,4 +42,4 @@ def open_marks(path: str | PathLike[str]) -> MarksFolder:
     from kinegrade.marks_folder import folder as marks_folder  # a paper alone needs no marks
 
     expect_folders((Path(path), "MARKS"))
-    return marks_folder.open_marks(Path(path))
+    return marks_folder.open_marks(Path(path), to_mark_again=to_mark_again)
