@@ -109,6 +109,16 @@ def test_a_series_is_continued_and_sheets_that_exist_stay(tmp_path: Path) -> Non
     assert not dealt(tmp_path / "HW" / "homework-1") & dealt(tmp_path / "HW" / "homework-2")
 
 
+def test_a_series_that_is_continued_avoids_what_its_sheets_avoid(tmp_path: Path) -> None:
+    files = write(tmp_path) / "bank.toml", tmp_path / "roster.csv", "-o", tmp_path / "EXAM"
+    assert kinegrade("generate", *files, "--no-papers").exit_code == 0
+    assert series(tmp_path, 1, "--avoid", tmp_path / "EXAM").exit_code == 0
+    done = series(tmp_path, 3)
+    assert done.exit_code == 0, done.stderr
+    sheets = [dealt(tmp_path / "HW" / f"homework-{number}") for number in (1, 2, 3)]
+    assert len(dealt(tmp_path / "EXAM").union(*sheets)) == 8
+
+
 def test_a_series_continued_by_other_dates_says_which_stay(tmp_path: Path) -> None:
     dates = "2099-12-01 18:00", "2099-12-08 18:00"
     assert series(write(tmp_path), 1, "--due", dates[0]).exit_code == 0

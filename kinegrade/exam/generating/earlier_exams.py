@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
+from itertools import chain
 from pathlib import Path
 
 from kinegrade.errors import DrawError
@@ -13,14 +14,19 @@ from kinegrade.exam.setting.dealing import ClassDeal
 from kinegrade.language.message import Fault, Message
 
 
-def read_earlier_exams(paths: Iterable[Path], kept: ExamHead | None) -> Earlier:
+def read_earlier_exams(
+    paths: Iterable[Path], kept: ExamHead | None, sheets: Iterable[Path] = ()
+) -> Earlier:
     """By template the values that students of the exams in these folders had, each once, and what
-    the exam with the head `kept`, which is replaced, keeps to already.
+    the exam with the head `kept`, which is replaced, keeps to already, as the other `sheets` of its
+    series do.
 
     Raises ExamError where a folder is none, or is damaged.
     """
     found: dict[str, dict[tuple[tuple[str, str], ...], None]] = {}
-    for name, values in (*_list_kept(kept), *_list_dealt(map(open_exam, paths))):
+    heads = (kept, *(open_exam(sheet).head for sheet in sheets))
+    dealt = _list_dealt(map(open_exam, (*paths, *sheets)))
+    for name, values in (*chain.from_iterable(map(_list_kept, heads)), *dealt):
         found.setdefault(name, {})[tuple(values.items())] = None
     return {name: tuple(map(dict, each)) for name, each in found.items()}
 

@@ -138,7 +138,7 @@ def _choose_bank(
     blueprint: Blueprint, secret: ExamSecret, options: GenerateOptions, stays: ReplacedExam | None
 ) -> Bank:
     """The bank that a secret makes, which keeps to what earlier exams leave."""
-    earlier = read_earlier_exams(options.avoid, stays.head if stays else None)
+    earlier = read_earlier_exams(options.avoid, stays.head if stays else None, options.sheets)
     return replace(blueprint.bank(secret.drawing), earlier=earlier)
 
 

@@ -33,7 +33,8 @@ class GenerateOptions:
     Its numbers are drawn from a random secret into which `seed`, a label, is mixed, or from the
     words of `reproducible` alone; with `new_numbers`, a folder that is replaced does not keep its
     numbers, and with `accept_changes` its papers keep these and may be set otherwise in all else.
-    Nobody gets numbers that anybody had in the exams whose folders are to `avoid`.
+    Nobody gets numbers that anybody had in the exams whose folders are to `avoid`, nor those of
+    the other `sheets` of a series, nor what these avoid.
     `share_with_group` lets the user's group read the folder. `engine` is the bank's unless one is
     given. With `no_papers` none is printed before it is asked for. `solutions` writes worked
     solutions, by `method` where several serve and with graphs over the `cycle`; `spare` papers have
@@ -49,6 +50,7 @@ class GenerateOptions:
     new_numbers: bool = False
     accept_changes: bool = False
     avoid: tuple[Path, ...] = ()
+    sheets: tuple[Path, ...] = ()
     share_with_group: bool = False
     paper_size: PaperSize = "a4"
     engine: Engine | None = None

@@ -43,20 +43,20 @@ class SeriesPlan:
 @dataclass(frozen=True, slots=True)
 class SeriesSheet:
     """One sheet: its number, what it asks, where its folder is to stand, and whether that exists;
-    `avoid` are the folders whose numbers nobody is to get again.
+    `others` are those that exist, whose numbers nobody is to get again, nor what they avoid.
     """
 
     number: int
     blueprint: Blueprint
     folder: Path
     exists: bool
-    avoid: tuple[Path, ...]
+    others: tuple[Path, ...]
 
     def adapt(self, options: GenerateOptions) -> GenerateOptions:
         """The options of the series for this sheet, which draws numbers of its own."""
         words = options.reproducible
         own = None if words is None else f"{words} {self.number}"
-        return replace(options, reproducible=own, avoid=(*options.avoid, *self.avoid))
+        return replace(options, reproducible=own, sheets=self.others)
 
 
 def describe_kept(sheet: SeriesSheet, roster: Roster) -> Iterator[Problem]:
