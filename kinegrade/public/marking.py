@@ -25,7 +25,7 @@ from kinegrade.lms.responses.answer_table import ReadingWishes
 from kinegrade.lms.responses.class_files import read_class
 from kinegrade.marks_folder.cells import Record
 from kinegrade.marks_folder.folder import MarksFolder
-from kinegrade.marks_folder.layout import CHANGES
+from kinegrade.marks_folder.layout import CHANGES, KEPT
 from kinegrade.marks_folder.rows import StudentTotal
 from kinegrade.public.folders import expect_own_place
 from kinegrade.public.marking_notes import (
@@ -194,7 +194,23 @@ def _read_earlier(
     """
     earlier = (each.path for each in (options.since, options.never_lower) if each is not None)
     totals = () if options.since is None else options.since.totals.students
-    return tuple(describe_lapsed((place, *earlier), options.policy)), totals
+    lapsed = describe_lapsed((place, *earlier), options.policy)
+    return (*lapsed, *_describe_no_longer_kept(place, options)), totals
+
+
+def _describe_no_longer_kept(place: Path, options: GradeOptions) -> Iterator[Message]:
+    """That totals which the marking before kept, as it was to lower none, are not kept."""
+    if options.never_lower is not None:
+        return
+    earlier = (MarksFolder(place), *([] if options.since is None else [options.since]))
+    for folder in {marks.path.resolve(): marks for marks in earlier}.values():
+        if folder.kept:
+            yield Message(
+                "terminal.kept-lapsed",
+                file=str(folder.path / KEPT.name),
+                count=len(folder.kept),
+                folder=str(folder.path),
+            )
 
 
 def _list_files(
