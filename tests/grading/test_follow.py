@@ -13,7 +13,7 @@ from kinegrade.exam.folder.keys import Ask, Key
 from kinegrade.grading.judging.decision import Decision, decide
 from kinegrade.grading.judging.follow import Decided, Follows, follow_answers
 from kinegrade.grading.judging.judge import Verdict
-from kinegrade.grading.policy.policy import Ruling
+from kinegrade.grading.policy.policy import Ruling, Void
 from kinegrade.grading.typed.answers import read
 from kinegrade.numbers.tolerance import ONE_PER_CENT
 from kinegrade.stated_marking import StatedTolerance
@@ -309,3 +309,30 @@ def test_a_slip_of_sign_alone_is_no_copy_where_the_same_number_follows_from_it()
     found = follow_answers("007", decided({"omega_AB": "-2", "a_B": "2"}), Follows(opposite))
     assert list(found) == ["a_B"]
     assert follow_answers("007", decided({"omega_AB": "-3", "a_B": "3"}), Follows(opposite)) == {}
+
+
+HALF = Ruling(follow_through=Fraction(1, 2))
+
+
+@pytest.mark.parametrize(
+    ("void", "share", "credit"),
+    [(None, "1", 1), (None, "1/2", "1/2"), ("drop", "0", 1), ("full", "0", 1)],
+)
+def test_what_follows_from_an_answer_with_full_credit_has_it_too(
+    void: Void | None, share: str, credit: str
+) -> None:
+    answers = decided({"omega_AB": "3", "alpha_AB": "18", "a_B": "39"}, HALF)
+    accepted = Verdict("accepted", ""), Fraction(share)
+    answers[0] = replace(answers[0], ruling=replace(HALF, void=void), decision=accepted)
+    found = follow_answers("007", answers, follows)
+    assert {name: each[1] for name, each in found.items()} == {
+        "alpha_AB": Fraction(credit),
+        "a_B": Fraction(credit),
+    }
+
+
+def test_what_follows_from_a_charged_answer_as_well_has_the_credit_for_follow_through() -> None:
+    answers = decided({"omega_AB": "3", "alpha_AB": "20", "a_B": "41"}, HALF)
+    answers[0] = replace(answers[0], decision=(Verdict("accepted", ""), Fraction(1)))
+    ((name, (_, share)),) = follow_answers("007", answers, follows).items()
+    assert (name, share) == ("a_B", Fraction(1, 2))

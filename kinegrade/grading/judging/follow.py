@@ -11,7 +11,7 @@ answer that is right, missing, zero, absurd, copied, or so chosen that it makes 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence, Set
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
@@ -20,7 +20,7 @@ from kinegrade.grading.judging.decision import Decision
 from kinegrade.grading.judging.judge import Verdict, is_right, judge
 from kinegrade.grading.judging.own_answers import EarlierAnswers, find_followed, select_used
 from kinegrade.grading.judging.trivial_answers import Later, Own, is_trivial
-from kinegrade.grading.policy.policy import Ruling
+from kinegrade.grading.policy.policy import FULL_CREDIT, Ruling
 from kinegrade.grading.typed.answers import Reading
 from kinegrade.language.message import Message, Text, list_all
 
@@ -89,11 +89,17 @@ class Decided:
         return is_right(self.reading, self.ruling.key(self.key))
 
     @property
-    def may_follow(self) -> bool:
-        """Whether following from earlier answers could benefit the student."""
+    def is_uncharged(self) -> bool:
+        """Whether nothing is charged for it, even if it is wrong by the key: by the policy it has
+        full credit, or is void.
+        """
+        return self.ruling.void is not None or self.decision[1] == FULL_CREDIT
+
+    def may_follow(self, credit: Fraction) -> bool:
+        """Whether following from earlier answers, with this credit, could benefit the student."""
         verdict, share = self.decision
         open_still = self.reading.kind == "number" and verdict.kind not in ("right", "void")
-        return open_still and self.ruling.follow_through > share
+        return open_still and credit > share
 
 
 def follow_answers(
@@ -102,18 +108,40 @@ def follow_answers(
     """The decisions that follow-through improves, by ask; `answers` are those to one question.
 
     An answer that earned follow-through counts as a student's answer for later asks, so an error is
-    charged once however far it carries.
+    charged once however far it carries, and never where the answers it rests on are not charged.
     """
     found: dict[str, Decision] = {}
+    uncharged = {answer.ask.ask for answer in answers if answer.is_uncharged}
     for stage, earlier in walk_stages(answers, follows):
         for answer in _sort_by_points(stage):
             given = earlier.leave_out(answer.ask.ask)
-            if given.wrong and answer.may_follow:
-                credit = next(_find_credits(student, answer, given, follows), None)
-                if credit:
-                    verdict, earlier.basis[answer.ask.ask] = credit
-                    found[answer.ask.ask] = verdict, answer.ruling.follow_through
+            free = uncharged & given.wrong.keys()
+            best = FULL_CREDIT if free else answer.ruling.follow_through
+            if given.wrong and answer.may_follow(best):
+                credits = _find_credits(student, answer, given, follows)
+                credited = _choose_credit(answer, credits, free)
+                if credited:
+                    verdict, share, earlier.basis[answer.ask.ask] = credited
+                    found[answer.ask.ask] = verdict, share
+                    if uncharged >= set(earlier.basis[answer.ask.ask]):
+                        uncharged.add(answer.ask.ask)
     return found
+
+
+def _choose_credit(
+    answer: Decided, credits: Iterator[tuple[Verdict, Collection[str]]], free: Set[str]
+) -> tuple[Verdict, Fraction, Collection[str]] | None:
+    """The first that rests on `free` answers alone, for which nothing is charged, with full
+    credit; else the first of all, with that for follow-through.
+    """
+    found = None
+    for verdict, wrong in credits:
+        if free >= set(wrong):
+            return verdict, FULL_CREDIT, wrong
+        found = found or (verdict, answer.ruling.follow_through, wrong)
+        if not free:
+            break
+    return found if found and answer.may_follow(found[1]) else None
 
 
 def walk_stages(
