@@ -153,30 +153,28 @@ class MisplacedRows:
         """The same, of these rows on these papers."""
         given = self.answers.given[rows][:, self.asks].sum(axis=1)
         counts = np.zeros((len(rows), len(papers)), dtype=np.intp)
-        density = np.zeros(len(rows))
         for ask in self.asks:
-            answers, intervals = self.answers.numbers[rows, ask], self.intervals[ask].at(papers)
-            fits = intervals.fit(answers)
-            counts += fits
-            density += _measure_density(intervals, answers, fits)
-        best = counts.argmax(axis=1)
-        chances = zip(rows.tolist(), given.tolist(), best.tolist(), density.tolist(), strict=True)
-        for place, (row, of, owner, mean) in enumerate(chances):
-            count, right = int(counts[place, owner]), int(self._right[row].sum())
-            enough = max(_LEAST_WRONG, _MOST_OF_THEM * of) <= count < of and count > right
-            if enough and len(rows) * len(papers) * find_tail(count, mean) <= _LEVEL:
-                other = Quoted(self.students[papers[owner]])
-                kinds = {"count": count, "given": of, "right": right}
+            counts += self.intervals[ask].at(papers).fit(self.answers.numbers[rows, ask])
+        best, most, right = counts.argmax(axis=1), counts.max(axis=1), self._right[rows].sum(axis=1)
+        enough = (most >= np.maximum(_LEAST_WRONG, _MOST_OF_THEM * given)) & (most < given)
+        for place in np.flatnonzero(enough & (most > right)).tolist():
+            row, count = int(rows[place]), int(most[place])
+            mean = self._expect_by_chance(row, papers)
+            if len(rows) * len(papers) * find_tail(count, mean) <= _LEVEL:
+                other = Quoted(self.students[papers[best[place]]])
+                kinds = {"count": count, "given": int(given[place]), "right": int(right[place])}
                 problem = Message("marking.row-mostly-of-another", **kinds, other=other)
                 yield _Elsewhere(row, problem)
 
+    def _expect_by_chance(self, row: int, papers: Places) -> float:
+        """How many answers of a row are right by chance on one of these papers."""
+        answers = ((ask, self.answers.numbers[[row], ask]) for ask in self.asks)
+        return sum(_measure_density(self.intervals[ask].at(papers), each) for ask, each in answers)
 
-def _measure_density(intervals: Intervals, answers: Numbers, fits: Flags) -> Numbers:
-    """The share of papers on which each answer is right by chance: not counting the one that is
+
+def _measure_density(intervals: Intervals, answer: Numbers) -> float:
+    """The share of papers on which an answer is right by chance: not counting the one that is
     looked for, or as densely as right answers lie around it.
     """
-    papers = len(intervals.value)
-    by_chance = np.maximum(fits.sum(axis=1) - 1, 0) / papers
-    around: Numbers = intervals.widened(_WIDENED).fit(answers).mean(axis=1) / _WIDENED
-    density: Numbers = np.maximum(by_chance, around)
-    return density
+    by_chance = max(int(intervals.fit(answer).sum()) - 1, 0) / len(intervals.value)
+    return max(by_chance, float(intervals.widened(_WIDENED).fit(answer).mean()) / _WIDENED)
