@@ -4,6 +4,8 @@ length of the statement, an angle told under one name.
 
 from __future__ import annotations
 
+import pytest
+
 from kinegrade.worked.document import Pictures
 from kinegrade.worked.solution import write_worked_solution
 from tests.worked.draws import drawn, kept, told
@@ -128,3 +130,8 @@ def test_the_arm_to_a_midpoint_is_half_of_a_given_length() -> None:
     # it was worked out by the coordinates of both ends, with a root
     (arms,) = [text for text in proses(kept("scissor-lift")) if text.startswith("Here $AM = ")]
     assert arms.startswith(r"Here $AM = \frac{l}{2} = \frac{2\,\unit{m}}{2} = 1\,\unit{m}$")
+
+
+@pytest.mark.parametrize("name", ["toggle-press", "two-rods-driven-ends"])
+def test_a_rod_placed_by_a_given_angle_needs_no_angle_from_coordinates(name: str) -> None:
+    assert not [line for line in displayed(kept(name)) if r"\tan\psi" in line]

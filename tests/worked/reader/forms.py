@@ -72,12 +72,14 @@ def find_angles(row: Row) -> Iterator[float]:
 
 
 def find_arguments(row: Row) -> Iterator[Row]:
-    """What functions of a formula are of, where that stands in brackets."""
+    """What functions of a formula are of, where that stands in brackets or is a multiple."""
     for place, node in enumerate(row):
         function = node.base if isinstance(node, Scripts) else node
         rest = row[place + 1 :]
         if isinstance(function, Function) and rest[:1] == (Sign("("),):
             yield rest[1 : _find_end(rest)]
+        elif isinstance(function, Function) and rest and isinstance(rest[0], Number):
+            yield rest[:2]
         for part in list_parts(node):
             yield from find_arguments(part)
 
