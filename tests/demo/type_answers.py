@@ -44,8 +44,9 @@ UNREADABLE: dict[tuple[str, str], str] = {
     ("s1830227", "q4.v_O"): "1/2√3",
 }
 WRONG_UNIT: dict[tuple[str, str], str] = {("u7204431", "q2.omega_II"): "7.5 m/s"}
+# A decimal comma, as in the same student's other answers
+CERTAIN: dict[tuple[str, str], str] = {("20220368", "q3.a_cor_y"): "1,234"}
 DOUBTFUL: dict[tuple[str, str], str] = {
-    ("20220368", "q3.a_cor_y"): "1,234",
     ("20220518", "q2.v_C_x"): "8.887",
     ("0241211", "q1.a_B"): "6.416",
     ("0241211", "q3.a_cor_y"): "9.021",
@@ -113,8 +114,7 @@ SPELLINGS: Weighted[Callable[[Decimal, str], str]] = {
     "four digits": (34, lambda value, unit: significant(value, 4)),
     "five digits": (14, lambda value, unit: significant(value, 5)),
     "three digits": (12, lambda value, unit: significant(value, 3)),
-    # three digits: with four, "1,234" raises a doubt about thousands, and DOUBTFUL plants the only
-    # one
+    # three digits: with four, "1,234" might be thousands, and CERTAIN plants the only one
     "decimal comma": (10, lambda value, unit: significant(value, 3).replace(".", ",")),
     "no leading zero": (5, lambda value, unit: without_zero(significant(value, 4))),
     "comma, no leading zero": (
@@ -169,7 +169,7 @@ def one_of(choices: Weighted[Choice], draw: float) -> tuple[str, Choice]:
 
 def typed(student: str, column: str, key: Key) -> Answer:
     """What a student types for one ask."""
-    planted = (UNREADABLE | WRONG_UNIT).get((student, column)) or DOUBTFUL.get((student, column))
+    planted = (UNREADABLE | WRONG_UNIT | CERTAIN | DOUBTFUL).get((student, column))
     if planted:
         return Answer(planted, "planted", "planted")
     own, cell = chance(student), chance(student, column)

@@ -36,10 +36,9 @@ def reading(
     ("1,234", [], [], None, 1.234, "a comma is the decimal mark, and nothing in the file says "
                                    "otherwise"),
     ("1.234", [], [], None, 1.234, ""),
-    ("1,234", ["0,5"], [["0.5"]] * 9, None, 1.234, "the comma is the decimal mark in the same "
-                                                   "student's other answers"),
-    ("1,234", ["0,5", "0.5"], [], None, 1.234, "the comma is the decimal mark in the same "
-                                               "student's other answers"),
+    ("1,234", ["0,5"], [["0.5"]] * 9, None, 1.234, ""),
+    ("1,234", ["0,5", "0.5"], [], None, 1.234, ""),
+    ("1,234", [], [["0.5"]], "comma", 1.234, ""),
     ("1,234", ["0.5"], [], None, 1234, "the point is the decimal mark in this student's other "
                                        "answers"),
     ("1,234", ["0.5"], [["12"]] * 9, None, 1234, "the point is the decimal mark in this student's "

@@ -5,7 +5,8 @@ Papers say that 0.5 and 0,5 are read alike and that thousands are not separated,
 1.234, and so is `1.234`. There are three exceptions: the decimal mark is declared; the student's
 other answers group digits (`1,234.5`); or every unambiguous answer, of this student or of most
 others, has a decimal point, so that a comma groups. A majority of other students never overrules a
-student who writes decimal commas. Every such reading is remarked; `marks` says once what was
+student who writes decimal commas. Every such reading is remarked, but for a comma that was declared
+to be the decimal mark, or is in the same student's other answers; `marks` says once what was
 declared, or decided for the whole file.
 """
 
@@ -37,7 +38,7 @@ _USUAL_LINES = re.compile(
 )
 _DECIMAL_LINE = re.compile(r"^[+-]?(?:0\.|[0-9]+\.(?:[0-9]{1,2}|[0-9]{4,})$)", re.MULTILINE)
 _PAPERS = DecimalStyle()
-_OWN_COMMAS = Message("marking.own-commas")
+_CERTAIN = ""  # a reading that needs no remark
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,7 +69,7 @@ class FileStyle:
     @property
     def reasons(self) -> tuple[Text, ...]:
         """What was declared or decided for the whole file, or holds for many students alike."""
-        return tuple(filter(None, (self.style.comma_reason, self.style.point_reason, _OWN_COMMAS)))
+        return tuple(filter(None, (self.style.comma_reason, self.style.point_reason)))
 
     def of_row(self, cells: Sequence[str]) -> DecimalStyle:
         """The style of one student's answers: as declared, else as they show, else the file's."""
@@ -89,7 +90,7 @@ class FileStyle:
         if "," in row.decimal and "," in row.groups:
             return "unknown", Message("marking.both-ways")
         if "," in row.decimal:
-            return "decimal", _OWN_COMMAS
+            return "decimal", _CERTAIN
         if "," in row.groups:
             return "groups", Message("marking.own-comma-groups")
         if "." in row.decimal:
@@ -178,7 +179,7 @@ def _read_declared_style(mark: Mark) -> DecimalStyle:
     match mark:
         case "comma":
             declared = Message("marking.declared-comma")
-            return DecimalStyle("decimal", "groups", declared, declared)
+            return DecimalStyle("decimal", "groups", _CERTAIN, declared)
         case "point":
             return DecimalStyle("groups", "decimal", Message("marking.declared-point"))
         case _:
