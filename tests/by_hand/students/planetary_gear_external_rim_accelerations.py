@@ -12,9 +12,14 @@ from tests.by_hand.pad import SIZES, Answers, Edge, Givens, Method, Mistake, Pad
 from tests.by_hand.writing import slips_in_writing
 
 
+def find_arm(given: Givens) -> float:
+    """The length of the arm, from centre to centre."""
+    return given["R"] + given["r"]
+
+
 def centre_as_base(given: Givens, pad: Pad) -> Answers:
     """The centre O is the base point; components along and across the arm."""
-    radius, arm = given["r"], given["l"]
+    radius, arm = given["r"], find_arm(given)
     w, e = pad(pad(arm * given["omega1"]) / radius), pad(pad(arm * given["alpha1"]) / radius)
     o_n, o_t = pad(arm * pad(given["omega1"] ** 2)), pad(arm * given["alpha1"])
     n, t = pad(radius * pad(w**2)), pad(radius * e)
@@ -27,7 +32,7 @@ def centre_as_base(given: Givens, pad: Pad) -> Answers:
 
 def contact_as_base(given: Givens, pad: Pad) -> Answers:
     """The pole C gives the rates; it is the base point, whose acceleration points to O."""
-    radius, arm = given["r"], given["l"]
+    radius, arm = given["r"], find_arm(given)
     v_o = pad(arm * given["omega1"])
     w = pad(v_o / radius)
     e = pad(pad(arm * given["alpha1"]) / radius)
@@ -42,7 +47,7 @@ def contact_as_base(given: Givens, pad: Pad) -> Answers:
 
 def coordinates(given: Givens, pad: Pad) -> Answers:
     """Components on x and y, every term apart; theta by the scalar product of a_B and BO."""
-    radius, arm = given["r"], given["l"]
+    radius, arm = given["r"], find_arm(given)
     sine, cosine = pad.sin(given["phi"]), pad.cos(given["phi"])
     relative = pad(pad(pad(arm - radius) / radius) * given["omega1"])  # Willis
     w = pad(given["omega1"] + relative)
@@ -71,7 +76,7 @@ def accelerations(given: Givens, w: float, e: float, *, path: float = 1, rim: fl
     """What follows from the planet's rates; `path` and `rim` are the shares of the normal
     accelerations of O and of the rim about O that are kept.
     """
-    o_n, o_t = path * given["l"] * given["omega1"] ** 2, given["l"] * given["alpha1"]
+    o_n, o_t = path * find_arm(given) * given["omega1"] ** 2, find_arm(given) * given["alpha1"]
     n, t = rim * given["r"] * w**2, given["r"] * e
     return {
         "a_A": hypot(o_n + n, o_t + t),
@@ -82,24 +87,26 @@ def accelerations(given: Givens, w: float, e: float, *, path: float = 1, rim: fl
 
 def rates(given: Givens) -> tuple[float, float]:
     """The planet's angular velocity and acceleration."""
-    return given["l"] * given["omega1"] / given["r"], given["l"] * given["alpha1"] / given["r"]
+    return find_arm(given) * given["omega1"] / given["r"], find_arm(given) * given[
+        "alpha1"
+    ] / given["r"]
 
 
 def textbook(given: Givens, *, ratio: float | None = None, **shares: float) -> Answers:
     """All figures, with another ratio of the planet's rates to the arm's."""
-    ratio = given["l"] / given["r"] if ratio is None else ratio
+    ratio = find_arm(given) / given["r"] if ratio is None else ratio
     w, e = ratio * given["omega1"], ratio * given["alpha1"]
     return {"omega": w, "alpha": e, **accelerations(given, w, e, **shares)}
 
 
 def relative_to_arm(given: Givens) -> Answers:
     """The planet's rates relative to the arm."""
-    return textbook(given, ratio=(given["l"] - given["r"]) / given["r"])
+    return textbook(given, ratio=(find_arm(given) - given["r"]) / given["r"])
 
 
 def meshing_inside(given: Givens) -> Answers:
     """The sense of the rotation relative to the arm reversed."""
-    return textbook(given, ratio=1 - (given["l"] - given["r"]) / given["r"])
+    return textbook(given, ratio=1 - (find_arm(given) - given["r"]) / given["r"])
 
 
 def no_tangential(given: Givens) -> Answers:
@@ -112,8 +119,8 @@ def linear(given: Givens) -> Answers:
     """The angular velocities not squared in the normal accelerations."""
     w, e = rates(given)
     o_n, o_t, n, t = (
-        given["l"] * given["omega1"],
-        given["l"] * given["alpha1"],
+        find_arm(given) * given["omega1"],
+        find_arm(given) * given["alpha1"],
         given["r"] * w,
         given["r"] * e,
     )
@@ -123,7 +130,7 @@ def linear(given: Givens) -> Answers:
 def added(given: Givens) -> Answers:
     """The magnitudes of the terms added as if they pointed one way."""
     w, e = rates(given)
-    o_n, o_t = given["l"] * given["omega1"] ** 2, given["l"] * given["alpha1"]
+    o_n, o_t = find_arm(given) * given["omega1"] ** 2, find_arm(given) * given["alpha1"]
     total = o_n + o_t + given["r"] * w**2 + given["r"] * e
     return {"a_A": total, "a_B": total}
 
@@ -166,7 +173,7 @@ MISTAKES: Mapping[str, Mistake] = {
     "tangential-dropped": no_tangential,
     "omega-not-squared": linear,
     "added-as-scalars": added,
-    "inverse-ratio": lambda given: textbook(given, ratio=given["r"] / given["l"]),
+    "inverse-ratio": lambda given: textbook(given, ratio=given["r"] / find_arm(given)),
     **slips_in_writing(textbook, ("omega", "alpha")),
 }
 FOLLOWS: tuple[Edge, ...] = (
