@@ -51,13 +51,14 @@ class Deal:
     """A question as far as its deck of `size` combinations was looked at for `places` places.
 
     `verdicts` are those of the filter, position by position; `spare` good combinations are looked
-    for beyond one for each place.
+    for beyond one for each place; as many as `patience` are looked at before it is given up.
     """
 
     size: int
     places: int
     verdicts: Verdicts = ()
     spare: int = 0
+    patience: int = PATIENCE
 
     @cached_property
     def positions(self) -> Sequence[int]:
@@ -114,13 +115,13 @@ class Deal:
     @property
     def hopeless(self) -> bool:
         """Whether as many as patience allows were looked at, and none is good."""
-        return not self.positions and len(self.verdicts) >= min(self.size, PATIENCE)
+        return not self.positions and len(self.verdicts) >= min(self.size, self.patience)
 
     @property
     def bound(self) -> int:
         """How many combinations are looked at, at most."""
         most = LOOKS * self.places
-        return min(self.size, most if self.positions else max(most, PATIENCE))
+        return min(self.size, most if self.positions else max(most, self.patience))
 
     def further(self) -> range:
         """The positions to look at next, none if no more are needed or there is no hope: as many as
@@ -134,6 +135,7 @@ class Deal:
         missing = max(self.wanted - found, 0)
         likely = ceil(missing * (looked + 1) / (found + 1))
         most = LOOKS - looked if looked < LOOKS else looked
+        most = most if found else min(most, self.patience - looked)
         return range(looked, min(looked + min(likely, most), self.bound))
 
     def looked(self, verdicts: Verdicts) -> Deal:
@@ -141,14 +143,18 @@ class Deal:
         return replace(self, verdicts=self.verdicts + verdicts)
 
 
-def deal(filters: Mapping[str, DrawFilter], places: int, look: Look) -> dict[str, Deal]:
+def deal(
+    filters: Mapping[str, DrawFilter], places: int, look: Look, patience: int = PATIENCE
+) -> dict[str, Deal]:
     """The questions dealt to so many places, one or more; `look` asks the filters.
 
-    Raises DrawError with every question of which no combination is good.
+    Raises DrawError with every question of which no combination is good among as many as
+    `patience` allows.
     """
-    return look_further(
-        filters, {name: Deal(each.deck.size, places) for name, each in filters.items()}, look
-    )
+    begun = {
+        name: Deal(each.deck.size, places, patience=patience) for name, each in filters.items()
+    }
+    return look_further(filters, begun, look)
 
 
 def look_further(

@@ -12,7 +12,7 @@ from kinegrade.draws.deck import Combination, Deck, make_deck
 from kinegrade.draws.draw_filter import DrawFilter
 from kinegrade.draws.examining import Examined, Refused
 from kinegrade.errors import TemplateError
-from kinegrade.language.message import Fault, Message
+from kinegrade.language.message import Fault, Message, list_plainly
 from kinegrade.problem.holding import choose_wording, condition_holds
 from kinegrade.problem.needs import find_idle_givens
 from kinegrade.problem.quantity import Quantity
@@ -94,6 +94,11 @@ def _list_remarks(template: Template) -> Iterator[Message]:
         yield Message("template.idle-given", given=name)
     if not template.published:
         yield Message("template.no-published")
+        return
+    given = {name for published in template.published for name in published.gives}
+    unproved = [name for name in template.asked() if name not in given]
+    if unproved:
+        yield Message("template.unproved-asks", asks=list_plainly(unproved))
 
 
 def _search(report: Report, examples: int) -> None:

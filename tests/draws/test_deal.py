@@ -174,6 +174,12 @@ def test_where_nothing_is_good_every_question_is_named_before_long() -> None:
     )
 
 
+def test_who_waits_at_a_screen_gives_up_sooner() -> None:
+    filters = {"q1": cranks(r=("1",), h=("3", "4"), omega=ONE_TO_SIXTY)}
+    with pytest.raises(DrawError, match="none of the first 60 of"):
+        deal(filters, 4, partial(look_here, filters), patience=60)
+
+
 def test_a_deal_is_looked_at_further_from_where_it_ended() -> None:
     filters = {"q1": cranks(r=("1", "2"), h=("1/2", "1", "2"), omega=ONE_TO_SIXTY)}
     look = partial(look_here, filters)

@@ -19,7 +19,7 @@ from kinegrade.problem.template.library.library import find_template_names, load
 from kinegrade.problem.template.library.reading import read_template
 from kinegrade.problem.template.library.starter import write_starter_text
 from kinegrade.proof.assemblies import close_otherwise, find_other_assemblies
-from kinegrade.proof.checking import check, choose_drawable
+from kinegrade.proof.checking import _list_remarks, check, choose_drawable
 from kinegrade.proof.neighbours import list_probed
 from kinegrade.proof.published import prove_published
 from kinegrade.proof.reach import find_condition
@@ -119,6 +119,15 @@ def test_the_fault_tells_the_instance() -> None:
     fault = all_said(checked('"2*sqrt(3)/3*omega*r"', '"2*sqrt(3)/5*omega*r"').faults)[0]
     assert fault.startswith("published (example 3, crank at 60 degrees) at r = ")
     assert ", k = sqrt(3), phi = 60, omega = " in fault
+
+
+def test_asks_that_no_source_gives_are_named() -> None:
+    both = crank(('sign = "+y", means', 'sign = "+y", points = 3, means'))
+    unproved = [each for each in all_said(_list_remarks(both)) if "no published result" in each]
+    assert unproved == [
+        "no published result for v_y - [[published]] with values found otherwise would prove them"
+    ]
+    assert not [each for each in all_said(_list_remarks(crank())) if "no published" in each]
 
 
 def test_a_template_without_published_results_is_unproved_and_can_be_used() -> None:

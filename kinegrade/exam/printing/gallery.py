@@ -33,6 +33,9 @@ from kinegrade.problem.template.template import Template
 from kinegrade.problem.template.texts import require_language
 from kinegrade.proof.assemblies import close_otherwise, find_other_assemblies
 
+# Combinations that are looked at before a template is given up of which none is good: an author waits
+_PATIENCE = 60
+
 _Draw = Callable[[Template, Language], tuple[tuple[GalleryFigure, ...], tuple[str, ...]]]
 
 
@@ -165,7 +168,7 @@ def _deal_first(
     deck = make_deck(template, template.name, "gallery")
     draw_filter = DrawFilter(template, template.asked(), deck, {})
     filters = {"gallery": draw_filter}
-    dealt = deal(filters, draws, partial(look_here, filters))["gallery"]
+    dealt = deal(filters, draws, partial(look_here, filters), _PATIENCE)["gallery"]
     values = map(deck.combination, dealt.positions[:draws])
     solutions = [draw_filter.solved(each) for each in values]
     if dealt.lasting:
