@@ -78,6 +78,7 @@ def build_frames(mechanism: Mechanism, arithmetic: Arithmetic) -> Frames:
     """The chains and relations of a mechanism. Raises MechanismError for a joint of unknown bodies
     or points.
     """
+    mechanism = mechanism.join_resting_to_ground()
     guides = _find_guides(mechanism)
     bases = _find_bases(mechanism, guides)
     relations = [

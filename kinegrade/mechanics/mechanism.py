@@ -107,6 +107,16 @@ class Mechanism:
             if isinstance(condition, EqualRotation) and condition.is_sole and condition.of == GROUND
         )
 
+    @cached_property
+    def resting(self) -> frozenset[str]:
+        """The bodies that are pinned to the ground and kept from turning, as a fixed rope is."""
+        return self.held_parallel & self.find_pivots().keys()
+
+    def join_resting_to_ground(self) -> Mechanism:
+        """The same, but that what rolls or slides on a body at rest does so on the ground."""
+        joints = tuple(_join_to_ground(joint, self.resting) for joint in self.joints)
+        return replace(self, joints=joints) if self.resting else self
+
     def map(self, number: Callable[[Number], Number]) -> Mechanism:
         """The mechanism with `number` applied to every number of its points, joints and
         drivers.
@@ -117,6 +127,12 @@ class Mechanism:
             tuple(_map_part(joint, number) for joint in self.joints),
             tuple(_map_part(driver, number) for driver in self.drivers),
         )
+
+
+def _join_to_ground(joint: Any, resting: frozenset[str]) -> Any:
+    """A joint that guides something on a body at rest does so on the ground; others stay."""
+    guides = any(isinstance(law, GuidedPoint | GuidedBody) for law in joint.conditions)
+    return replace(joint, of=GROUND) if guides and joint.of in resting else joint
 
 
 def _map_part(part: Any, number: Callable[[Number], Number]) -> Any:

@@ -55,6 +55,18 @@ W = "A B"
 """
 
 
+def test_a_fixed_rope_is_a_fixed_track() -> None:
+    rope = ON_A_LINE.replace("line(D, 0)", "line(D, 0) of rope").replace(
+        "joints = [", 'joints = ["pin E: ground rope", "rope translates", '
+    )
+    rope = rope.replace("[bodies]", 'E = "(9, 0)"\n[bodies]\nrope = "E"')
+    asks = {"omega": "omega(wheel) in rad/s", "v": "magnitude(velocity(P)) in m/s"}
+    asks |= {"a": "magnitude(acceleration(P)) in m/s^2"}
+    for chapter in ("# Velocities", "# Accelerations"):
+        plain = read_chapter(chapter, solve_small(ON_A_LINE, **asks))
+        assert read_chapter(chapter, solve_small(rope, **asks)) == plain
+
+
 def test_rolling_on_a_line() -> None:
     solution = solve_small(ON_A_LINE, omega="omega(wheel) in rad/s")
     assert read_chapter("# Velocities", solution) == as_read(

@@ -33,7 +33,7 @@ from kinegrade.problem.template.template import Template
 from kinegrade.problem.template.texts import require_language
 from kinegrade.proof.assemblies import close_otherwise, find_other_assemblies
 
-# Combinations that are looked at before a template is given up of which none is good: an author waits
+# Combinations that are looked at before a template without a good one is given up: somebody waits
 _PATIENCE = 60
 
 _Draw = Callable[[Template, Language], tuple[tuple[GalleryFigure, ...], tuple[str, ...]]]

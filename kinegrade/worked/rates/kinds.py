@@ -30,6 +30,8 @@ def _describe_motion(body: Body, mechanism: Mechanism, met: Set[Node], case: Cas
     if body.particle:
         return Message("solution.particle", point=case.naming.point(body.name))
     name = case.naming.body(body.name)
+    if body.name in mechanism.resting:
+        return Message("solution.rests", body=name)
     if body.name in case.translating:
         return Message("solution.translates", body=name)
     letters = case.naming.omega(body.name), case.naming.alpha(body.name)
