@@ -182,7 +182,7 @@ def test_an_accepted_answer_may_use_the_numbers_of_each_paper(tmp_path: Path, un
     )
     policy = f"""
         [questions.q1.asks.v_B]
-        accept = [{{ value = "r*omega" }}, {{ value = "-r*omega + 0*h", credit = 0.5 }}]
+        accept = [{{ value = "r*omega" }}, {{ value = "-r*omega + 0*h*omega", credit = 0.5 }}]
         [questions.q1.asks.omega_AB]
         accept = [{{ value = "omega*sin(phi)"{unit} }}]
     """

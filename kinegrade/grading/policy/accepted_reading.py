@@ -9,7 +9,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import partial
 
-from kinegrade.errors import FieldError, find_nearest, suggest
+from kinegrade.errors import ExpressionError, FieldError, find_nearest, suggest
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.keys import Ask
 from kinegrade.expressions.angular import is_angle
@@ -22,12 +22,18 @@ from kinegrade.grading.policy.keys import ACCEPTED
 from kinegrade.grading.policy.policy import FULL_CREDIT, Accepted
 from kinegrade.grading.typed.conversion import Conversion, WrongUnit, find_conversion
 from kinegrade.grading.typed.number_text import Unreadable
-from kinegrade.grading.typed.unit_spelling import read_unit
+from kinegrade.grading.typed.unit_spelling import read_unit as read_written_unit
 from kinegrade.language.lines import shorten
 from kinegrade.language.message import Message, Quoted, list_choices
+from kinegrade.numbers.units import read_unit
+from kinegrade.problem.kinds.dimension import find_dimension
+from kinegrade.problem.kinds.kinds import Scalar, require_unit
+from kinegrade.problem.kinds.signatures import ELEMENTARY
+from kinegrade.problem.template.meaning.meaning import Scope
 
 _EXAMPLE = '{ value = "2*sqrt(3)" }'
 _LONGEST_SHOWN = 80
+_ANGLES = ("deg", "rad")
 
 
 @dataclass(frozen=True)
@@ -45,6 +51,7 @@ class AcceptedReader:
             students = self._students(known)
             tree = known.required("value", _read_tree)
             if tree is not None:
+                self._require_dimension(known, ask, tree)
                 written = shorten(str(known.value("value")).strip(), _LONGEST_SHOWN)
                 scale = self._scale(known, ask, tree)
                 yield Accepted(number, written, tree, scale, credit, students)
@@ -79,11 +86,31 @@ class AcceptedReader:
             unknown = Message("policy.unknown-name", name=Quoted(name))
             entry.fault("value", unknown, do=suggest(name, units))
         stated = entry.with_default("unit", partial(_read_conversion, ask), Conversion())
-        angles = frozenset(name for name in used if units.get(name) in ("deg", "rad"))
-        printed = read_unit(ask.unit)
+        angles = frozenset(name for name in used if units.get(name) in _ANGLES)
+        printed = read_written_unit(ask.unit)
         if printed and (used or is_angle(tree, angles)):
             return Conversion(1 / printed.factor, -printed.pi)
         return stated
+
+    def _require_dimension(self, entry: Table, ask: Ask, tree: Expression) -> None:
+        """Notes a value that cannot be counted in the unit of the ask, or takes plain numbers for
+        angles; unknown names are told elsewhere.
+        """
+        units = self._units(ask, [name for name in find_names(tree) if name != "pi"])
+        try:
+            named = {name: read_unit(unit) for name, unit in units.items()}
+            printed = read_unit(ask.unit)
+        except ExpressionError:  # a unit of another version, of which the engine knows nothing
+            return
+        kinds = {name: Scalar(find_dimension(unit)) for name, unit in named.items()}
+        angles = frozenset(name for name, unit in units.items() if unit in _ANGLES)
+        try:
+            kind = Scope(kinds, ELEMENTARY, frozenset(), angles).kind(tree)
+            require_unit(kind, printed, lambda _: Message("policy.fix-it"))
+        except ExpressionError:  # told where the value is worked out
+            return
+        except FieldError as error:
+            entry.faults.note_error((*entry.place, "value"), error)
 
     def _units(self, ask: Ask, used: list[str]) -> Mapping[str, str]:
         """The units of the names a value may use: the question's asks, and its givens where it uses

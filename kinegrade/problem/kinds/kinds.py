@@ -6,12 +6,14 @@ It is known without any values. `meaning` finds it; `signatures` says what funct
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import assert_never
 
 from kinegrade.errors import FieldError
-from kinegrade.language.message import Message, Part
-from kinegrade.problem.kinds.dimension import Dimension, describe_dimension
+from kinegrade.language.message import Message, Part, Quoted, Text
+from kinegrade.numbers.units import Unit
+from kinegrade.problem.kinds.dimension import Dimension, describe_dimension, find_dimension
 
 
 @dataclass(frozen=True)
@@ -84,6 +86,20 @@ def describe_kind(kind: Kind) -> Message:
             return Message("template.of-unknown-kind")
         case _:
             assert_never(kind)
+
+
+def require_unit(kind: Kind, unit: Unit, listed: Callable[[Dimension], Text]) -> None:
+    """Raises FieldError where a number cannot be counted in a unit; `listed` says of its dimension
+    what to do.
+    """
+    found = kind.dimension if isinstance(kind, Scalar) else None
+    if found is not None and found != find_dimension(unit):
+        what = Message(
+            "template.cannot-be-counted",
+            dimension=describe_dimension(found),
+            unit=Quoted(unit.text),
+        )
+        raise FieldError(what, do=listed(found))
 
 
 def unite_dimensions(where: Part, *kinds: Kind) -> Dimension | None:

@@ -15,7 +15,7 @@ from kinegrade.errors import ExpressionError, FieldError
 from kinegrade.expressions.tree import SUMS, Expression, Name, Operation, find_names, walk
 from kinegrade.files.fields.faults import Faults
 from kinegrade.files.fields.place import Place, key_path
-from kinegrade.language.message import Listing, Message, Quoted, list_choices
+from kinegrade.language.message import Message, Quoted, list_choices
 from kinegrade.mechanics.branches import BRANCHES
 from kinegrade.mechanics.joints import GROUND
 from kinegrade.problem.kinds.dimension import (
@@ -39,6 +39,7 @@ from kinegrade.problem.kinds.kinds import (
     Straight,
     Unknown,
     describe_kind,
+    require_unit,
     unite_dimensions,
 )
 from kinegrade.problem.kinds.signatures import CONSTRUCTIONS, ELEMENTARY, Signature
@@ -224,7 +225,7 @@ class _Consistency:
             raise FieldError(
                 describe_kind(kind), Message("template.a-number"), Message("template.of-a-vector")
             )
-        _require_unit(kind, ask)
+        require_unit(kind, ask.unit, _list_units)
         for part in walk(ask.quantity):
             if isinstance(part, Operation) and part.sign in SUMS:
                 _require_no_number(scope, part.left, part.right)
@@ -257,7 +258,7 @@ class _Consistency:
         """A published result: a number, of the dimension of the ask's unit where that is known."""
         kind = _require_number(scope.kind(tree))
         if ask is not None:
-            _require_unit(kind, ask)
+            require_unit(kind, ask.unit, _list_units)
 
 
 def _try_kinds(
@@ -291,20 +292,6 @@ def _require_dimension(kind: Kind, expected: Dimension, having: _Having) -> None
         )
 
 
-def _require_unit(kind: Kind, ask: Ask) -> None:
-    """Raises FieldError where a kind cannot be counted in the ask's unit."""
-    found = kind.dimension if isinstance(kind, Scalar) else None
-    if found is not None and found != find_dimension(ask.unit):
-        raise FieldError(
-            Message(
-                "template.cannot-be-counted",
-                dimension=describe_dimension(found),
-                unit=Quoted(ask.unit.text),
-            ),
-            do=Message("template.write-unit", units=_list_units(found)),
-        )
-
-
 def _require_no_number(scope: Scope, one: Expression, other: Expression) -> None:
     """Raises FieldError for a number other than zero that is added to what has a dimension."""
     number, kind = evaluate_literals(one), scope.kind(other)
@@ -316,7 +303,7 @@ def _require_no_number(scope: Scope, one: Expression, other: Expression) -> None
         raise FieldError(what, do=Message("template.added-with-unit"))
 
 
-def _list_units(found: Dimension) -> Listing:
+def _list_units(found: Dimension) -> Message:
     """The units in SI that a dimension may be counted in."""
     units = ("rad", "deg", "1") if found == NUMBER else (found.unit,)
-    return list_choices(map(Quoted, units))
+    return Message("template.write-unit", units=list_choices(map(Quoted, units)))
