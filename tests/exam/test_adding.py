@@ -509,3 +509,15 @@ def test_a_late_id_that_an_exam_has_but_for_zeros_is_refused_unless_it_is_wanted
         "several people"
     ]
     assert kinegrade("generate", *files, *late, "--allow-odd-ids").exit_code == 0
+
+
+def test_a_seat_of_the_exam_is_not_that_of_a_late_student_too(tmp_path: Path) -> None:
+    folder = write(tmp_path)
+    seats = "student,name,room,seat\ns0,Ann,Hall,1\na/b,Bo,Hall,2\ns2,Cy,Aula,1\n"
+    (folder / "roster.csv").write_text(seats, encoding="utf-8")
+    generated(folder, *WORDS)
+    late = "student,name,room,seat\ns7,Di,Hall,2\ns8,Ed,Aula,2\n"
+    (folder / "late.csv").write_text(late, encoding="utf-8")
+    assert refused(folder) == [
+        'late.csv:2: seat 2 in room Hall is that of student "a/b" already - give another seat'
+    ]

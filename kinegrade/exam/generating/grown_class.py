@@ -181,9 +181,20 @@ def _known_faults(exam: ExamFolder, known: Mapping[str, Student], late: Roster) 
             )
             expected, do = Message("exam.students-without"), Message("exam.delete-line")
             yield Fault(_place(late, student), what, expected, do)
-        elif not late.odd_ids:
+            continue
+        yield from list_neighbours(exam, student, _place(late, student))
+        if not late.odd_ids:
             where, do = _place(late, student), Message("roster.one-person")
             yield from list_twins(exam, student.student, where, do)
+
+
+def list_neighbours(exam: ExamFolder, student: Student, where: str) -> Iterator[Fault]:
+    """Those of the exam who sit on the seat of a new student."""
+    for each in exam.head.students if student.room and student.seat else ():
+        if (each.room, each.seat) == (student.room, student.seat):
+            seat, whose = student.seat, Quoted(each.student)
+            what = Message("exam.seat-taken", seat=seat, room=student.room, student=whose)
+            yield Fault(where, what, do=Message("exam.another-seat"))
 
 
 def list_twins(exam: ExamFolder, student: str, where: str, do: Message) -> Iterator[Fault]:
