@@ -367,3 +367,21 @@ def test_a_length_of_time_is_read(text: str, minutes: int) -> None:
 def test_what_is_no_length_of_time_is_refused(text: str) -> None:
     with pytest.raises(FieldError, match="a length of time"):
         read_duration(text)
+
+
+def test_attempts_are_ordered_by_their_times(exam: Path) -> None:
+    rows: Rows = [
+        ("7", "2026-12-01 11:00", RIGHT), ("7", "2026-12-01 10:00", WRONG),
+        ("8", "2026-12-01 10:00", RIGHT), ("8", "", WRONG),
+        ("9", "2026-12-01 10:00", WRONG), ("9", "2026-12-01 10:00", RIGHT),
+    ]  # fmt: skip
+    done = grade(exam, '[tries]\npenalty = "5 %"\n', rows)
+    assert {student: total for student, (total, _) in totals(exam).items()} == {
+        "7": "9.025", "8": "0", "9": "9.025", "10": "0",
+    }  # fmt: skip
+    told = [line for line in done.stderr.splitlines() if "which was first" in line]
+    assert [line.split("student ")[1] for line in told] == [
+        f'"{student}" do not all have times that say which was first - taken in the order of the '
+        "rows"
+        for student in ("8", "9")
+    ]

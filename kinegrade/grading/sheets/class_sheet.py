@@ -15,6 +15,7 @@ from kinegrade.exam.folder.keys import Ask, Sitting
 from kinegrade.files.answer_file import AnswerFile, LeftOut
 from kinegrade.files.cell_text import is_answered, shorten, trim
 from kinegrade.files.tables import Complaint, Table
+from kinegrade.grading.sheets.attempts import find_unordered, order_attempts
 from kinegrade.grading.sheets.entry import Entry, OtherTime, Place
 from kinegrade.grading.sheets.grid_entries import GridEntries
 from kinegrade.grading.sheets.part import read_part
@@ -44,10 +45,12 @@ def class_sheet(files: Sequence[AnswerFile], exam: Sitting) -> Sheet:
     )
     entries, conflicts = _join(parts, exam.asks)
     left_out = [each for answers in files for each in answers.left_out]
+    unordered = () if isinstance(entries, GridEntries) else find_unordered(entries)
     complaints = [
         *(complaint for part in parts for complaint in part.complaints),
         *_find_missing_columns(names, columns, exam),
         *conflicts,
+        *unordered,
         *_find_left_out(left_out, entries),
         *_find_missing_students(names, exam, entries, {each.student for each in left_out}),
     ]
@@ -63,7 +66,11 @@ def _arrange(entries: _Entries, exam: Sitting, names: str) -> _Entries:
     if isinstance(entries, GridEntries):
         return entries.of(exam.students)
     nothing = (Entry(None, ("",) * len(exam.asks), file=names),)
-    return {student: entries.get(student, nothing) for student in exam.students}
+    found = ((student, entries.get(student, nothing)) for student in exam.students)
+    return {
+        student: order_attempts(several) if len(several) > 1 else several
+        for student, several in found
+    }
 
 
 def _join(parts: Sequence[Part], asks: Sequence[Ask]) -> tuple[_Entries, list[Complaint]]:
