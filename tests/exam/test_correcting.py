@@ -122,6 +122,16 @@ def test_accepted_changes_are_said_and_stand_in_the_key(exam: Path) -> None:
     assert kinegrade("paper", exam, "007", "-o", exam.parent / "one.pdf").exit_code == 0
 
 
+def test_the_bank_as_it_was_before_the_key_was_corrected_is_told(exam: Path) -> None:
+    correct(exam, OTHER_ANSWER, options=("--accept-changes",))
+    again = generate(write_class(exam.parent), "EXAM", "--force")
+    assert again.exit_code == 2
+    assert (
+        "templates/crank.toml stand here as before the correction by reprint: give them as "
+        f"{exam} has them, choose another folder, or" in again.stderr
+    )
+
+
 def test_marks_given_before_a_correction_of_the_key_are_not_used(exam: Path) -> None:
     folder = exam.parent
     (folder / "answers.csv").write_text("student,q2.v_y\n007,4\n", encoding="utf-8")

@@ -57,9 +57,10 @@ class PaperChanges:
         if self.harmless and self.otherwise:
             yield Message("exam.now-otherwise", what=list_statements(self.otherwise))
 
-    def require_numbers_kept(self, folder: Path) -> None:
+    def require_numbers_kept(self, folder: Path, uncorrected: Sequence[str]) -> None:
         """Raises OutputError where the numbers of a paper of that exam would change, or the paper
-        of a student who is not in the roster be gone.
+        of a student who is not in the roster be gone. Sources that are `uncorrected` are as they
+        were before the exam was corrected.
         """
         if self.harmless:
             return
@@ -72,6 +73,9 @@ class PaperChanges:
             added=len(self.added),
         )
         keep = Message("exam.keep-all" if self.gone else "exam.keep-sources")
+        if uncorrected:
+            names, corrected = list_plainly(uncorrected), str(folder)
+            keep = Message("exam.keep-corrected", names=names, folder=corrected)
         raise OutputError(Fault(str(folder), what, _AS_PRINTED, keep))
 
     def require_rest_kept(self, folder: Path) -> None:

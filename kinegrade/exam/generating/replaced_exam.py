@@ -136,7 +136,7 @@ def settle(
         return None, (_UNKNOWN, *_dropped((*printed, POOL), old.folder))
     changes = old.changes(folder)
     if not options.new_numbers:
-        changes.require_numbers_kept(old.folder)
+        changes.require_numbers_kept(old.folder, _list_uncorrected(old, folder))
     if not changes.harmless:
         return changes, tuple(_dropped((*printed, POOL), old.folder))
     if not (options.new_numbers or options.accept_changes):
@@ -148,6 +148,17 @@ def settle(
     if not options.solutions:
         _move_solutions(old, folder)
     return changes, remarks
+
+
+def _list_uncorrected(old: ReplacedExam, new: Path) -> list[str]:
+    """The sources of the new exam that are as the old one had them before they were corrected."""
+    given = old.head.given if old.head else {}
+    there = ((name, new / name, digest) for name, digest in given.items())
+    return [
+        name
+        for name, file, digest in there
+        if file.is_file() and sha256(file.read_bytes()).hexdigest() == digest
+    ]
 
 
 def _paper_digests(exam: ExamFolder) -> dict[str, bytes]:
