@@ -71,13 +71,13 @@ def test_rules_that_another_policy_has_not_are_named(folder: Path) -> None:
 
 def test_each_accepted_answer_is_a_rule(folder: Path) -> None:
     both, one = folder / "both.toml", folder / "one.toml"
-    accepted = [f'[[questions.q2.asks.v_y.accept]]\nvalue = "{each}"\n' for each in ("h", "r")]
+    accepted = [f'[[questions.q2.asks.v_y.accept]]\nvalue = "{each}"\n' for each in ("3", "5")]
     both.write_text("".join(accepted), encoding="utf-8")
     one.write_text(accepted[1], encoding="utf-8")
     assert len(grade(folder, "MARKS", "--force", "--policy", both)) == 1
     said = grade(folder, "MARKS", "--force", "--policy", one)
     assert len(said) == 1
-    assert "questions.q2.asks.v_y.accept (value = h)" in said[0]
+    assert "questions.q2.asks.v_y.accept (value = 3)" in said[0]
 
 
 def test_a_damaged_copy_holds_no_rules(folder: Path) -> None:

@@ -230,3 +230,13 @@ def test_an_accepted_answer_that_cannot_be_told_from_zero_is_refused(tmp_path: P
     with pytest.raises(PolicyError, match="a value cannot be distinguished from zero") as caught:
         marked("007,1,,\n", policy_of(ACCEPTED.format(f"{{ value = '{value}' }}"), tmp_path))
     assert len(caught.value.faults) == 1
+
+
+def test_a_policy_that_drops_all_that_counts_is_refused(tmp_path: Path) -> None:
+    dropped = '[questions.q1]\nvoid = "drop"\n[questions.q2]\nvoid = "drop"\n'
+    with pytest.raises(PolicyError) as caught:
+        policy_of(dropped, tmp_path)
+    assert str(caught.value) == (
+        f"{tmp_path / 'policy.toml'}: every question that counts is dropped - leave one that counts, "
+        'or give all points for it with void = "full"'
+    )

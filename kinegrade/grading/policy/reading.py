@@ -8,7 +8,7 @@ bank says about credit (`kinegrade.stated_marking`) is furthest out of all. `rea
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Set
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property
@@ -17,7 +17,7 @@ from typing import get_args
 
 from kinegrade.errors import PolicyError, suggest
 from kinegrade.exam.folder.exam_folder import ExamFolder
-from kinegrade.exam.folder.keys import Ask, list_questions
+from kinegrade.exam.folder.keys import Ask, add_counted, list_questions
 from kinegrade.files.fields.document import FileKind, parsed_table, read_text, toml_table
 from kinegrade.files.fields.table import Table
 from kinegrade.files.fields.values import amount, choice, whole
@@ -121,9 +121,21 @@ class _Reader:
         rulings = self._rulings(questions, level)
         dropped = self._dropped_by_hand(questions)
         scale, penalties = read_scale(table), read_penalties(table, self.exam)
+        self._require_any_counted(table, rulings, dropped)
         table.faults.require_none()
         scale = scale or _read_stated_scale(self.exam)
         return Policy(attempts, rulings, text, scale, penalties, dropped)
+
+    def _require_any_counted(
+        self, content: Table, rulings: Mapping[str, Ruling], dropped: Set[str]
+    ) -> None:
+        """Notes that a policy drops all that counts, bonus aside: everybody would fail."""
+        asks = (rulings[ask.column].ask(ask) for ask in self.exam.asks)
+        hands = [each for each in self.exam.head.by_hand if each.question not in dropped]
+        drops = dropped or any(each.void == "drop" for each in rulings.values())
+        if drops and not add_counted(asks) and all(each.bonus for each in hands):
+            do = Message("policy.leave-one")
+            content.fault(None, Message("policy.nothing-counts"), do=do)
 
     @property
     def by_hand(self) -> tuple[str, ...]:
