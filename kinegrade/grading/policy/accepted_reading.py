@@ -12,6 +12,7 @@ from functools import partial
 from kinegrade.errors import ExpressionError, FieldError, find_nearest, suggest
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.keys import Ask
+from kinegrade.exam.value_dimension import require_countable
 from kinegrade.expressions.angular import is_angle
 from kinegrade.expressions.reading import read_expression
 from kinegrade.expressions.tree import Expression, find_names
@@ -25,11 +26,6 @@ from kinegrade.grading.typed.number_text import Unreadable
 from kinegrade.grading.typed.unit_spelling import read_unit as read_written_unit
 from kinegrade.language.lines import shorten
 from kinegrade.language.message import Message, Quoted, list_choices
-from kinegrade.numbers.units import read_unit
-from kinegrade.problem.kinds.dimension import find_dimension
-from kinegrade.problem.kinds.kinds import Scalar, require_unit
-from kinegrade.problem.kinds.signatures import ELEMENTARY
-from kinegrade.problem.template.meaning.meaning import Scope
 
 _EXAMPLE = '{ value = "2*sqrt(3)" }'
 _LONGEST_SHOWN = 80
@@ -98,16 +94,8 @@ class AcceptedReader:
         """
         units = self._units(ask, [name for name in find_names(tree) if name != "pi"])
         try:
-            named = {name: read_unit(unit) for name, unit in units.items()}
-            printed = read_unit(ask.unit)
-        except ExpressionError:  # a unit of another version, of which the engine knows nothing
-            return
-        kinds = {name: Scalar(find_dimension(unit)) for name, unit in named.items()}
-        angles = frozenset(name for name, unit in units.items() if unit in _ANGLES)
-        try:
-            kind = Scope(kinds, ELEMENTARY, frozenset(), angles).kind(tree)
-            require_unit(kind, printed, lambda _: Message("policy.fix-it"))
-        except ExpressionError:  # told where the value is worked out
+            require_countable(tree, units, ask.unit, Message("policy.fix-it"))
+        except ExpressionError:  # told where the value is worked out, or of another version's unit
             return
         except FieldError as error:
             entry.faults.note_error((*entry.place, "value"), error)
