@@ -59,16 +59,30 @@ def note_points_beyond_ends(template: Template, examples: Iterable[Solution]) ->
     for bar in (*_find_slots(template), *_find_sleeves(template), *_find_marks(template)):
         beyond = [ends for each in instances if (ends := bar.find_ends(each)) is not None]
         if beyond and (bar.between or len(beyond) < len(instances)):
-            start, end = beyond[0]
-            yield Message(
-                "template.beyond-its-bar",
-                point=bar.point,
-                start=start,
-                end=end,
-                body=bar.body,
-                number=len(beyond),
-                examined=len(instances),
-            )
+            yield _describe(bar, beyond, len(instances))
+
+
+def _describe(bar: _Bar, beyond: Sequence[tuple[str, str]], examined: int) -> Message:
+    """The remark; where all instances are meant, a condition would leave none."""
+    (start, end), point, body = beyond[0], bar.point, bar.body
+    if len(beyond) == examined:
+        return Message(
+            "template.always-beyond-its-bar",
+            point=point,
+            start=start,
+            end=end,
+            body=body,
+            examined=examined,
+        )
+    return Message(
+        "template.beyond-its-bar",
+        point=point,
+        start=start,
+        end=end,
+        body=body,
+        number=len(beyond),
+        examined=examined,
+    )
 
 
 def _find_slots(template: Template) -> Iterator[_Bar]:

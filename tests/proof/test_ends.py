@@ -39,6 +39,14 @@ def test_a_block_beyond_the_end_of_its_slot_is_noted_with_what_keeps_it_inside()
     )
 
 
+def test_no_condition_is_named_that_would_leave_no_draw() -> None:
+    (remark,) = note(rocker("b"), "30", "60")
+    assert remark == (
+        "A lies beyond the ends of CB, the line of the body CB, in all 2 instances: a longer bar or "
+        "other domains bring it between them; where the bar goes on there, give CB a point beyond A"
+    )
+
+
 def test_the_condition_that_is_named_keeps_the_block_inside() -> None:
     text = write_starter_text().replace('l = "3/2*(b + r)"', 'l = "b"')
     kept = re.sub(r"conditions = \[.*\]", 'conditions = ["distance(C, A) < distance(C, B)"]', text)
@@ -98,7 +106,7 @@ def test_a_point_placed_beyond_the_end_of_its_bar_is_noted(
     place: str, points: str, noted: bool
 ) -> None:
     remarks = note(crank_with_mark(place, points), "30", "60")
-    said = "M lies beyond the ends of OA, the line of the body OA, in 2 of 2 instances"
+    said = "M lies beyond the ends of OA, the line of the body OA, in all 2 instances"
     assert [each.split(":")[0] for each in remarks] == [said] * noted
 
 
