@@ -68,8 +68,8 @@ def test_an_open_belt_between_fixed_pulleys() -> None:
     chapter = read_chapter("# Velocities", solution)
     assert chapter.partition(f"{title}\n")[2] == as_read(
         r"""
-        Both rims always move with the speed of the belt, an open one, so in
-            the same sense:
+        The belt is open, so both rims always move with its speed
+            in the same sense:
         1\,\unit{m} \cdot \omega &= 3\,\unit{m} \cdot \omega_{O}
         \omega &= \frac{3\,\unit{m}}{1\,\unit{m}} \cdot \omega_{O} =
             \frac{3\,\unit{m}}{1\,\unit{m}} \cdot 2\,\unit{rad/s} = 6\,\unit{rad/s}\quad\text{(counter-clockwise)}
@@ -91,8 +91,8 @@ def test_a_crossed_belt_about_a_fixed_pulley() -> None:
     solution = solve_small(CARRIED, omega="omega(pulley) in rad/s")
     assert read_chapter("## A belt joins the pulley and the ground", solution) == as_read(
         r"""
-        Relative to the arm $OC$ both rims always move with the speed of the belt, a crossed
-            one, so in opposite senses:
+        The belt is crossed, so relative to the arm $OC$ both rims always move with its
+            speed in opposite senses:
         (1 + 1)\,(\omega - \omega_{OC}) &= -3\,\unit{m} \cdot (0 - \omega_{OC})
         \omega &= \omega_{OC} + \frac{3\,\unit{m}}{1 + 1} \cdot \omega_{OC} = 2\,\unit{rad/s} +
             \frac{3\,\unit{m}}{2\,\unit{m}} \cdot 2\,\unit{rad/s} = 5\,\unit{rad/s}\quad\text{(counter-clockwise)}

@@ -55,8 +55,8 @@ def test_a_composition_of_velocities() -> None:
     solution = solve_small(SLOT, omega="omega(OB) in rad/s")
     assert read_chapter("# Velocities", solution) == as_read(
         r"""
-        Rotations are positive counter-clockwise, and directions in degrees are counted so from the
-            $x$ axis. For an unknown vector the letter stands for its component in the direction
+        Rotations are positive counter-clockwise, and angles are measured counter-clockwise
+            from the $x$ axis. For an unknown vector the letter stands for its component in the direction
             assumed for it (where a point turns about another, that of a counter-clockwise
             rotation), for a known one for its magnitude. Printed values are rounded; the
             calculation goes on with all their digits.
@@ -72,7 +72,7 @@ def test_a_composition_of_velocities() -> None:
         [+] \boldsymbol{v}_{\mathrm{r}} | ? | $O \to B$
         Here $O_{1}A = x_{A} = 4\,\unit{m}$, $OA = \sqrt{x_{A}^{2} + y_{A}^{2}} =
             \sqrt{(4\,\unit{m})^{2} + (3\,\unit{m})^{2}} = 5\,\unit{m}$.
-        $a'$ in the polygon: the point of $OB$ at $A$.
+        In the polygon, $a'$ denotes the point of $OB$ that coincides with $A$.
         $OB$ makes the acute angle $\psi_{OB}$ with the $x$ axis:
         \tan\psi_{OB} &= \frac{y_{B}}{x_{B}} = \frac{6\,\unit{m}}{8\,\unit{m}} = 0.75
         \psi_{OB} &\approx 36.87^\circ
@@ -151,7 +151,7 @@ def test_a_composition_of_velocities_in_a_translating_frame() -> None:
         Here $\boldsymbol{v}_{\mathrm{e}} = \boldsymbol{v}_{D}$, $OC = \sqrt{x_{C}^{2} + y_{C}^{2}}
             = \sqrt{(3\,\unit{m})^{2} + (4\,\unit{m})^{2}} = 5\,\unit{m}$.
         Block translates: all its points have the same velocity.
-        $c'$ in the polygon: the point of block at $C$.
+        In the polygon, $c'$ denotes the point of block that coincides with $C$.
         $OC$ makes the acute angle $\psi_{OC}$ with the $x$ axis:
         \tan\psi_{OC} &= \frac{y_{C}}{x_{C}} = \frac{4\,\unit{m}}{3\,\unit{m}} = \frac{4}{3} \approx
             1.333

@@ -63,8 +63,8 @@ def test_meshing_seen_from_the_carrier() -> None:
     solution = solve_small(PLANETS, omega="omega(planet) in rad/s")
     assert read_chapter("# Velocities", solution) == as_read(
         r"""
-        Rotations are positive counter-clockwise, and directions in degrees are counted so from the
-            $x$ axis. For an unknown vector the letter stands for its component in the direction
+        Rotations are positive counter-clockwise, and angles are measured counter-clockwise
+            from the $x$ axis. For an unknown vector the letter stands for its component in the direction
             assumed for it (where a point turns about another, that of a counter-clockwise
             rotation), for a known one for its magnitude. Printed values are rounded; the
             calculation goes on with all their digits.
@@ -115,8 +115,8 @@ def test_a_given_relative_rate() -> None:
     solution = solve_small(LINK, omega="omega(link) in rad/s")
     assert read_chapter("# Velocities", solution) == as_read(
         r"""
-        Rotations are positive counter-clockwise, and directions in degrees are counted so from the
-            $x$ axis. For an unknown vector the letter stands for its component in the direction
+        Rotations are positive counter-clockwise, and angles are measured counter-clockwise
+            from the $x$ axis. For an unknown vector the letter stands for its component in the direction
             assumed for it (where a point turns about another, that of a counter-clockwise
             rotation), for a known one for its magnitude. Printed values are rounded; the
             calculation goes on with all their digits.

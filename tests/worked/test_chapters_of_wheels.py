@@ -71,8 +71,8 @@ def test_rolling_on_a_line() -> None:
     solution = solve_small(ON_A_LINE, omega="omega(wheel) in rad/s")
     assert read_chapter("# Velocities", solution) == as_read(
         r"""
-        Rotations are positive counter-clockwise, and directions in degrees are counted so from the
-            $x$ axis. For an unknown vector the letter stands for its component in the direction
+        Rotations are positive counter-clockwise, and angles are measured counter-clockwise
+            from the $x$ axis. For an unknown vector the letter stands for its component in the direction
             assumed for it (where a point turns about another, that of a counter-clockwise
             rotation), for a known one for its magnitude. Printed values are rounded; the
             calculation goes on with all their digits.
@@ -134,8 +134,8 @@ def test_rolling_inside_a_circle() -> None:
     )
     assert read_chapter("# Velocities", solution) == as_read(
         r"""
-        Rotations are positive counter-clockwise, and directions in degrees are counted so from the
-            $x$ axis. For an unknown vector the letter stands for its component in the direction
+        Rotations are positive counter-clockwise, and angles are measured counter-clockwise
+            from the $x$ axis. For an unknown vector the letter stands for its component in the direction
             assumed for it (where a point turns about another, that of a counter-clockwise
             rotation), for a known one for its magnitude. Printed values are rounded; the
             calculation goes on with all their digits.
@@ -174,8 +174,8 @@ def test_a_centre_that_is_driven_on_its_circle() -> None:
     solution = solve_small(DRIVEN_ROUND, omega="omega(W) in rad/s", alpha="alpha(W) in rad/s^2")
     assert read_chapter("# Velocities", solution) == as_read(
         r"""
-        Rotations are positive counter-clockwise, and directions in degrees are counted so from the
-            $x$ axis. For an unknown vector the letter stands for its component in the direction
+        Rotations are positive counter-clockwise, and angles are measured counter-clockwise
+            from the $x$ axis. For an unknown vector the letter stands for its component in the direction
             assumed for it (where a point turns about another, that of a counter-clockwise
             rotation), for a known one for its magnitude. Printed values are rounded; the
             calculation goes on with all their digits.
@@ -212,8 +212,8 @@ def test_gears_with_fixed_axes() -> None:
     solution = solve_small(GEARS, omega="omega(pinion) in rad/s")
     assert read_chapter("# Velocities", solution) == as_read(
         r"""
-        Rotations are positive counter-clockwise, and directions in degrees are counted so from the
-            $x$ axis. For an unknown vector the letter stands for its component in the direction
+        Rotations are positive counter-clockwise, and angles are measured counter-clockwise
+            from the $x$ axis. For an unknown vector the letter stands for its component in the direction
             assumed for it (where a point turns about another, that of a counter-clockwise
             rotation), for a known one for its magnitude. Printed values are rounded; the
             calculation goes on with all their digits.

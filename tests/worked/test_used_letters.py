@@ -30,6 +30,8 @@ def test_a_primed_corner_of_a_polygon_is_explained_once() -> None:
     told = [
         one
         for one in proses(kept("flat-faced-follower-eccentric-circle"))
-        if " in the polygon: " in one
+        if one.startswith("In the polygon, ")
     ]
-    assert told == ["$c'$ in the polygon: the point of the follower at $C$."]
+    assert told == [
+        "In the polygon, $c'$ denotes the point of the follower that coincides with $C$."
+    ]
