@@ -16,7 +16,7 @@ from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.placing.obstacles import Obstacles
 from kinegrade.figure.placing.ownership import Claims
 from kinegrade.figure.plane import angle_of, length, polar, shorter_way
-from kinegrade.figure.scene import BOLD, FIRM, THIN, Bow, Disc, Scene, Strokes
+from kinegrade.figure.scene import BOLD, FIRM, PITCH, THIN, Bow, Disc, Scene, Strokes
 from kinegrade.figure.sketch import sketch
 from kinegrade.mechanics.drivers import Rotation
 from kinegrade.mechanics.mechanism import Mechanism
@@ -182,6 +182,18 @@ def test_the_arrow_of_a_cam_stands_off_its_base_circle() -> None:
     base = [disc.radius for disc in discs if disc.centre == omega.centre and disc.radius > 3]
     assert all(abs(omega.radius - radius) > 1.9 for radius in base)
     assert base
+
+
+def test_the_symbol_of_an_arrow_is_on_its_side_of_the_base_circle() -> None:
+    template = load_template("tangent-cam-with-roller")
+    for draw in drawn(draw_filter(template), 4):
+        scene = sketch(draw.solution.assembly.mechanism.map(float), mark_givens(template))
+        (arrow,) = list_arrows(scene)
+        discs = [part for part in scene.primitives if isinstance(part, Disc) and part.pen == PITCH]
+        (base,) = (disc for disc in discs if disc.centre == arrow.centre)
+        (symbol,) = (label for label in scene.labels if label.symbol == "n")
+        away = length(symbol.centre - base.centre)
+        assert (away < base.radius) == (arrow.radius < base.radius)
 
 
 def test_an_arrow_goes_farther_out_rather_than_where_a_dimension_may_need_a_line() -> None:

@@ -80,9 +80,9 @@ def test_where_both_axes_are_used_the_direction_of_a_vector_is_left() -> None:
     assert read_checks("flat-faced-follower-eccentric-circle")[0] == Check(
         r"the projection on the direction of $\boldsymbol{v}_{\mathrm{a}}$, "
         "which has not been used",
-        r"0.2\,\unit{m/s}",
-        r"0.1732\,\unit{m/s} \cdot \sin 120^\circ - 0.1\,\unit{m/s} \cdot \cos 120^\circ"
-        r" \approx 0.2\,\unit{m/s}",
+        r"1\,\unit{m/s}",
+        r"0.8660\,\unit{m/s} \cdot \sin 60^\circ + 0.5\,\unit{m/s} \cdot \cos 60^\circ"
+        r" \approx 1\,\unit{m/s}",
     )
 
 

@@ -82,7 +82,7 @@ def test_a_direction_beside_an_answer_is_named_and_a_formula() -> None:
     assert not any("$" in line for line in told)
     assert not any("in the direction" in line for line in told)
     (line,) = (line for line in displayed(kept("crossed-belt-drive")) if line.startswith("v_{A} "))
-    assert line.endswith(r"\unit{m/s}\quad\text{(counter-clockwise about }O\text{)}")
+    assert line.endswith(r"\unit{m/s}\quad\text{(clockwise about }O\text{)}")
 
 
 def test_an_angle_that_a_triangle_has_given_is_not_found_again_by_its_tangent() -> None:

@@ -16,6 +16,7 @@ from kinegrade.figure.marks.turning_radii import (
     RADII,
     ROOMY,
     find_body_direction,
+    list_base_circles,
     order_radii,
 )
 from kinegrade.figure.mechanism.layers import Drawing
@@ -50,9 +51,9 @@ _ABOUT = 20.0  # millimetres about a pivot in which pins and lines may seem to o
 def add_rotations(
     layout: Layout,
     mechanism: Mechanism,
-    hints: Iterable[Turning],
+    hints: Sequence[Turning],
     drawing: Drawing,
-    named: Iterable[Wish],
+    named: Sequence[Wish],
     *,
     lengths: Iterable[Length] = (),
 ) -> Layout:
@@ -65,25 +66,22 @@ def add_rotations(
     arrows: list[TurningArrow] = []
     spared: list[Sequence[Primitive]] = []
     likely: list[Label] = []  # the symbols of earlier arrows, as long as no later one is known
-    hints = tuple(hints)
     for number, hint in enumerate(hints):
         for arrow, letters in zip(arrows[-1:], spared[-1:], strict=True):
             wish = arrow.wish_apart(arrows[:-1])
             likely += layout.captioned(wish, (*letters, *likely)).labels[-1:]
         centre = find_turning_centre(mechanism, hint, drawing)
         lines = find_extension_angles(mechanism.points, lengths, centre, layout.obstacles)
-        company = _find_company(layout, hint, drawing, centre, lines)
         pins = [at for at in mechanism.points.values() if length(at - centre) < _ABOUT]
-        company = replace(company, pins=tuple(at for at in pins if length(at - centre) > NEAR))
-        close = [wish for wish in named if length(Vector(*wish.spots[0]) - centre) < _LETTERED]
-        around = _find_claims(layout, pins, drawing, centre)
+        company = replace(_find_company(layout, hint, drawing, centre, lines), pins=tuple(pins))
+        around = _find_claims(layout, pins, drawing, hint.body, centre)
         followed = any(later.body == hint.body for later in hints[number + 1 :])
         ways = _list_arrows(mechanism, hint, centre, drawing, followed=followed)
         rated = [way.among(company, around) for way in ways]
         # The letter of a pivot leaves a bound arrow its place: that can go nowhere else
         bound = next((way for way in rated if way.tied), None)
         before = layout.drawn(bound.primitives()) if bound else layout
-        spared.append(before.written(close).labels)
+        spared.append(before.written(_list_close(named, centre)).labels)
         layout, _ = layout.chosen(rated, (*spared[-1], *likely))
         arrows += [mark for mark in layout.marks[-1:] if isinstance(mark, TurningArrow)]
     for arrow, letters in zip(arrows, spared, strict=True):
@@ -92,14 +90,20 @@ def add_rotations(
     return layout
 
 
+def _list_close(named: Sequence[Wish], centre: Vector) -> list[Wish]:
+    """The letters that stand about a pivot."""
+    return [wish for wish in named if length(Vector(*wish.spots[0]) - centre) < _LETTERED]
+
+
 def _find_claims(
-    layout: Layout, pins: Sequence[Vector], drawing: Drawing, centre: Vector
+    layout: Layout, pins: Sequence[Vector], drawing: Drawing, body: str, centre: Vector
 ) -> Claims:
     """What else might own the symbol of an arrow about a pivot, or cut it off."""
-    discs = (part for part in drawing.primitives if isinstance(part, Disc))
+    base = list_base_circles(drawing, body, centre)
+    discs = [part for part in drawing.primitives if isinstance(part, Disc) and part.pen != PITCH]
     bars = (part for part in drawing.parts if isinstance(part, Bar | Rod))
     return Claims(
-        tuple(disc for disc in discs if disc.radius > RADII[0] and disc.pen != PITCH),
+        (*(disc for disc in discs if disc.radius > RADII[0]), *base),
         tuple((part.start, part.end) for part in bars),
         tuple(pins),
         tuple(list_places(list_thin_lines(layout.lines), centre, _ABOUT)),

@@ -27,9 +27,9 @@ def order_radii(
     mechanism: Mechanism, body: str, centre: Vector, drawing: Drawing
 ) -> tuple[float, ...]:
     """The radii of the arrow of a body, the preferred one first."""
-    base = _find_base_circle(drawing, body, centre)
-    if base is not None:
-        return (base - _WITHIN if base > ROOMY else base + BEYOND, *RADII)
+    for base in list_base_circles(drawing, body, centre):
+        within = base.radius > ROOMY
+        return (base.radius + (-_WITHIN if within else BEYOND), *RADII)
     rims = list(_list_radii(drawing, body))
     outer = [radius + BEYOND for radius in rims]
     others = _list_pivoted_beside(mechanism, body, drawing)
@@ -40,12 +40,12 @@ def order_radii(
     return (*inner, *outer, *apart, *RADII)
 
 
-def _find_base_circle(drawing: Drawing, body: str, centre: Vector) -> float | None:
-    """The radius of the base circle of a cam about its pivot."""
+def list_base_circles(drawing: Drawing, body: str, centre: Vector) -> list[Disc]:
+    """The base circle of a cam about its pivot; none of another body."""
     if not any(rim.body == body and rim.kind == "cam" for rim in drawing.rims):
-        return None
+        return []
     discs = (part for part in drawing.primitives if isinstance(part, Disc) and part.pen == PITCH)
-    return next((disc.radius for disc in discs if length(disc.centre - centre) < NEAR), None)
+    return [disc for disc in discs if length(disc.centre - centre) < NEAR]
 
 
 def _list_radii(drawing: Drawing, body: str) -> Iterator[float]:
