@@ -22,7 +22,7 @@ from kinegrade.cli import main
 NAMES = [name for name in kinegrade.__all__ if name != "__version__"]
 FUNCTIONS = [name for name in NAMES if isfunction(getattr(kinegrade, name))]
 OPTIONS: dict[str, tuple[type, set[str]]] = {
-    "generate": (kinegrade.GenerateOptions, {"progress"}),
+    "generate": (kinegrade.GenerateOptions, {"progress", "sheets"}),
     "grade": (kinegrade.GradeOptions, {"assuming"}),
     "export": (kinegrade.ExportOptions, set()),
     "quiz": (kinegrade.QuizOptions, {"progress"}),

@@ -5,6 +5,7 @@ and as amounts. Whatever cannot be read is refused in the same way.
 from __future__ import annotations
 
 import csv
+import os
 import re
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
@@ -89,7 +90,7 @@ def _choose(header: Sequence[str], columns: Sequence[str]) -> Callable[[Sequence
 
 def read_records_if_any(folder: Path, file: TableFile) -> Iterator[tuple[int, Record]]:
     """The same for a file that not every folder has."""
-    if (folder / file.name).exists():
+    if os.path.exists(folder / file.name):  # of a name too long, too
         yield from read_records(folder, file)
 
 

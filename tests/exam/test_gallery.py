@@ -114,8 +114,8 @@ def test_a_template_that_cannot_be_drawn_is_shown_with_the_reason(tmp_path: Path
     path = write(tmp_path, "never", ('conditions = ["5*r <= 4*b"]', 'conditions = ["5*r < 0"]'))
     status, complaints, (page,) = gallery(tmp_path, path, "slider-crank")
     reason = (
-        "gallery (never): none of the first 2000 of the 5390 combinations of values is fit for "
-        "students (condition 2000)"
+        "gallery (never): none of the first 60 of the 5390 combinations of values is fit for "
+        "students (condition 60)"
     )
     assert status == 1
     assert complaints.startswith(f"complaint: {reason}")

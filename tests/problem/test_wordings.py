@@ -152,7 +152,7 @@ def test_a_parameter_may_be_given_by_a_text_if_every_wording_gives_it() -> None:
         (
             "[[text.place]]",
             "[[text.'1 x']]",
-            "14: text.1 x: not usable as a name - expected a letter",
+            "14: text.1 x: not usable as a name - expected letters of A to Z",
         ),
         (PLACE, "[text]\nplace = 'low'\n[parameters]", '14: text.place: "low" - expected a list'),
         (

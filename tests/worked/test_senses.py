@@ -60,7 +60,7 @@ def test_an_answer_in_the_opposite_sense_names_the_convention_of_the_question(
         (
             "two-wheels-on-cylinder",
             1,
-            r"v_{A} &= 0.6\,\unit{m/s}\quad\text{(clockwise about }O\text{)}",
+            r"v_{A} &= 2\,\unit{m/s}\quad\text{(clockwise about }O\text{)}",
         ),
     ],
 )
