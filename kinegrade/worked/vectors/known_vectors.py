@@ -100,13 +100,25 @@ def find_positive_sense(term: Term, case: Case, level: Level) -> Vector:
 
 
 def is_stated_negative(term: Term, case: Case, level: Level) -> bool:
-    """Whether a negative algebraic value has been stated for a term fixed to the ground, given or
-    solved for.
+    """Whether a negative algebraic value has been stated for a term: for one fixed to the ground
+    given or solved for, for a relative one by the rotation of what rolls.
     """
     rate = case.rates(level)[term.rate]
-    if term.frame != GROUND or double(rate) * find_stated_sense(term, case, level) >= 0:
+    if double(rate) * find_stated_sense(term, case, level) >= 0:
         return False
+    if term.frame != GROUND:
+        return _is_rolled(term, case)
     return term.kind != "rotation" or _is_vector_result(term.rate, case)
+
+
+def _is_rolled(term: Term, case: Case) -> bool:
+    """Whether no slip links the motion of a point to a rotation."""
+    return any(
+        relation.source is not None
+        and relation.source.find_rolling() is not None
+        and relation.turning[0][0] == term.rate
+        for relation in case.motion.frames.relations
+    )
 
 
 def find_path_term(chain: Chain, case: Case) -> Term | None:

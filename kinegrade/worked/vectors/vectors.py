@@ -121,6 +121,9 @@ def number_composition(equation: VectorEquation, part: Part, case: Case) -> Row:
     return index_relative(motion, case)
 
 
+_STATED = ("absolute", "relative")  # the roles of what an earlier step may have found
+
+
 def name_value(equation: VectorEquation, part: Part, case: Case) -> Formula:
     """What stands for a part in equations: the algebraic value of an unknown one, the magnitude of
     a known one.
@@ -128,7 +131,7 @@ def name_value(equation: VectorEquation, part: Part, case: Case) -> Formula:
     letters = name_part(equation, part, case)
     known = (
         part.unknown is None
-        and part.role == "absolute"
+        and part.role in _STATED
         and part.part != "n"
         and not is_composed(equation, part)
     )
