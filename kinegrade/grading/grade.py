@@ -18,6 +18,7 @@ from kinegrade.files.placing.edits import find_edits
 from kinegrade.files.tables import Table, read_table
 from kinegrade.grade_scale.kinds import make_scale
 from kinegrade.grade_scale.scale import Scale
+from kinegrade.grading.accepted_counts import AcceptedCounts
 from kinegrade.grading.answer_lines import write_marks
 from kinegrade.grading.by_hand.gathering import HandSources, gather_hand_marks
 from kinegrade.grading.by_hand.markable import find_markable
@@ -129,7 +130,8 @@ def _mark(
         rules, accepted, wishes.decimal, wishes.follows, pool, hands.students, wishes.own_papers
     )
     by_hand = HandMarking(hands.by_hand, exam.head, rules.given_to_all, rules.dropped_by_hand)
-    watched = seen.watched(mark_blocks(papers, sheet, terms))
+    counts = AcceptedCounts(rules, exam.asks)
+    watched = counts.watched(seen.watched(mark_blocks(papers, sheet, terms)))
     blocks = by_hand.watched(watched)
     grades = collect_grades(exam, sheet, write_marks(folder, blocks))
     if not wishes.own_papers:
@@ -146,7 +148,7 @@ def _mark(
     folder.printed(orders)
     folder.left_out(list_hand_marks(hands.left_out))
     _write_by_hand(folder, settled, exam)
-    return replace(grades, notes=hands.notes)
+    return replace(grades, notes=(*hands.notes, *counts.describe()))
 
 
 def _require_same_exam(exam: ExamFolder, wishes: MarkingWishes, sources: HandSources) -> None:

@@ -80,6 +80,19 @@ def test_each_accepted_answer_is_a_rule(folder: Path) -> None:
     assert "questions.q2.asks.v_y.accept (value = 3)" in said[0]
 
 
+def test_for_how_many_each_accepted_answer_counted_is_said(folder: Path) -> None:
+    policy = folder / "both.toml"
+    accepted = [f'[[questions.q2.asks.v_y.accept]]\nvalue = "{each}"\n' for each in ("97", "98")]
+    policy.write_text("".join(accepted), encoding="utf-8")
+    (folder / "answers.csv").write_text("student,q2.v_y\n007,97\n0012,97\n", encoding="utf-8")
+    files = folder / "EXAM", folder / "answers.csv", "-o", folder / "NEW"
+    said = kinegrade("grade", *files, "--policy", policy).stderr.splitlines()
+    assert [line for line in said if "accepted answer" in line] == [
+        'q2.v_y: accepted answer 1, "97", counted for 2 students',
+        'q2.v_y: accepted answer 2, "98", counted for 0 students',
+    ]
+
+
 def test_a_damaged_copy_holds_no_rules(folder: Path) -> None:
     (folder / "MARKS" / "policy.toml").write_text("= 3", encoding="utf-8")
     assert grade(folder, "MARKS", "--force") == []

@@ -39,7 +39,8 @@ class JudgedBlock:
     filled in with the numbers that are `stated` of it, and worded otherwise where an answer is
     right `to_figures`. Where none is said, which is 0, `reasons` are those that are not empty, and
     `mistakes` those that lead to the answer. `by_policy` is where the rule was not the paper's.
-    `worded` are reasons that have been put in words already.
+    `worded` are reasons that have been put in words already; `accepted` are the numbers of the
+    policy's answers that answers of this kind agree with.
     """
 
     rows: Rows
@@ -58,6 +59,7 @@ class JudgedBlock:
     credits: list[Fraction] = field(default_factory=lambda: [Fraction(0), Fraction(1)])
     mistakes: dict[int, tuple[str, ...]] = field(default_factory=dict)
     worded: dict[int, str] = field(default_factory=dict)
+    accepted: dict[int, int] = field(default_factory=dict)
 
     @classmethod
     def begin(
@@ -93,6 +95,8 @@ class JudgedBlock:
         self.by_policy[place] = verdict.by_policy
         self.reasons[place] = verdict.reason
         self.mistakes[place] = verdict.mistakes
+        if verdict.accepted:
+            self.accepted[place] = verdict.accepted
         self.put_share(place, share)
 
     def put_mistakes(self, leading: Leading, ways: Places, said: Places) -> None:
@@ -163,5 +167,6 @@ class JudgedBlock:
             self.reason(place),
             mistakes=self.find_mistakes(place),
             by_policy=bool(self.by_policy[place]),
+            accepted=self.accepted.get(place, 0),
         )
         return verdict, self.credits[self.shares[place]]

@@ -99,7 +99,8 @@ def _find_accepted(
                 text=other.accepted.text,
                 comparison=verdict.comparison,
             )
-            yield Verdict("accepted", reason), other.accepted.credit
+            verdict = Verdict("accepted", reason, accepted=other.accepted.number)
+            yield verdict, other.accepted.credit
 
 
 def find_mistaken(reading: Reading, key: Key, ruling: Ruling) -> Decision | None:

@@ -52,7 +52,8 @@ class Verdict:
 
     `comparison` says how far a number is from the one it was compared with. `mistakes` are the
     known mistakes that lead to it, the likeliest first; `by_policy` is whether it was compared by
-    another rule than the paper's.
+    another rule than the paper's; `accepted` is the number of the policy's answer that it agrees
+    with, 0 for none.
     """
 
     kind: Kind
@@ -60,6 +61,7 @@ class Verdict:
     comparison: Text = ""
     mistakes: tuple[str, ...] = ()
     by_policy: bool = False
+    accepted: int = 0
 
 
 def judge(reading: Reading, key: Key) -> Verdict:
