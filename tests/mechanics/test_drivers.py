@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 from kinegrade.mechanics.joints import GROUND, Parallel, Pin, Sleeve, Slide
-from tests.mechanics.writing import Paper
-
-X, Y = (1, 0), (0, 1)
+from tests.mechanics.writing import Paper, X, Y
 
 
 def test_rotation_relative_to_another_body_adds() -> None:

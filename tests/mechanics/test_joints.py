@@ -15,9 +15,7 @@ from kinegrade.mechanics.joints import (
 )
 from kinegrade.mechanics.motion import solve_motion
 from tests.laws.position import moving
-from tests.mechanics.writing import Paper
-
-X, Y = (1, 0), (0, 1)
+from tests.mechanics.writing import Paper, X, Y
 
 
 def test_pin_a_crank_of_two_metres() -> None:

@@ -12,9 +12,7 @@ from kinegrade.mechanics.joints import GROUND, Pin, Roll, Slide
 from kinegrade.mechanics.motion import Motion, solve_motion
 from kinegrade.mechanics.rates import Rate, make_turning
 from kinegrade.numbers.elimination import Singular
-from tests.mechanics.writing import Paper
-
-X = (1, 0)
+from tests.mechanics.writing import Paper, X
 
 
 def order(motion: Motion) -> list[tuple[Rate, ...]]:

@@ -30,10 +30,9 @@ from kinegrade.mechanics.motion import solve_motion
 from kinegrade.numbers.balls import Balls, Undecided
 from kinegrade.numbers.floats import Floats
 from tests.laws.cases import with_numbers
-from tests.mechanics.writing import Paper
+from tests.mechanics.writing import Paper, X, Y
 from tests.small_class import kinegrade
 
-X, Y = (1, 0), (0, 1)
 P = Paper()
 POINTS = {"O": (0, 0), "A": (3, 0), "B": (8, 0), "C": (3, 4)}
 BODIES = {"OA": "O A", "AB": "A B"}

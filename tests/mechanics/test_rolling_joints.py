@@ -1,4 +1,6 @@
-"""Wheels, racks and gears on examples that can be worked out by hand: exact velocities and accelerations of what rolls and meshes."""
+"""Wheels, racks and gears on examples that can be worked out by hand: exact velocities and
+accelerations of what rolls and meshes.
+"""
 
 from __future__ import annotations
 
@@ -10,9 +12,7 @@ from kinegrade.mechanics.joints import (
     Sleeve,
     Slide,
 )
-from tests.mechanics.writing import Paper
-
-X = (1, 0)
+from tests.mechanics.writing import Paper, X
 
 
 def test_roll_on_a_line_the_rolling_wheel() -> None:

@@ -15,6 +15,8 @@ from kinegrade.mechanics.motion import Motion, solve_motion
 from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.field import Field
 
+X, Y = (1, 0), (0, 1)  # the directions of the axes
+
 
 class Paper:
     """One exact field with short ways of writing into it."""

@@ -19,9 +19,7 @@ from kinegrade.numbers.floats import Floats
 from kinegrade.students.mistaking.mistaken import make_mistaken_motion
 from kinegrade.students.mistaking.slips import Slips
 from kinegrade.students.mistaking.unsuspecting import Unsuspecting
-from tests.mechanics.writing import Paper
-
-X, Y = (1, 0), (0, 1)
+from tests.mechanics.writing import Paper, X, Y
 
 
 def slipped(mechanism: Mechanism, arithmetic: Any, **shares: Any) -> Motion:
