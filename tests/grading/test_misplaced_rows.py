@@ -9,6 +9,7 @@ from random import Random
 import numpy as np
 import pytest
 
+from kinegrade.grading.misplaced import rows
 from kinegrade.grading.misplaced.rows import MisplacedRows
 from tests.grading.sitting_class import WRONG
 from tests.grading.typed_class import INTERVALS, KEY, SITTING, STUDENTS, TITLES, answer
@@ -20,8 +21,8 @@ ASKS = range(len(TITLES))
 def find(numbers: np.ndarray) -> list[tuple[int | None, str]]:
     """The lines that are told, and the reasons."""
     students = SITTING.exam.students
-    rows = MisplacedRows(INTERVALS, np.arange(len(students)), students, answer(numbers), ASKS)
-    return [(each.line, said(each.problem)) for each in rows.list_complaints()]
+    found = MisplacedRows(INTERVALS, np.arange(len(students)), students, answer(numbers), ASKS)
+    return [(each.line, said(each.problem)) for each in found.list_complaints()]
 
 
 def test_a_row_in_the_order_of_another_paper_is_told() -> None:
@@ -76,8 +77,8 @@ def test_a_student_with_another_version_is_told_though_many_have_it() -> None:
     numbers[7] = KEY[2]
     numbers[7, [0, 4]] *= 1.37
     students = SITTING.exam.students
-    rows = MisplacedRows(intervals, np.arange(3), students, answer(numbers, intervals), ASKS)
-    (told,) = rows.list_complaints()
+    found = MisplacedRows(intervals, np.arange(3), students, answer(numbers, intervals), ASKS)
+    (told,) = found.list_complaints()
     right = len(TITLES) - 2
     assert told.line == 9
     assert said(told.problem).startswith(f"{right} of the {len(TITLES)} numbers are right on the")
@@ -101,3 +102,19 @@ def test_two_wrong_answers_without_a_decimal_mark_tell_nothing() -> None:
     numbers = KEY.copy()
     numbers[5, :2] = np.rint(1000 * KEY[5, :2])
     assert find(numbers) == []
+
+
+def test_rows_of_a_large_class_are_held_against_papers_though_few_differ(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(rows, "_TOGETHER", 10)
+    version = np.arange(STUDENTS) % 12
+    key, intervals = KEY[version], [each.at(version) for each in INTERVALS]
+    numbers = key.copy()
+    numbers[37] = KEY[9]
+    numbers[37, [0, 4]] *= 1.37
+    students = SITTING.exam.students
+    found = MisplacedRows(intervals, np.arange(12), students, answer(numbers, intervals), ASKS)
+    (told,) = found.list_complaints()
+    assert told.line == 39
+    assert f'on the paper of "{students[9]}"' in said(told.problem)

@@ -7,10 +7,10 @@ papers that have nothing to do with it. No mark is changed.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import NamedTuple
+from typing import NamedTuple, TypeAlias
 
 import numpy as np
 
@@ -28,6 +28,10 @@ _FARTHER = (3, 4, 5, 6, 7, 8)  # lines off, on whose papers numbers are right by
 _SHIFTS = (10.0, 100.0, 1e3, 1e4, 1e5, 1e6)  # what a lost decimal mark multiplies a number by
 _TOGETHER = 2000  # papers that rows are held against: they are exchanged with rows nearby
 _WIDENED = 20  # times a tolerance: how densely right answers lie in a small class
+
+
+# Which of these answers to an ask fit the papers beside them
+_Fit: TypeAlias = Callable[[int, Numbers, Places], Flags]
 
 
 class _Elsewhere(NamedTuple):
@@ -80,57 +84,52 @@ class MisplacedRows:
 
     def _find_exchanged(self) -> Iterator[_Elsewhere]:
         """The rows that are right in other columns of their own papers."""
-        found = self._count_exchanged(self._rows)
-        farther = [self._count_exchanged(papers) for papers in self._list_farther()]
-        for row, count, wrong in self._choose(found, farther):
+        for row, count, wrong in self._choose(self._fit_other_columns):
             problem = Message("marking.row-misplaced", count=count, wrong=wrong)
             yield _Elsewhere(row, problem)
 
     def _find_unpointed(self) -> Iterator[_Elsewhere]:
         """The rows whose whole numbers are right with a decimal mark in them."""
-        found = self._count_unpointed(self._rows)
-        farther = [self._count_unpointed(papers) for papers in self._list_farther()]
-        for row, count, wrong in self._choose(found, farther):
+        for row, count, wrong in self._choose(self._fit_with_marks):
             problem = Message("marking.row-unpointed", count=count, wrong=wrong)
             yield _Elsewhere(row, problem)
 
-    def _list_farther(self) -> Iterator[Places]:
-        """For each row the paper of a line farther off, at several distances."""
-        return ((self._rows + far) % len(self.answers.numbers) for far in _FARTHER)
+    def _fit_other_columns(self, ask: int, answers: Numbers, papers: Places) -> Flags:
+        """Which answers are right in another place of the paper beside each."""
+        fits = np.zeros(len(answers), dtype=np.bool_)
+        for other in range(len(self.intervals)):
+            if other != ask:
+                fits |= self.intervals[other].fit_beside(answers, papers)
+        return fits
 
-    def _choose(self, found: Places, farther: Sequence[Places]) -> Iterator[tuple[int, int, int]]:
-        """The rows of which more is found than farther off, with how much and of how many wrong
-        numbers.
+    def _fit_with_marks(self, ask: int, answers: Numbers, papers: Places) -> Flags:
+        """Which whole numbers are right on the paper beside each with a decimal mark in them."""
+        fits = np.zeros(len(answers), dtype=np.bool_)
+        for shift in _SHIFTS:
+            fits |= self.intervals[ask].fit_beside(answers / shift, papers)
+        whole: Flags = answers == np.rint(answers)
+        return fits & whole
+
+    def _choose(self, fit: _Fit) -> Iterator[tuple[int, int, int]]:
+        """The rows of which more fits than on papers of lines farther off, with how much and of how
+        many wrong numbers.
         """
         wrong = self._wrong[self._rows].sum(axis=1)
-        by_chance = sum(int(each.sum()) for each in farther) + 1
-        share = by_chance / (len(farther) * int(wrong.sum()) + 1)
+        found = self._count(fit, self._rows)
+        papers = [(self._rows + far) % len(self.answers.numbers) for far in _FARTHER]
+        by_chance = sum(int(self._count(fit, each).sum()) for each in papers) + 1
+        share = by_chance / (len(papers) * int(wrong.sum()) + 1)
         for row, count, of in zip(self._rows.tolist(), found.tolist(), wrong.tolist(), strict=True):
             enough = count >= max(_LEAST_WRONG, _MOST_OF_THEM * of)
             if enough and len(self._rows) * find_tail(count, share * of) <= _LEVEL:
                 yield row, count, of
 
-    def _count_exchanged(self, papers: Places) -> Places:
-        """How many wrong numbers of each row are right in another place of the paper beside it."""
+    def _count(self, fit: _Fit, papers: Places) -> Places:
+        """How many wrong numbers of each row fit the paper beside it."""
         counts = np.zeros(len(self._rows), dtype=np.intp)
         for place, ask in enumerate(self.asks):
-            answers = self.answers.numbers[self._rows, ask]
-            fits = np.zeros(len(self._rows), dtype=np.bool_)
-            for other in range(len(self.intervals)):
-                if other != ask:
-                    fits |= self.intervals[other].fit_beside(answers, papers)
+            fits = fit(ask, self.answers.numbers[self._rows, ask], papers)
             counts += fits & self._wrong[self._rows, place]
-        return counts
-
-    def _count_unpointed(self, papers: Places) -> Places:
-        """How many wrong whole numbers of each row are right there with a decimal mark in them."""
-        counts = np.zeros(len(self._rows), dtype=np.intp)
-        for place, ask in enumerate(self.asks):
-            answers = self.answers.numbers[self._rows, ask]
-            fits = np.zeros(len(self._rows), dtype=np.bool_)
-            for shift in _SHIFTS:
-                fits |= self.intervals[ask].fit_beside(answers / shift, papers)
-            counts += fits & (answers == np.rint(answers)) & self._wrong[self._rows, place]
         return counts
 
     def _find_of_others(self) -> Iterator[_Elsewhere]:
@@ -145,9 +144,11 @@ class MisplacedRows:
         if len(self.different) <= _TOGETHER:
             yield self._rows, self.different
             return
-        of_rows, of_papers = self._rows // _TOGETHER, self.different // _TOGETHER
-        for block in np.unique(of_rows).tolist():
-            yield self._rows[of_rows == block], self.different[of_papers == block]
+        blocks = self._rows // _TOGETHER
+        for block in np.unique(blocks).tolist():
+            nearest = int(np.searchsorted(self.different, block * _TOGETHER))
+            first = min(nearest, len(self.different) - _TOGETHER)
+            yield self._rows[blocks == block], self.different[first : first + _TOGETHER]
 
     def _find_owners(self, rows: Places, papers: Places) -> Iterator[_Elsewhere]:
         """The same, of these rows on these papers."""
