@@ -52,13 +52,22 @@ class _Bar:
         start, *_, end = (name for name, place in places.items() if place in {least, most})
         return start, end
 
+    def is_behind_pivot(self, solution: Solution) -> bool:
+        """Whether the fixed pin of the body is the nearest of its points: an arm on the one side
+        of the pin goes with a slot on the other.
+        """
+        at = solution.doubles.points
+        pivot = solution.assembly.mechanism.find_pivots().get(self.body)
+        return pivot == min(self.others, key=lambda name: (at[name] - at[self.point]).squared())
+
 
 def note_points_beyond_ends(template: Template, examples: Iterable[Solution]) -> Iterator[Message]:
     """A remark for each point that lies beyond the ends of its bar in some instances."""
     instances = tuple(examples)
     for bar in (*_find_slots(template), *_find_sleeves(template), *_find_marks(template)):
         beyond = [ends for each in instances if (ends := bar.find_ends(each)) is not None]
-        if beyond and (bar.between or len(beyond) < len(instances)):
+        by_design = len(beyond) == len(instances) and all(map(bar.is_behind_pivot, instances))
+        if beyond and not by_design and (bar.between or len(beyond) < len(instances)):
             yield _describe(bar, beyond, len(instances))
 
 

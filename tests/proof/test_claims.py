@@ -327,6 +327,15 @@ def test_words_of_a_given_that_name_another_kind_of_rate_are_noted() -> None:
     ]
 
 
+def test_a_speed_in_turns_is_no_other_kind() -> None:
+    def note(means: str) -> int:
+        given = f'en = "{means}"'
+        text = changed(('en = "rate"', given)).replace('unit = "rad/s", draw', 'unit = "rpm", draw')
+        return len([*note_other_kinds(read_template("crank", text))])
+
+    assert [note("speed of the crank"), note("acceleration of the crank")] == [0, 1]
+
+
 @pytest.mark.parametrize(
     ("quantity", "said", "sign"),
     [

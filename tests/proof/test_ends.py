@@ -47,6 +47,14 @@ def test_no_condition_is_named_that_would_leave_no_draw() -> None:
     )
 
 
+def test_a_slot_on_the_other_side_of_its_pivot_than_the_arm_is_meant() -> None:
+    """The quick-return of Whitworth: the arm CB is in line with the slot, away from it."""
+    text = rocker("b").file.text
+    placed = re.sub(r"^B = .*$", 'B = "toward(C, A, -l)"', text, flags=re.MULTILINE)
+    assert placed != text
+    assert note(read_template("rocker", placed), "30", "60") == []
+
+
 def test_the_condition_that_is_named_keeps_the_block_inside() -> None:
     text = write_starter_text().replace('l = "3/2*(b + r)"', 'l = "b"')
     kept = re.sub(r"conditions = \[.*\]", 'conditions = ["distance(C, A) < distance(C, B)"]', text)

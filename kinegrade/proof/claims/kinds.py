@@ -50,7 +50,8 @@ def note_other_kinds(template: Template) -> Iterator[Message]:
     for each in stated:
         own = _KINDS.get(_list_powers(each.unit))
         named = ({*name_kinds(text)} for text in each.means.texts)
-        if own and any(kinds and own not in kinds for kinds in named):
+        fitting = {own, "velocity"} if each.unit.counts_turns else {own}  # "speed" in r/min
+        if own and any(kinds and not kinds & fitting for kinds in named):
             yield Message("template.another-kind", name=each.name, unit=each.unit.printed)
 
 

@@ -1,0 +1,77 @@
+"""Contacts where nothing is any more: of a circle with a flank beyond its end, and of the pin of a
+crank with a Geneva wheel whose slot it has left.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import groupby
+
+from kinegrade.figure.plane import length
+from kinegrade.language.message import Message
+from kinegrade.mechanics.joints.touching_pair import TouchingPair
+from kinegrade.mechanics.laws import GuidedPoint
+from kinegrade.mechanics.mechanism import Mechanism
+from kinegrade.mechanics.shapes import Line
+from kinegrade.problem.solution import Solution
+from kinegrade.problem.template.hints import Shape
+from kinegrade.problem.template.template import Template
+
+_NEAR = 1e-9  # m: less is what doubles leave
+_GOING_ON: frozenset[Shape] = frozenset({"rope", "load", "rack", "through"})  # drawn further
+_Lost = tuple[str, dict[str, str]]  # what is told of a contact, and its parts
+
+
+def note_lost_contacts(template: Template, examples: Sequence[Solution]) -> Iterator[Message]:
+    """A remark for each contact that some instances have beyond the end of what is touched."""
+    shapes = template.figure.shapes
+    mechanisms = [each.assembly.mechanism.map(float) for each in examples]
+    found = [
+        lost
+        for each in mechanisms
+        for lost in (
+            *_find_past_flanks(each, shapes),
+            *_find_past_slots(each, shapes),
+        )
+    ]
+    found.sort(key=str)
+    for (kind, parts), those in groupby(found):
+        yield Message(f"template.{kind}", **parts, number=len([*those]), examined=len(examples))
+
+
+def _find_past_flanks(mechanism: Mechanism, shapes: Mapping[str, Shape]) -> Iterator[_Lost]:
+    """The circles that touch the line of a body beyond the outermost of its points there."""
+    at = mechanism.points
+    for joint in mechanism.joints:
+        if not isinstance(joint, TouchingPair) or shapes.get(joint.of) in _GOING_ON:
+            continue
+        carriers = [body for body in mechanism.bodies if body.name == joint.of]
+        if not carriers or not isinstance(joint.on, Line):
+            continue
+        start, along = joint.on.point, joint.on.direction
+        unit = along * (1 / length(along))
+        places = {
+            unit.dot(at[name] - start): name
+            for name in carriers[0].points
+            if abs(unit.cross(at[name] - start)) <= _NEAR
+        }
+        contact = unit.dot(at[joint.circle.centre] - start)
+        least, most = min(places, default=0.0), max(places, default=0.0)
+        if len(places) > 1 and not least - _NEAR <= contact <= most + _NEAR:
+            line = "".join(sorted((places[least], places[most])))
+            yield "contact-past-line", {"body": joint.body, "of": joint.of, "line": line}
+
+
+def _find_past_slots(mechanism: Mechanism, shapes: Mapping[str, Shape]) -> Iterator[_Lost]:
+    """The pins of cranks that are farther from a Geneva wheel than the mouths of its slots."""
+    at = mechanism.points
+    pivots = mechanism.find_pivots()
+    for law in mechanism.list_conditions():
+        if not isinstance(law, GuidedPoint) or shapes.get(law.of) != "geneva":
+            continue
+        if {law.body, law.of} <= pivots.keys():
+            centre = at[pivots[law.of]]
+            pivot = at[pivots[law.body]]
+            pin = at[law.point]
+            if (pin - centre).dot(pin - pivot) > _NEAR * (centre - pivot).squared():
+                yield "pin-past-slot", {"point": law.point, "of": law.of}
