@@ -10,7 +10,6 @@ from itertools import groupby
 from kinegrade.figure.plane import length
 from kinegrade.language.message import Message
 from kinegrade.mechanics.joints.touching_pair import TouchingPair
-from kinegrade.mechanics.laws import GuidedPoint
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.shapes import Line
 from kinegrade.problem.solution import Solution
@@ -24,14 +23,13 @@ _Lost = tuple[str, dict[str, str]]  # what is told of a contact, and its parts
 
 def note_lost_contacts(template: Template, examples: Sequence[Solution]) -> Iterator[Message]:
     """A remark for each contact that some instances have beyond the end of what is touched."""
-    shapes = template.figure.shapes
     mechanisms = [each.assembly.mechanism.map(float) for each in examples]
     found = [
         lost
         for each in mechanisms
         for lost in (
-            *_find_past_flanks(each, shapes),
-            *_find_past_slots(each, shapes),
+            *_find_past_flanks(each, template.figure.shapes),
+            *_find_past_slots(each, template),
         )
     ]
     found.sort(key=str)
@@ -62,16 +60,15 @@ def _find_past_flanks(mechanism: Mechanism, shapes: Mapping[str, Shape]) -> Iter
             yield "contact-past-line", {"body": joint.body, "of": joint.of, "line": line}
 
 
-def _find_past_slots(mechanism: Mechanism, shapes: Mapping[str, Shape]) -> Iterator[_Lost]:
+def _find_past_slots(mechanism: Mechanism, template: Template) -> Iterator[_Lost]:
     """The pins of cranks that are farther from a Geneva wheel than the mouths of its slots."""
     at = mechanism.points
     pivots = mechanism.find_pivots()
-    for law in mechanism.list_conditions():
-        if not isinstance(law, GuidedPoint) or shapes.get(law.of) != "geneva":
-            continue
-        if {law.body, law.of} <= pivots.keys():
-            centre = at[pivots[law.of]]
-            pivot = at[pivots[law.body]]
-            pin = at[law.point]
+    for joint in template.scheme.joints:
+        slotted = template.figure.shapes.get(joint.of) == "geneva" and joint.point != ""
+        if slotted and {joint.body, joint.of} <= pivots.keys():
+            centre = at[pivots[joint.of]]
+            pivot = at[pivots[joint.body]]
+            pin = at[joint.point]
             if (pin - centre).dot(pin - pivot) > _NEAR * (centre - pivot).squared():
-                yield "pin-past-slot", {"point": law.point, "of": law.of}
+                yield "pin-past-slot", {"point": joint.point, "of": joint.of}

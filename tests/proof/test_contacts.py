@@ -81,7 +81,9 @@ def test_a_pin_outside_its_geneva_wheel_is_noted() -> None:
 
 
 def test_check_remarks_it() -> None:
-    remarks = all_said(check(read_template("flank", FLANK), sample=3).remarks)
+    remarks = all_said(
+        check(read_template("flank", FLANK.replace("-20, 20, ", "")), sample=1).remarks
+    )
     assert any("roller touches cam beyond the ends of MT" in each for each in remarks)
 
 
