@@ -76,7 +76,8 @@ class Findings:
     one point to another; `poles_sought` the bodies about whose poles answers are; `distances` the
     printed symbols of the distances of poles that have been worked out; `corners` the letters of
     polygons that have been explained; `told` the formulas within sentences; `spared` the rates that
-    no answer and no later step needs, so that a check alone may ask for them.
+    no answer and no later step needs, so that a check alone may ask for them; `rim_tracks` how a
+    track moves that has the speed of a wheel's rim, by the number of their joint.
     """
 
     facts: dict[Key, Fact] = field(default_factory=dict)
@@ -96,6 +97,7 @@ class Findings:
     poles_sought: frozenset[str] = frozenset()
     distances: set[Row] = field(default_factory=set)
     corners: set[str] = field(default_factory=set)
+    rim_tracks: dict[int, Term] = field(default_factory=dict)
     told: list[Row] = field(default_factory=list)
     spared: dict[Level, frozenset[Rate]] = field(
         default_factory=lambda: {"velocity": frozenset(), "acceleration": frozenset()}

@@ -36,6 +36,7 @@ from kinegrade.worked.positions.parts import list_lines
 from kinegrade.worked.positions.positions import explain_positions
 from kinegrade.worked.rate_chapters import find_stages, list_found, write_rate_chapters
 from kinegrade.worked.rates.kinds import describe_motions
+from kinegrade.worked.rates.rim_tracks import join_rims
 from kinegrade.worked.steps.couplers import goes_by_pole, name_method
 from kinegrade.worked.steps.given_steps import is_given
 from kinegrade.worked.steps.ideas import explain_idea
@@ -160,8 +161,9 @@ def _select_steps(case: Case, asked: Iterable[Ask]) -> tuple[tuple[Step, ...], t
     """The steps that all answers together need, for velocities and for accelerations, without the
     rotations of bodies that translate.
     """
-    levels = select_steps(case.motion, collect_needs(case, asked))
-    velocities, accelerations = (tuple(_leave_out_held(one, case)) for one in levels)
+    needs = collect_needs(case, asked)
+    levels = (tuple(_leave_out_held(one, case)) for one in select_steps(case.motion, needs))
+    velocities, accelerations = (join_rims(one, needs, case) for one in levels)
     return velocities, accelerations
 
 

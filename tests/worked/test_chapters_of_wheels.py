@@ -245,3 +245,64 @@ def test_a_wheel_on_two_tracks_rolls_on_both() -> None:
         text for text in proses(kept("stepped-drum-on-two-ropes")) if "plane motion" in text
     )
     assert "rolling without slipping on the rope $A$ and the rope $B$;" in said
+
+
+ROPE = """
+joints = [
+  "pin C: ground drum",
+  "rope translates",
+  "E of rope slides on line(E, pi/2)",
+  "circle(C, 2) of drum rolls on line(E, pi/2) of rope",
+]
+inputs = [{ motion = "drum turns", velocity = "-3", acceleration="5" }]
+[points]
+C = "(0, 0)"
+E = "(2, -4)"
+[bodies]
+drum = "C"
+rope = "E"
+"""
+
+
+def test_a_rope_moves_with_the_rim_of_its_drum() -> None:
+    asks = {"v": "y(velocity(E)) in m/s", "a": "y(acceleration(E)) in m/s^2"}
+    told = r"""
+        ## The rope moves with the rim of the drum
+        There is no slip at the contact, and the centre of the drum is fixed; so the rope has the\
+             speed of the rim:
+        v_{E} &= 2\,\unit{m} \cdot \omega_{C} = 2\,\unit{m} \cdot (-3\,\unit{rad/s}) = -6\,\unit{m/s}
+        The rope has the speed of the rim of the drum at any time; differentiated with respect to\
+             time:
+        a_{E} &= 2\,\unit{m} \cdot \alpha_{C} = 2\,\unit{m} \cdot 5\,\unit{rad/s^2} = 10\,\unit{m/s^2}
+        """
+    assert find_untold(told, solve_small(ROPE, **asks)) == []
+
+
+def test_a_drum_turns_with_the_speed_of_its_rope() -> None:
+    pulled = ROPE.replace("drum turns", "E of rope moves along -y").replace('"-3"', '"6"')
+    told = r"\omega &= -\frac{v_{E}}{2\,\unit{m}} = -\frac{6\,\unit{m/s}}{2\,\unit{m}}"
+    assert find_untold(told, solve_small(pulled, omega="omega(drum) in rad/s")) == []
+
+
+def test_a_drum_that_moves_is_seen_from_its_rope() -> None:
+    """v_r is negative by the rolling drum; as the velocity seen from the rope it counts by its
+    size.
+    """
+    joints = [line for line in ROPE.splitlines() if "pin C" not in line]
+    lifted = "\n".join(joints).replace(
+        "joints = [", 'joints = ["C of drum slides on line(C, pi/2)",'
+    )
+    lifted = lifted.replace(
+        "inputs = [", 'inputs = [{ motion = "C of drum moves along +y", velocity = "1" },'
+    )
+    solution = solve_small(lifted.replace('"-3"', '"3"'), v="y(velocity(E)) in m/s")
+    relative = r"v_{\mathrm{r}}"
+    told = rf"""
+        Known: the motion of $C$ and the rotation of the drum. Sought: $v$ (asked). The drum rolls\
+             without slipping on the rope, which links its rotation and the motion of its centre\
+             $C$, both seen from the rope. Seen from the rope, the motion of $C$ is known by then,\
+             so composing its motions leaves one magnitude unknown.
+        {relative} &= -2
+        v_{{\mathrm{{a}}}} &= v_{{E}} - \left|{relative}\right|
+        """
+    assert find_untold(told, solution) == []

@@ -92,13 +92,6 @@ def test_a_moving_frame_has_its_reason() -> None:
     assert "Seen from the disc and the rod, $M$ moves along a known path each time." in idea
 
 
-def test_a_motion_that_the_frame_sees_and_that_is_known_by_then_has_its_reason() -> None:
-    assert read_idea("hoist-with-gears").endswith(
-        "Seen from the rope, the motion of $B$ is known by then, so composing its motions leaves "
-        "one magnitude unknown."
-    )
-
-
 def test_a_problem_of_positions_names_its_way() -> None:
     assert read_idea("pose-four-bar-coupler").endswith(
         "First come the coordinates of the points; what else is asked follows from them. "

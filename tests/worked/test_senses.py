@@ -119,12 +119,3 @@ COUNTED_AGAIN = {
 def test_a_symbol_has_one_sense_on_a_page(name: str) -> None:
     turned = any("sign convention of the question" in line for line in lines(kept(name, 1)))
     assert turned == (name in COUNTED_AGAIN)
-
-
-def test_a_negative_relative_motion_that_rolling_gave_is_taken_by_its_size() -> None:
-    """v_r was negative by the rolling drum, then positive as the velocity seen from the rope."""
-    lines = displayed(kept("hoist-with-gears", 0))
-    for letter in ("v", "a"):
-        relative = rf"{letter}_{{\mathrm{{r}}}}"
-        assert any(line.startswith(rf"{relative} &= -r_{{3}}") for line in lines)
-        assert rf"0 &= {letter}_{{C}} - \left|{relative}\right|" in lines

@@ -22,6 +22,7 @@ from kinegrade.worked.rates.speeds import (
     Statement,
     find_rotation_value,
     find_term,
+    name_carried_rotation,
     name_relative_rotation,
     name_rotation,
     name_speed,
@@ -35,13 +36,17 @@ from kinegrade.worked.vectors.vectors import UNITS
 
 def state_rolling(roll: NoSlip, relation: Relation, case: Case, level: Level) -> Statement:
     """No slip: the centre's speed along the track is the radius times the relative rotation."""
-    term = find_term(relation.turning[0][0], case)
+    term = _find_linked_term(roll, relation, case)
     body, other = case.naming.body(roll.body), describe_track(roll, case)
     rotation = name_relative_rotation(roll.body, roll.of, case, level)
     right = (_state_radius(roll, case) * rotation).signed(
         _find_slip_sign(roll, relation, case, level)
     )
     equation = Equation(name_speed(term, case, level), equate(right))
+    if roll.joint in case.findings.rim_tracks:
+        title = Message("solution.title-rim", body=body, other=other)
+        reason = Message(f"solution.rim-{level}", body=body, other=other)
+        return Statement(title, reason, equation)
     title = Message("solution.title-roll", body=body, other=other)
     return Statement(title, _explain_rolling(roll, term, case, level), equation)
 
@@ -122,21 +127,32 @@ def _describe_positive_sense(term: Term, case: Case, level: Level) -> Message:
             assert_never(term.kind)
 
 
+def _find_linked_term(roll: NoSlip, relation: Relation, case: Case) -> Term:
+    """The motion that goes with a rotation: of a track with the speed of the rim, else of the
+    centre.
+    """
+    track = case.findings.rim_tracks.get(roll.joint)
+    return track or find_term(relation.turning[0][0], case)
+
+
 def _find_slip_sign(roll: NoSlip, relation: Relation, case: Case, level: Level) -> int:
-    """1 where the rotation has the sign of the centre's speed as stated, else -1."""
+    """1 where the rotation has the sign of the speed that goes with it as stated, else -1."""
     turning = make_turning(roll.body)
     factor = double(next(factor for rate, factor in relation.turning if rate == turning))
-    stated = find_stated_sense(find_term(relation.turning[0][0], case), case, level)
-    return -1 if factor * stated > 0 else 1
+    term, centre = _find_linked_term(roll, relation, case), find_term(relation.turning[0][0], case)
+    if term != centre:
+        # Seen from the track, its wheel moves the opposite way
+        factor *= -double(term.coefficient().dot(centre.coefficient()))
+    return -1 if factor * find_stated_sense(term, case, level) > 0 else 1
 
 
 def solve_rolling(
     roll: NoSlip, relation: Relation, result: Equation, case: Case, level: Level
 ) -> Equation | None:
-    """What no slip says of the speed of the centre or of the body's rotation, which `result` gives:
-    in symbols, with numbers unless they are zero, and the value. None for other rates.
+    """What no slip says of the speed that goes with the body's rotation, or of this, which `result`
+    gives: in symbols, with numbers unless they are zero, and the value. None for other rates.
     """
-    term = find_term(relation.turning[0][0], case)
+    term = _find_linked_term(roll, relation, case)
     if result.left == name_speed(term, case, level):
         working = _state_centre_speed(roll, relation, case, level)
     elif result.left == name_rotation(roll.body, case, level):
@@ -168,12 +184,12 @@ def _state_rotation(
     numbers.
     """
     sign = _find_slip_sign(roll, relation, case, level)
-    term = find_term(relation.turning[0][0], case)
+    term = _find_linked_term(roll, relation, case)
     other = find_rotation_value(roll.of, case, level)
     symbol: Formula = name_speed(term, case, level)
     value = measure_along_direction(term, case, level) * find_stated_sense(term, case, level)
     turned = (symbol.size / _state_radius(roll, case)).signed(sign * symbol.sign)
-    carried = name_rotation(roll.of, case, level)
+    carried = name_carried_rotation(roll.of, case, level)
     symbols = add_terms((carried, turned) if carried != ZERO else (turned,))
     known = measure(value * sign, UNITS[level, False])
     if known == ZERO:
@@ -196,6 +212,8 @@ def tell_rolls(rolls: Sequence[NoSlip], case: Case) -> Message:
     if roll.of == GROUND:
         return Message("solution.idea-roll", body=body, centre=centre)
     other = list_all(case.naming.body(one.of) for one in rolls)
+    if roll.joint in case.findings.rim_tracks:
+        return Message("solution.idea-rim", body=body, other=other)
     if others:
         return Message("solution.idea-roll-on-each", body=body, centre=centre, other=other)
     return Message("solution.idea-roll-on", body=body, centre=centre, other=other)
