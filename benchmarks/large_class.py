@@ -15,6 +15,8 @@ from pathlib import Path
 from random import Random
 from typing import Any
 
+import msgspec
+
 from kinegrade.exam.folder.columns.writing import write_columns
 from kinegrade.exam.folder.contents import KEY, KEY_COLUMNS
 from kinegrade.exam.folder.exam_folder import open_exam
@@ -59,7 +61,8 @@ def write_class(folder: Path, students: int, odd_share: float, seed: int = 1) ->
     """Writes folder/EXAM and folder/answers.csv; of the cells `odd_share` are no plain numbers."""
     random, exam = Random(seed), folder / "EXAM"
     exam.mkdir(parents=True)
-    (exam / "exam.json").write_text(json.dumps(_head(students)), encoding="utf-8")
+    head = msgspec.json.encode(_head(students))
+    (exam / "exam.json").write_bytes(msgspec.json.format(head, indent=1))  # as `generate` lays out
     with (
         (exam / KEY).open("w", encoding="utf-8") as keys,
         (folder / "answers.csv").open("w", encoding="utf-8", newline="") as sheet,
@@ -88,7 +91,7 @@ def _head(students: int) -> dict[str, Any]:
         for question, asks in ASKS.items()
     ]
     everybody = [
-        {"student": f"{number:06}", "name": f"Student {number}", "paper": "K7Q2-41MB", "email": ""}
+        {"student": f"{number:06}", "name": f"Student {number}", "paper": "K7Q2-41MB"}
         for number in range(students)
     ]
     return {

@@ -31,7 +31,7 @@ from kinegrade.grading.policy.accepted import Alternatives
 from kinegrade.grading.policy.policy import AS_PRINTED, Policy
 from kinegrade.grading.sheets.alternatives import find_strange, leave_out
 from kinegrade.grading.sheets.entry import Entry
-from kinegrade.grading.sheets.grid_entries import GridEntries
+from kinegrade.grading.sheets.grid_entries import GridEntries, choose_block
 from kinegrade.grading.sheets.pool import Pool
 from kinegrade.grading.sheets.rows import Row, Rows
 from kinegrade.grading.sheets.sheet import Sheet, find_repeated
@@ -40,9 +40,6 @@ from kinegrade.grading.typed.decimal_style import Mark as DecimalMark
 from kinegrade.language.message import Text
 from kinegrade.marks_folder.rows import Grade, Submission
 from kinegrade.numbers.amounts import add_amounts
-
-_BLOCK, _LARGE_BLOCK = 300, 1000  # papers marked together: more take less time, and more memory
-_LARGE = 10_000  # papers; such a class takes that memory anyway
 
 
 @dataclass(frozen=True, slots=True)
@@ -86,7 +83,7 @@ def mark_blocks(papers: PapersAnswered, sheet: Sheet, terms: MarkingTerms) -> It
     asks = tuple(policy.ruling(ask.column).ask(ask) for ask in exam.asks)
     submissions = Submissions(policy.penalties)
     marker = _Marker(sheet, judge, asks, add_counted(asks), terms, submissions)
-    each, size = exam.papers(), _BLOCK if len(exam.students) < _LARGE else _LARGE_BLOCK
+    each, size = exam.papers(), choose_block(len(exam.students))
     while block := list(islice(each, size)):
         yield marker.block(block)
         del block  # so that the next takes its place

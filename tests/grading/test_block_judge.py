@@ -22,7 +22,6 @@ from kinegrade.exam.folder.columns.writing import write_columns
 from kinegrade.exam.folder.contents import KEY, KEY_COLUMNS
 from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.files.tables import parse_table
-from kinegrade.grading import marking
 from kinegrade.grading.fast.block_judge import BlockJudge
 from kinegrade.grading.fast.judged_block import JudgedBlock
 from kinegrade.grading.grade import MarkingWishes, grade
@@ -32,6 +31,7 @@ from kinegrade.grading.marking import MarkingTerms, mark
 from kinegrade.grading.marks import Mark
 from kinegrade.grading.policy.accepted import alternatives
 from kinegrade.grading.policy.reading import read_policy
+from kinegrade.grading.sheets import grid_entries
 from kinegrade.grading.sheets.class_sheet import read_sheet
 from tests.grading.one_by_one import marks_one_by_one
 from tests.said import said
@@ -200,8 +200,10 @@ def test_the_size_of_blocks_changes_nothing(
     write_class(tmp_path, Random(5), 40)
     (tmp_path / "policy.toml").write_text(POLICIES[3], encoding="utf-8")
     texts = []
-    for number, size in enumerate((1, 7, 1000)):
-        monkeypatch.setattr(marking, "_BLOCK", size)
+    for number, (size, large) in enumerate(((1, 10_000), (7, 1), (1000, 1))):
+        monkeypatch.setattr(grid_entries, "_FEW", size)
+        monkeypatch.setattr(grid_entries, "_MANY", size)
+        monkeypatch.setattr(grid_entries, "_LARGE", large)
         folder = tmp_path / f"MARKS{number}"
         grade(
             open_exam(tmp_path),
@@ -222,7 +224,7 @@ def test_a_block_is_let_go_before_the_next(tmp_path: Path, monkeypatch: pytest.M
         held.append(sum(type(each) is JudgedBlock for each in gc.get_objects()))
         return judged(*given)
 
-    monkeypatch.setattr(marking, "_BLOCK", 2)
+    monkeypatch.setattr(grid_entries, "_FEW", 2)
     monkeypatch.setattr(BlockJudge, "judged", count_held)
     grade(open_exam(tmp_path), tmp_path / "answers.csv", tmp_path / "MARKS")
     assert held == [0, 0, 0, 0]

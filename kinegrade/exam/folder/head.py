@@ -8,6 +8,7 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Iterable, Sequence, Set
+from contextlib import suppress
 from fractions import Fraction
 from pathlib import Path
 from typing import Literal, TypeVar
@@ -22,6 +23,7 @@ from kinegrade.exam.folder.numbers import require_not_negative
 from kinegrade.exam.folder.records import Candidate, ExamHead, ExamQuestion
 from kinegrade.exam.roster.students import make_student_key
 from kinegrade.files.fields.document import FileKind, json_table, read_text
+from kinegrade.files.fields.json_records import read_records
 from kinegrade.files.fields.table import Table
 from kinegrade.files.fields.values import Read, found
 from kinegrade.language import ENGLISH, Language
@@ -43,11 +45,20 @@ _Item = TypeVar("_Item")
 def read_head(folder: Path) -> ExamHead:
     """The head of an exam folder. Raises ExamError with all its faults."""
     path = folder / HEAD
-    table = json_table(str(path), read_text(path, _HEAD_FILE), _HEAD_FILE)
+    text = read_text(path, _HEAD_FILE)
+    found = read_records(text, "students", Candidate)
+    if found is not None and all(make_student_key(each.student) for each in found.records):
+        with suppress(ExamError):  # whose lines the whole text tells
+            return _read(json_table(str(path), found.rest, _HEAD_FILE), found.records)
+    return _read(json_table(str(path), text, _HEAD_FILE))
+
+
+def _read(table: Table, students: tuple[Candidate, ...] = ()) -> ExamHead:
+    """The head in that table, whose students may have been read already."""
     table.required("format", _read_format)
     table.faults.require_none()  # what another format holds is not known
     questions = _read_list(table, "questions", _read_question)
-    students = _convert_students(table) or _read_list(table, "students", _read_candidate)
+    students = students or _read_list(table, "students", _read_candidate)
     columns = (ask.column for question in questions for ask in question.asks)
     _require_once(table, "questions", "ask", columns)
     _require_once(table, "students", "id", (make_student_key(each.student) for each in students))
@@ -142,17 +153,6 @@ def _name_owner(item: object) -> object:
         for ask in item["asks"]
     ]
     return {**item, "asks": asks}
-
-
-def _convert_students(table: Table) -> tuple[Candidate, ...]:
-    """All students in one step, as a large class is read in a fifth of the time; none where any is
-    at fault, which reading one by one names.
-    """
-    try:
-        students = msgspec.convert(table.content.get("students"), tuple[Candidate, ...])
-    except msgspec.MsgspecError:
-        return ()
-    return students if all(make_student_key(each.student) for each in students) else ()
 
 
 def _read_candidate(value: object) -> Candidate:

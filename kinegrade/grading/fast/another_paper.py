@@ -19,7 +19,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from itertools import groupby
+from itertools import groupby, zip_longest
 from math import prod
 
 import numpy as np
@@ -29,6 +29,7 @@ from kinegrade.exam.folder.columns.gathering import read_values
 from kinegrade.exam.folder.keys import Ask, Paper, Sitting
 from kinegrade.grading.fast.bounds import Flags, Numbers, Places
 from kinegrade.grading.fast.intervals import Intervals, SortedIntervals, list_intervals
+from kinegrade.grading.fast.paper_cells import PaperCells, list_cells
 from kinegrade.grading.poisson import QUESTIONS_THAT_TELL, find_tail
 
 _LEVEL = 0.02
@@ -82,6 +83,12 @@ class PapersAnswered:
     def _sorted(self) -> list[SortedIntervals]:
         return [SortedIntervals.of(each) for each in self._students]
 
+    @cached_property
+    def _cells(self) -> list[PaperCells]:
+        """By asks of different questions together: those of one follow from each other."""
+        asks = (ask for each in zip_longest(*self.questions) for ask in each if ask is not None)
+        return list_cells([each for each in asks if self._students[each].is_plain], self._sorted)
+
     def find_shared(self, paper: Paper, numbers: Numbers, wrong: Flags) -> Sequence[range]:
         """The questions that a student answered as is right on one other paper; `numbers` are the
         student's by ask, NaN where there is none, and `wrong` where they are on the own `paper`.
@@ -108,6 +115,8 @@ class PapersAnswered:
         """
         amiss = wrong & ~np.isnan(numbers)
         rows = np.flatnonzero(amiss.sum(axis=1) >= _NUMBERS_THAT_TELL)
+        for cells in self._cells if len(rows) else ():
+            rows = rows[cells.may_have(numbers[rows])]
         if not len(rows):
             return []
         plain = amiss[rows] & np.array([not each.period for each in self._students])

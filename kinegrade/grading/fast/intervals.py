@@ -6,6 +6,7 @@ papers an answer fits, of all of them at once.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import chain
 
@@ -16,7 +17,7 @@ from kinegrade.exam.folder.columns.runs import list_runs
 from kinegrade.exam.folder.keys import Sitting
 from kinegrade.grading.fast.bounds import Flags, Numbers, Places, tabulate_rules
 
-_SAME = 1e-9  # relative: values further apart than this are different
+SAME = 1e-9  # relative: values further apart than this are different
 _SLACK = 1e-12  # of the right answer: what rounding in doubles may do to a bound
 
 
@@ -53,38 +54,63 @@ class Intervals:
         own = self.at(papers)
         return own._hold(answers - own.value)
 
-    def _hold(self, away: Numbers) -> Flags:
-        """Which of these distances from the values are within the intervals."""
-        if self.period:
-            away = (away + self.period / 2) % self.period - self.period / 2
+    @property
+    def is_plain(self) -> bool:
+        """Whether every paper asks this, and no turns are right too."""
+        return not (self.period or np.isnan(self.value).any())
+
+    def list_fits(self, answers: Numbers) -> tuple[Places, Places]:
+        """Each answer, by its place, beside each of the papers on which it is right."""
+        if not self.is_plain:
+            places, papers = np.nonzero(self.fit(answers))
+            return places, papers
+        places, papers = SortedIntervals.of(self).pair(answers)
+        fits = self.fit_beside(answers[places], papers)
+        return places[fits], papers[fits]
+
+    def reach(self) -> tuple[Numbers, Numbers]:
+        """How far answers may be from the values, below and above."""
         ends = self.low - self.value, self.high - self.value
         slack = _SLACK * np.abs(self.value)
-        held: Flags = (away >= np.minimum(*ends) - slack) & (away <= np.maximum(*ends) + slack)
+        return np.minimum(*ends) - slack, np.maximum(*ends) + slack
+
+    def turn(self, away: Numbers) -> Numbers:
+        """Distances from the values without full turns."""
+        if not self.period:
+            return away
+        turned: Numbers = (away + self.period / 2) % self.period - self.period / 2
+        return turned
+
+    def _hold(self, away: Numbers) -> Flags:
+        """Which of these distances from the values are within the intervals."""
+        away, (below, above) = self.turn(away), self.reach()
+        held: Flags = (away >= below) & (away <= above)
         return held
 
     def may_fit(self, answers: Numbers, papers: Places) -> Flags:
         """False where an answer is certainly wrong on the paper beside it, full turns aside; a
         blank may be anything.
         """
-        slack = _SAME * np.abs(answers)
+        slack = SAME * np.abs(answers)
         beyond: Flags = self.low[papers] > answers + slack
         beyond |= self.high[papers] < answers - slack
         return ~beyond
 
     def differ(self, values: Numbers) -> Flags:
         """On which papers another answer is right than each of these: a row for each of them."""
-        away: Flags = np.abs(self.value - values[:, None]) > _SAME * np.abs(self.value)
+        away: Flags = np.abs(self.value - values[:, None]) > SAME * np.abs(self.value)
         return away
 
 
 @dataclass(frozen=True, slots=True)
 class SortedIntervals:
     """The intervals of one ask in the order of their values, in which those that hold an answer
-    stand close together: `papers` have them, `up_to` is the highest end so far, `from_on` the
-    lowest beginning from there on. Full turns are no part of it.
+    stand close together: `papers` have these `values`, `up_to` is the highest end so far, `from_on`
+    the lowest beginning from there on. Full turns are no part of it.
     """
 
     papers: Places
+    values: Numbers
     up_to: Numbers
     from_on: Numbers
 
@@ -92,16 +118,18 @@ class SortedIntervals:
     def of(cls, intervals: Intervals) -> SortedIntervals:
         """Those of all its papers."""
         papers = np.argsort(intervals.value)
-        low, high = intervals.low[papers], intervals.high[papers]
+        values = intervals.value[papers]
+        room = _SLACK * np.abs(values)
+        low, high = intervals.low[papers] - room, intervals.high[papers] + room
         up_to = np.maximum.accumulate(np.maximum(low, high))
         from_on = np.minimum.accumulate(np.minimum(low, high)[::-1])[::-1]
-        return cls(papers, up_to, from_on)
+        return cls(papers, values, up_to, from_on)
 
     def find_ranges(self, answers: Numbers) -> tuple[Places, Places]:
         """Where the papers on which each answer may be right begin and end in that order: all on
         which it is, and few others.
         """
-        slack = _SAME * np.abs(answers)
+        slack = SAME * np.abs(answers)
         begins = np.searchsorted(self.up_to, answers - slack, side="left")
         ends = np.searchsorted(self.from_on, answers + slack, side="right")
         return begins, np.maximum(begins, ends)
@@ -118,6 +146,34 @@ class SortedIntervals:
         counts = ends - begins
         near = self.papers[list_runs(begins, counts)]
         return np.repeat(np.arange(len(answers)), counts), near
+
+
+@dataclass(frozen=True, slots=True)
+class AsksBeside:
+    """The intervals of all asks on the papers beside some answers: in `values`, and in how far
+    `below` and `above` them is right, a row for each ask.
+    """
+
+    intervals: Sequence[Intervals]
+    values: Numbers
+    below: Numbers
+    above: Numbers
+
+    @classmethod
+    def of(cls, intervals: Sequence[Intervals], papers: Places) -> AsksBeside:
+        """Those of these papers."""
+        own = [each.at(papers) for each in intervals]
+        below, above = zip(*(each.reach() for each in own), strict=True)
+        return cls(own, np.stack([each.value for each in own]), np.stack(below), np.stack(above))
+
+    def fit(self, answers: Numbers) -> Flags:
+        """Which answers are right on the paper beside each: a row for each ask."""
+        away = answers - self.values
+        for ask, each in enumerate(self.intervals):
+            if each.period:
+                away[ask] = each.turn(away[ask])
+        held: Flags = (away >= self.below) & (away <= self.above)
+        return held
 
 
 def list_intervals(exam: Sitting) -> list[Intervals]:

@@ -16,7 +16,7 @@ import numpy as np
 
 from kinegrade.files.tables import Complaint
 from kinegrade.grading.fast.bounds import Flags, Numbers, Places
-from kinegrade.grading.fast.intervals import Intervals
+from kinegrade.grading.fast.intervals import AsksBeside, Intervals
 from kinegrade.grading.misplaced.class_answers import ClassAnswers
 from kinegrade.grading.poisson import find_tail
 from kinegrade.language.message import Message, Quoted
@@ -25,13 +25,15 @@ _LEAST_WRONG = 3  # answers of a row: fewer may be right elsewhere by chance
 _MOST_OF_THEM = 0.6
 _LEVEL = 0.01  # chance that any row of a class is told without reason
 _FARTHER = (3, 4, 5, 6, 7, 8)  # lines off, on whose papers numbers are right by chance
-_SHIFTS = (10.0, 100.0, 1e3, 1e4, 1e5, 1e6)  # what a lost decimal mark multiplies a number by
+_SHIFTS = np.array(
+    [10.0, 100.0, 1e3, 1e4, 1e5, 1e6]
+)  # what a lost decimal mark multiplies a number by
 _TOGETHER = 2000  # papers that rows are held against: they are exchanged with rows nearby
 _WIDENED = 20  # times a tolerance: how densely right answers lie in a small class
 
 
-# Which of these answers to an ask fit the papers beside them
-_Fit: TypeAlias = Callable[[int, Numbers, Places], Flags]
+# By the papers beside some rows: which answers to an ask fit them
+_Fit: TypeAlias = Callable[[Places], Callable[[int, Numbers], Flags]]
 
 
 class _Elsewhere(NamedTuple):
@@ -94,21 +96,29 @@ class MisplacedRows:
             problem = Message("marking.row-unpointed", count=count, wrong=wrong)
             yield _Elsewhere(row, problem)
 
-    def _fit_other_columns(self, ask: int, answers: Numbers, papers: Places) -> Flags:
+    def _fit_other_columns(self, papers: Places) -> Callable[[int, Numbers], Flags]:
         """Which answers are right in another place of the paper beside each."""
-        fits = np.zeros(len(answers), dtype=np.bool_)
-        for other in range(len(self.intervals)):
-            if other != ask:
-                fits |= self.intervals[other].fit_beside(answers, papers)
-        return fits
+        beside = AsksBeside.of(self.intervals, papers)
 
-    def _fit_with_marks(self, ask: int, answers: Numbers, papers: Places) -> Flags:
+        def fit(ask: int, answers: Numbers) -> Flags:
+            fits: Flags = beside.fit(answers)
+            fits[ask] = False
+            found: Flags = np.any(fits, axis=0)
+            return found
+
+        return fit
+
+    def _fit_with_marks(self, papers: Places) -> Callable[[int, Numbers], Flags]:
         """Which whole numbers are right on the paper beside each with a decimal mark in them."""
-        fits = np.zeros(len(answers), dtype=np.bool_)
-        for shift in _SHIFTS:
-            fits |= self.intervals[ask].fit_beside(answers / shift, papers)
-        whole: Flags = answers == np.rint(answers)
-        return fits & whole
+
+        def fit(ask: int, answers: Numbers) -> Flags:
+            fits: Flags = answers == np.rint(answers)
+            whole = np.flatnonzero(fits)
+            shifted = answers[whole] / _SHIFTS[:, None]
+            fits[whole] = self.intervals[ask].fit_beside(shifted, papers[whole]).any(axis=0)
+            return fits
+
+        return fit
 
     def _choose(self, fit: _Fit) -> Iterator[tuple[int, int, int]]:
         """The rows of which more fits than on papers of lines farther off, with how much and of how
@@ -126,9 +136,9 @@ class MisplacedRows:
 
     def _count(self, fit: _Fit, papers: Places) -> Places:
         """How many wrong numbers of each row fit the paper beside it."""
-        counts = np.zeros(len(self._rows), dtype=np.intp)
+        counts, fit_ask = np.zeros(len(self._rows), dtype=np.intp), fit(papers)
         for place, ask in enumerate(self.asks):
-            fits = fit(ask, self.answers.numbers[self._rows, ask], papers)
+            fits = fit_ask(ask, self.answers.numbers[self._rows, ask])
             counts += fits & self._wrong[self._rows, place]
         return counts
 
@@ -155,7 +165,8 @@ class MisplacedRows:
         given = self.answers.given[rows][:, self.asks].sum(axis=1)
         counts = np.zeros((len(rows), len(papers)), dtype=np.intp)
         for ask in self.asks:
-            counts += self.intervals[ask].at(papers).fit(self.answers.numbers[rows, ask])
+            fits = self.intervals[ask].at(papers).list_fits(self.answers.numbers[rows, ask])
+            counts[fits] += 1
         best, most, right = counts.argmax(axis=1), counts.max(axis=1), self._right[rows].sum(axis=1)
         enough = (most >= np.maximum(_LEAST_WRONG, _MOST_OF_THEM * given)) & (most < given)
         for place in np.flatnonzero(enough & (most > right)).tolist():

@@ -6,7 +6,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from typing import overload
 
@@ -19,7 +19,8 @@ from kinegrade.grading.sheets.entry import Entry
 from kinegrade.grading.typed.plain_cells import PlainCells
 
 _NONE = -1  # in place of the row of a student who has none
-_BLOCK = 1000  # rows
+_FEW, _MANY = 300, 1000  # rows in a block: more take less time, and more memory
+_LARGE = 10_000  # rows; such a class takes that memory anyway
 
 _Places = NDArray[np.intp]
 
@@ -96,12 +97,21 @@ class GridBlock(Entries):
         return None if letters is None else PlainCells.of_letters(letters)
 
 
+def choose_block(rows: int) -> int:
+    """How many rows of so many are looked at together."""
+    return _FEW if rows < _LARGE else _MANY
+
+
 @dataclass(frozen=True, eq=False)
 class GridEntries(Mapping[str, tuple[Entry, ...]]):
-    """The entries of students, made as they are asked for; `places` are their rows."""
+    """The entries of students, made as they are asked for; `places` are their rows. Blocks of a
+    large class that were gone through are kept until they are asked for, so that each cell is read
+    once.
+    """
 
     grid: AnswerGrid
     places: Mapping[str, int]
+    kept: dict[bytes, GridBlock] = field(default_factory=dict, repr=False)
 
     def __getitem__(self, student: str) -> tuple[Entry, ...]:
         return (self.grid.entry(self.places[student]),)
@@ -121,11 +131,15 @@ class GridEntries(Mapping[str, tuple[Entry, ...]]):
 
     def block(self, students: Sequence[str]) -> GridBlock:
         """Those of these students one after the other."""
-        places = [*map(self.places.__getitem__, students)]
-        return GridBlock(self.grid, np.array(places, dtype=np.intp))
+        places = np.array([*map(self.places.__getitem__, students)], dtype=np.intp)
+        return self.kept.pop(places.tobytes(), None) or GridBlock(self.grid, places)
 
     def blocks(self) -> Iterator[GridBlock]:
         """All of them in blocks."""
         places = np.array([*self.places.values()], dtype=np.intp)
-        for begin in range(0, len(places), _BLOCK):
-            yield GridBlock(self.grid, places[begin : begin + _BLOCK])
+        size = choose_block(len(places))
+        for begin in range(0, len(places), size):
+            block = GridBlock(self.grid, places[begin : begin + size])
+            if len(places) >= _LARGE:
+                self.kept[block.places.tobytes()] = block
+            yield block

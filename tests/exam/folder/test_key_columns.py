@@ -206,7 +206,7 @@ def test_a_copied_folder_is_held_against_its_digest(folder: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("old", "new"), [('"points": 3}', '"points": 4}'), ('"000003"', '"000003a"')]
+    ("old", "new"), [('"points": 3\n', '"points": 4\n'), ('"000003"', '"000003a"')]
 )
 def test_a_head_that_was_changed_is_compared_with_the_key(folder: Path, old: str, new: str) -> None:
     head = folder / HEAD
