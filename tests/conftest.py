@@ -13,6 +13,7 @@ from hypothesis import HealthCheck, settings
 
 from kinegrade.exam.bank.bank import Bank, read_bank
 from kinegrade.exam.printing import class_printing
+from kinegrade.processes.garbage_collection import NEW_OBJECTS
 from tests.files_in_memory import leave_files_in_memory
 from tests.golden_files import BANK, GOLDEN, Hold, drop_tests_without_goldens
 from tests.kept_results import keep_results
@@ -42,6 +43,7 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 
 def pytest_configure(config: pytest.Config) -> None:
+    gc.set_threshold(NEW_OBJECTS)  # as commands have it
     if not _proves(config):
         repeat_secrets(config)
         keep_results()

@@ -17,12 +17,17 @@ NEW_OBJECTS = 50_000
 
 @contextmanager
 def bulk_work() -> Iterator[None]:
-    """Inside the block, existing objects are not searched for cycles, and new ones only rarely."""
-    usual = gc.get_threshold()
-    gc.freeze()
+    """Inside the block, existing objects are not searched for cycles, and new ones only rarely.
+
+    What a program that calls kinegrade had frozen stays frozen.
+    """
+    usual, is_ours = gc.get_threshold(), not gc.get_freeze_count()
+    if is_ours:
+        gc.freeze()
     gc.set_threshold(NEW_OBJECTS)
     try:
         yield
     finally:
         gc.set_threshold(*usual)
-        gc.unfreeze()
+        if is_ours:
+            gc.unfreeze()

@@ -5,18 +5,35 @@ before.
 from __future__ import annotations
 
 import gc
+from collections.abc import Iterator
 
 import pytest
 
 from kinegrade.processes.garbage_collection import NEW_OBJECTS, bulk_work
 
 
+@pytest.fixture
+def _nothing_frozen() -> Iterator[None]:
+    """As in a program that froze nothing; the suite itself did."""
+    gc.unfreeze()
+    yield
+    gc.freeze()
+
+
+@pytest.mark.usefixtures("_nothing_frozen")
 def test_garbage_is_collected_rarely_and_afterwards_as_often_as_before() -> None:
     usual = gc.get_threshold()
     with bulk_work():
         assert gc.get_threshold()[0] == NEW_OBJECTS
         assert gc.get_freeze_count() > 0
     assert (gc.get_threshold(), gc.get_freeze_count()) == (usual, 0)
+
+
+def test_what_was_frozen_before_stays_frozen() -> None:
+    gc.freeze()
+    with bulk_work():
+        pass
+    assert gc.get_freeze_count() > 0
 
 
 def test_a_failure_leaves_it_as_it_was_too() -> None:
