@@ -12,6 +12,7 @@ from kinegrade.problem.template.template import Template
 from kinegrade.proof.claims.angles import find_wrong_angles
 from kinegrade.proof.claims.circles import find_wrong_circles
 from kinegrade.proof.claims.kinds import find_marks_of_other_kinds, find_wrong_signs
+from kinegrade.proof.claims.means import find_wrong_means
 from kinegrade.proof.claims.places import find_wrong_places
 from kinegrade.proof.claims.senses import find_wrong_senses
 from kinegrade.proof.claims.states import find_wrong_states
@@ -29,6 +30,7 @@ def find_false_claims(template: Template, examples: Sequence[Solution]) -> Itera
         *(Fault("statement", what) for what in said),
         *find_wrong_circles(template, examples),
         *find_wrong_signs(template),
+        *find_wrong_means(template),
         *find_marks_of_other_kinds(template),
     )
     yield from dict.fromkeys(found)

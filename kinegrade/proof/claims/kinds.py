@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Mapping
 from typing import assert_never
 
@@ -15,20 +14,12 @@ from kinegrade.problem.template.hints import FigureHints, Moving, Turning
 from kinegrade.problem.template.meaning.senses import find_positive
 from kinegrade.problem.template.template import Ask, Parameter, Template
 from kinegrade.problem.template.translated import Translated
-from kinegrade.proof.claims.reading import list_words
-from kinegrade.sign_conventions import OPPOSITE, Convention
+from kinegrade.proof.claims.reading import name_senses
+from kinegrade.sign_conventions import OPPOSITE
 
 _Powers = tuple[int, int, int]
 _NUMBER: _Powers = (0, 0, 0)  # a factor stands for the size that it gives
 _POWERS_OF_TIME: Mapping[Level, int] = {"velocity": -1, "acceleration": -2}
-_SIGNS: Mapping[Convention, str] = {
-    "ccw": "counterclockwise",
-    "cw": "clockwise",
-    "+x": "right",
-    "-x": "left",
-    "+y": "up",
-    "-y": "down",
-}
 
 # Rates by the powers of length, time and angle of their units; words of the first contain others
 _KINDS = {
@@ -63,16 +54,9 @@ def find_wrong_signs(template: Template) -> Iterator[Fault]:
         if isinstance(ask.sign, Translated):
             positive = find_positive(ask)
             for said in ask.sign.texts:
-                named = {sense for sense in _SIGNS if _names_sense(said, sense)}
-                if positive and named == {OPPOSITE[positive]}:
+                if positive and name_senses(said) == {OPPOSITE[positive]}:
                     what = Message("template.sign-other-way", said=said, sign=Quoted(positive))
                     yield Fault(f"asks.{name}.sign", what)
-
-
-def _names_sense(said: str, sense: Convention) -> bool:
-    """Whether words name a sense; counter-clockwise is not clockwise."""
-    words = list_words(f"sign-{_SIGNS[sense]}")
-    return any(re.search(rf"(?<![\w-]){re.escape(word)}", said, re.ASCII) for word in words)
 
 
 def find_marks_of_other_kinds(template: Template) -> Iterator[Fault]:

@@ -10,17 +10,15 @@ from kinegrade.problem.solution import Solution
 from kinegrade.problem.template.driven import Driven, DrivenPart, find_driven
 from kinegrade.problem.template.template import Template
 from kinegrade.problem.template.texts import list_prose
-from kinegrade.proof.claims.reading import find_points, list_words, read_claims
-from kinegrade.sign_conventions import Convention
+from kinegrade.proof.claims.reading import (
+    find_points,
+    list_words,
+    name_senses,
+    read_claims,
+)
+from kinegrade.sign_conventions import OPPOSITE, Convention
 
-_SENSES: Mapping[str, tuple[Convention, Convention]] = {  # positive in a sense, and in the other
-    "counterclockwise": ("ccw", "cw"),
-    "clockwise": ("cw", "ccw"),
-    "rightwards": ("+x", "-x"),
-    "leftwards": ("-x", "+x"),
-    "upwards": ("+y", "-y"),
-    "downwards": ("-y", "+y"),
-}
+_TURNS: Mapping[Convention, int] = {"ccw": 1, "cw": -1}
 _STILL = 1e-9  # rad/s: less is what doubles leave
 
 
@@ -38,35 +36,41 @@ def _find_wrong_inputs(template: Template) -> Iterator[Message]:
         for part, named in find_driven(template.scheme.drivers, template.parameters).items()
         for name, each in named.items()
     }
-    for sense, (same, other) in _SENSES.items():
-        for claim in read_claims(template, sense):
-            part, name, found = driven.get(claim["given"], (None, "", None))
-            if found is None or found.positive not in {same, other}:
-                continue
-            backwards = (found.positive == other) != found.velocity.turned
-            choices = template.parameters[claim["given"]].choices
-            wrong = [each for each in choices if each.startswith("-") != backwards]
-            if wrong and len(wrong) == len(choices):
-                yield Message("template.other-sense", said=claim["said"])
-            elif wrong:
-                slot = f"{{{{ {name}.{part} }}}}"
-                value = f"{claim['given']} = {wrong[0]}"
-                yield Message("template.other-sense-at", said=claim["said"], value=value, slot=slot)
+    claims = sorted(read_claims(template, "going"), key=lambda claim: len(claim["said"]))
+    whole = {(claim["sense"], claim["given"]): claim for claim in claims}  # the longest sentence
+    for claim in whole.values():
+        (said,) = name_senses(claim["sense"])
+        part, name, found = driven.get(claim["given"], (None, "", None))
+        if found is None or found.positive not in {said, OPPOSITE[said]}:
+            continue
+        backwards = (found.positive != said) != found.velocity.turned
+        choices = template.parameters[claim["given"]].choices
+        wrong = [each for each in choices if each.startswith("-") != backwards]
+        if wrong and len(wrong) == len(choices):
+            yield Message("template.other-sense", said=claim["said"])
+        elif wrong:
+            slot = f"{{{{ {name}.{part} }}}}"
+            value = f"{claim['given']} = {wrong[0]}"
+            yield Message("template.other-sense-at", said=claim["said"], value=value, slot=slot)
 
 
 def _find_wrong_bodies(template: Template, examples: Sequence[Solution]) -> Iterator[Message]:
     """`$OA$ turns clockwise` of a body that turns the other way in an instance."""
-    for sense, turn in (("counterclockwise", 1), ("clockwise", -1)):
-        for claim in read_claims(template, f"body-{sense}"):
-            ends = find_points(template, claim["start"], claim["end"])
-            bodies = [
-                body.name for body in template.scheme.bodies if ends and {*ends} <= {*body.points}
-            ]
-            rates = [each.doubles.omega(body) * turn for each in examples for body in bodies[:1]]
-            if rates and max(rates) < -_STILL:
-                yield Message("template.other-sense", said=claim["said"])
-            elif rates and min(rates) < -_STILL:
-                yield Message("template.other-sense-in-some", said=claim["said"])
+    for claim in read_claims(template, "body-going"):
+        (said,) = name_senses(claim["sense"])
+        if said not in _TURNS:
+            continue
+        ends = find_points(template, claim["start"], claim["end"])
+        bodies = [
+            body.name for body in template.scheme.bodies if ends and {*ends} <= {*body.points}
+        ]
+        rates = [
+            each.doubles.omega(body) * _TURNS[said] for each in examples for body in bodies[:1]
+        ]
+        if rates and max(rates) < -_STILL:
+            yield Message("template.other-sense", said=claim["said"])
+        elif rates and min(rates) < -_STILL:
+            yield Message("template.other-sense-in-some", said=claim["said"])
 
 
 def _find_second_senses(template: Template) -> Iterator[Message]:

@@ -1,0 +1,69 @@
+"""`check` holds the words of asks against their quantities: another point, body or sense."""
+
+from __future__ import annotations
+
+import pytest
+
+from kinegrade.problem.template.library.reading import read_template
+from kinegrade.problem.template.library.starter import write_starter_text
+from kinegrade.proof.claims.claims import find_false_claims
+from tests.problem.turning_crank import changed
+from tests.said import all_said
+
+
+def find(means: str, quantity: str = "magnitude(velocity(A))", unit: str = "m/s") -> list[str]:
+    """What is wrong with the words of an ask of the crank OA, on which M is."""
+    text = changed(
+        ("magnitude(velocity(A))", quantity),
+        ('"m/s", means = { en = "speed", zh = "速度"', f'"{unit}", means = {{ en = "{means}"'),
+    )
+    return all_said(find_false_claims(read_template("crank", text.split("[[published]]")[0]), []))
+
+
+@pytest.mark.parametrize(
+    ("means", "said"),
+    [
+        ("velocity of $M$", "of $M$"),
+        ("speed of the pin $M$", "of the pin $M$"),
+        ("Geschwindigkeit von $M$", "von $M$"),
+        ("Geschwindigkeit des Punktes $M$", "des Punktes $M$"),
+        ("点 $M$ 的速度", "$M$ 的"),
+        ("velocity of $A$", ""),
+        ("speed of the point $A$ of the crank $OA$", ""),
+        ("velocity of the end on the line through $M$", ""),
+        ("端点到 $M$ 的距离", ""),
+    ],
+)
+def test_words_that_name_another_point_than_the_quantity_are_a_fault(means: str, said: str) -> None:
+    fault = f'asks.v_A.means: it says "{said}", and the quantity is of A: write the one that is '
+    assert find(means) == [f"{fault}meant in both places"] * bool(said)
+
+
+def test_words_that_name_another_body_than_the_quantity_are_a_fault() -> None:
+    text = write_starter_text()
+    named = "angular velocity of the rocker $CB$"
+    assert named in text
+    wrong = read_template("rocker", text.replace(named, named.replace("CB", "OA")))
+    assert [each.split(":")[1] for each in all_said(find_false_claims(wrong, []))] == [
+        ' it says "of the rocker $OA$", and the quantity is of CB'
+    ]
+    block = read_template("rocker", text.replace(named, named.replace("CB", "CA")))
+    assert all_said(find_false_claims(block, [])) == []
+
+
+@pytest.mark.parametrize(
+    ("quantity", "means", "sign"),
+    [
+        ("y(velocity(A))", "velocity of $A$, downwards", "+y"),
+        ("x(velocity(A))", "velocity of $A$, to the left", "+x"),
+        ("y(velocity(A))", "Geschwindigkeit von $A$, nach unten", "+y"),
+        ("-y(velocity(A))", "$A$ 的速度，向上", "-y"),
+        ("y(velocity(A))", "downward velocity of $A$", "+y"),
+        ("y(velocity(A))", "velocity of $A$, upwards", ""),
+        ("x(velocity(A))", "velocity of the end to the left of $O$", ""),
+    ],
+)
+def test_words_that_name_the_other_sense_are_a_fault(quantity: str, means: str, sign: str) -> None:
+    assert [each.split(": ", 2)[2] for each in find(means, quantity)] == [
+        f'write "{sign}", or a minus before the quantity'
+    ] * bool(sign)
