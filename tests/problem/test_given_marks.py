@@ -102,6 +102,23 @@ def test_what_may_be_negative_is_marked_with_its_sense() -> None:
     assert [mark.signed for mark in (*marked.lengths, *marked.angles)] == [True, False, True]
 
 
+def test_a_length_whose_side_is_said_in_words_is_no_coordinate() -> None:
+    told = crank(
+        ('draw = [0, "1/2", 3]', 'draw = [0, "-1/2", 3]'),
+        ("{{ h.value }} above", "{{ h.size }} {{ side }}"),
+        ("高于 $O$ {{ h.value }}", "在 $O$ {{ side }} {{ h.size }}"),
+        (
+            "[parameters]",
+            '[text]\nside = [{ if = "h > 0", en = "above", zh = "上方" }, { en = "below", zh = "下方" }]'
+            "\n\n[parameters]",
+        ),
+    )
+    figure = FigureHints(lengths=(Length("h", "O", "P"),))
+    [length] = mark_givens(replace(told, figure=figure)).lengths
+    assert not length.signed
+    assert mark_givens(told, asked=[]).axes is None
+
+
 def test_marks_of_what_is_not_printed_are_left_out() -> None:
     template = crank()
     lengths = (

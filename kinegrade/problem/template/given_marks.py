@@ -35,16 +35,17 @@ def mark_givens(
     An input whose rate is a parameter, or its negative, has an arrow with the parameter's symbol; a
     hint of the author replaces it. An arrow follows the input, so it has the sense of each
     instance. A measure whose letters are all of parameters that are not printed is left out. Axes
-    stand where they are needed.
+    stand where they are needed. A length whose side the statement says in words is no coordinate.
     """
     hidden = _list_hidden_symbols(template, printed)
     author = template.figure
     arrows = _list_arrows(template)
     signed = {_read(given.symbol) for given in template.parameters.values() if given.has_sign}
+    coordinates = {_read(template.parameters[name].symbol) for name in _list_coordinates(template)}
     return replace(
         author,
         lengths=tuple(
-            replace(mark, signed=_read(mark.symbol) in signed)
+            replace(mark, signed=_read(mark.symbol) in coordinates)
             for mark in author.lengths
             if _is_printed(mark.symbol, hidden)
         ),
@@ -67,16 +68,20 @@ def _place_axes(
     """At the origin for coordinates that are given or asked and where the author wants them, aside
     for components of vectors and where the statement names the x axis.
     """
-    givens = template.parameters.items()
     along_axes = [ask for name in asked if (ask := template.asks[name]).sign in ALONG_AXES]
     if any(ask.unit.is_length for ask in along_axes) or any(
-        given.unit.is_length and not given.is_size
-        for name, given in givens
-        if printed is None or name in printed
+        printed is None or name in printed for name in _list_coordinates(template)
     ):
         return "origin"
     named = any(_X_AXIS in text for text in template.words.statement.texts)
     return template.figure.axes or ("aside" if along_axes or named else None)
+
+
+def _list_coordinates(template: Template) -> list[str]:
+    """The given lengths that are printed with their sign."""
+    unsigned = find_unsigned_givens(template)
+    given = template.parameters.items()
+    return [name for name, x in given if x.unit.is_length and x.has_sign and name not in unsigned]
 
 
 def _list_hidden_symbols(template: Template, printed: Set[str] | None) -> Set[Row]:
