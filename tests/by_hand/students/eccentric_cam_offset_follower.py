@@ -112,7 +112,7 @@ def work_with_a_connecting_rod(given: Givens, p: Pad) -> Answers:
         "v_A": abs(v_a),
         "v_A_y": v_a,
         "a_rel_n": p(p(p(omega - turning) ** 2) * rod),
-        "a_cor": p(2 * p(omega * abs(v_r))),
+        "a_cor": abs(p(2 * p(omega * v_r))),
         "a_rel_t": p(p(alpha - turned) * rod),
         "a_A": abs(a_a),
         "a_A_y": a_a,

@@ -2,7 +2,7 @@
 
 The rocker turns about D, the wheel touches the ground in P; DB = DP = R (1 + cos phi)/sin phi, and
 PB = 2 R cos(phi/2). Across DB means here the side to which the wheel rolls: it turns the rocker
-counter-clockwise.
+counter-clockwise. A wheel that rolls to the right is seen in a mirror.
 """
 
 from __future__ import annotations
@@ -13,6 +13,7 @@ from math import cos, radians, sin, tan
 from tests.by_hand.components import magnitude
 from tests.by_hand.pad import SIZES, Answers, Edge, Givens, Method, Mistake, Pad
 from tests.by_hand.slips import (
+    Steps,
     degrees_for_radians,
     diameter_for_radius,
     sine_for_cosine,
@@ -21,7 +22,28 @@ from tests.by_hand.slips import (
 )
 from tests.by_hand.writing import slips_in_writing
 
+TURNING = ("omega_1", "alpha_1", "omega_2", "alpha_2")
 
+
+def in_a_mirror(steps: Steps) -> Steps:
+    """The method where the wheel rolls to the left; in a mirror for one that rolls to the right."""
+
+    def work(given: Givens, p: Pad, **slipped: float) -> Answers:
+        found = steps(_mirror(given), p, **slipped)
+        return {name: _side(given) * x if name in TURNING else x for name, x in found.items()}
+
+    return work
+
+
+def _side(given: Givens) -> int:
+    return 1 if given["v_O"] > 0 else -1
+
+
+def _mirror(given: Givens) -> Givens:
+    return {**given, **{name: _side(given) * given[name] for name in ("v_O", "a_O")}}
+
+
+@in_a_mirror
 def work_along_the_slot(
     given: Givens,
     p: Pad,
@@ -59,6 +81,7 @@ def work_along_the_slot(
     }
 
 
+@in_a_mirror
 def work_from_the_pole(given: Givens, p: Pad) -> Answers:
     """v_B from the pole P, at phi/2 to the slot; accelerations with x to the left and y upwards."""
     phi, radius, v_o, a_o = radians(given["phi"]), given["R"], given["v_O"], given["a_O"]
@@ -87,6 +110,7 @@ def work_from_the_pole(given: Givens, p: Pad) -> Answers:
     }
 
 
+@in_a_mirror
 def work_with_components(given: Givens, p: Pad) -> Answers:
     """Both sides on x to the left and y upwards: two equations for omega_2 and v_r, two for rates.
 
@@ -126,21 +150,22 @@ def v_rel_of_pin(given: Givens, v_b: float) -> float:
 
 def rocker_of_pin(given: Givens, v_b: float) -> float:
     half = radians(given["phi"]) / 2
-    return v_b * sin(half) * tan(half) / given["R"]
+    return _side(given) * v_b * sin(half) * tan(half) / given["R"]
 
 
 def v_rel_of_rocker(given: Givens, rocker: float) -> float:
     """The triangle of v_B = v_e + v_r, in which v_B is at phi/2 to the slot."""
-    return rocker * given["R"] / tan(radians(given["phi"]) / 2) ** 2
+    return _side(given) * rocker * given["R"] / tan(radians(given["phi"]) / 2) ** 2
 
 
 def _turned(given: Givens, rocker: float | None = None, v_rel: float | None = None) -> float:
     """alpha_2 from what of the velocities is the student's own."""
+    side, given = _side(given), _mirror(given)
     phi, radius, v_o = radians(given["phi"]), given["R"], given["v_O"]
-    rocker = v_o / radius * (1 - cos(phi)) if rocker is None else rocker
+    rocker = v_o / radius * (1 - cos(phi)) if rocker is None else side * rocker
     v_rel = v_o * (1 + cos(phi)) if v_rel is None else v_rel
     across = given["a_O"] * sin(phi) + v_o**2 / radius - 2 * rocker * v_rel
-    return across * tan(phi / 2) / radius
+    return side * across * tan(phi / 2) / radius
 
 
 def turned_by_rocker(given: Givens, rocker: float) -> float:

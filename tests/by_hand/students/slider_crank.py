@@ -29,7 +29,7 @@ def base_point(given: Givens, pad: Pad) -> Answers:
     n = pad(length * pad(w**2))
     e = -pad(pad(a_ay + pad(n * sin_psi)) / pad(length * cos_psi))
     a_b = pad(pad(a_ax - pad(n * cos_psi)) + pad(pad(length * e) * sin_psi))
-    return {"v_B": v_b, "omega_AB": w, "alpha_AB": e, "a_B": a_b}
+    return {"v_B": abs(v_b), "omega_AB": w, "alpha_AB": e, "a_B": a_b}
 
 
 def projection(given: Givens, pad: Pad) -> Answers:
@@ -47,7 +47,7 @@ def projection(given: Givens, pad: Pad) -> Answers:
     a_along = pad(pad(pad(a_t * along) - pad(a_n * across)) - pad(length * pad(w**2)))
     a_b = pad(a_along / cos_psi)
     e = pad(pad(pad(a_b * sin_psi) + pad(pad(a_n * along) + pad(a_t * across))) / length)
-    return {"v_B": v_b, "omega_AB": w, "alpha_AB": e, "a_B": a_b}
+    return {"v_B": abs(v_b), "omega_AB": w, "alpha_AB": e, "a_B": a_b}
 
 
 def loop(given: Givens, pad: Pad) -> Answers:
@@ -64,7 +64,7 @@ def loop(given: Givens, pad: Pad) -> Answers:
     of_crank = pad(pad(height * change) + pad(pad(r * cos_phi) * pad(rate**2)))
     of_rod = pad(pad(height * psi_change) + pad(reach * pad(psi_rate**2)))
     return {
-        "v_B": v_b,
+        "v_B": abs(v_b),
         "omega_AB": -psi_rate,
         "alpha_AB": -psi_change,
         "a_B": -pad(of_crank + of_rod),
