@@ -1,7 +1,8 @@
 """The unit in which a worked solution counts lengths: that of its question.
 
-What is given and asked in centimetres stays in centimetres from the first line to the last. Where
-a question mixes units of length, or counts time in hours, its solution is in SI, as books do it.
+What is given and asked in centimetres stays in centimetres from the first line to the last. One in
+inches and feet is worked out in feet. Where a question mixes other units of length, or counts time
+in hours, its solution is in SI, as books do it.
 """
 
 from __future__ import annotations
@@ -21,6 +22,7 @@ from kinegrade.problem.template.template import Template
 from kinegrade.worked.formulas.numbers import DIGITS
 
 METRE: Literal["m"] = "m"
+_INCHES_AND_FEET = {"in", "ft"}
 _LARGEST = 10**DIGITS
 _EQUAL = 1e-9  # two ways of working a place out agree to this share of the largest length
 
@@ -44,22 +46,34 @@ def count_lengths_as_given(solution: Solution, asked: Iterable[str]) -> tuple[So
 
 
 def _find_unit(template: Template, asked: Iterable[str]) -> str:
-    """The one unit of length of what is given and asked, m where there are several or none."""
+    """The one unit of length of what is given and asked, feet beside inches; m where there are
+    others, or none.
+    """
     units = [parameter.unit for parameter in template.parameters.values()]
     units += [template.asks[name].unit for name in asked]
     names = frozenset[str]().union(*(unit.lengths for unit in units))
-    if len(names) != 1:
+    if names == _INCHES_AND_FEET:
+        name = "ft"
+    elif len(names) == 1:
+        (name,) = names
+    else:
         return METRE
-    (name,) = names
-    coherent = all(unit.count_lengths(name, METRE).is_si for unit in units if unit.lengths)
-    return name if coherent else METRE
+    return name if all(_write_in_metres(unit).is_si for unit in units if unit.lengths) else METRE
+
+
+def _write_in_metres(unit: Unit) -> Unit:
+    """A unit with metres in place of its units of length."""
+    for name in unit.lengths:
+        unit = unit.count_lengths(name, METRE)
+    return unit
 
 
 def _count_in_metres(template: Template, unit: str) -> Template:
-    """The template with metres in place of a unit of length."""
+    """The template with metres in place of a unit of length, and others measured by that."""
 
     def exchange(before: Unit) -> Unit:
-        return before.count_lengths(unit, METRE)
+        scale = before.scale / SCALES[unit][0] ** before.length
+        return replace(before.count_lengths(unit, METRE), scale=scale)
 
     parameters = {
         name: replace(parameter, unit=exchange(parameter.unit))

@@ -47,6 +47,15 @@ def test_where_units_of_length_differ_the_solution_is_in_si(asked: str, value: s
     assert r"\unit{cm}" not in told
 
 
+def test_inches_beside_feet_are_worked_out_in_feet() -> None:
+    given = IN_CENTIMETRES[0], IN_CENTIMETRES[1].replace("cm", "in").replace("20", "6")
+    told = "\n".join(tell_crank(given, asking_in("ft/s")))
+    assert r"0.5\,\unit{ft} \cdot 2\,\unit{rad/s} = " in told
+    assert r"\boxed{1\,\unit{ft/s}}" in told
+    told = "\n".join(tell_crank(given, asking_in("in/min")))
+    assert r"0.1524\,\unit{m} \cdot 2\,\unit{rad/s} = " in told
+
+
 def test_a_template_that_writes_a_length_as_a_number_is_worked_out_in_si() -> None:
     by_number = 'M = "polar(O, half, phi)"', 'M = "(0.1, 0)"'
     told = "\n".join(tell_crank(IN_CENTIMETRES, asking_in("cm/s"), by_number))
