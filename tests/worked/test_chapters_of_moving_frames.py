@@ -242,3 +242,15 @@ def test_an_acceleration_about_a_base_point_that_moves_itself() -> None:
         """,
         solution,
     )
+
+
+def test_the_points_of_a_body_that_translates_move_as_its_base_point() -> None:
+    pushed = YOKE.replace("crank turns", "D of block moves along +x")
+    solution = solve_small(pushed, omega="omega(crank) in rad/s", alpha="alpha(crank) in rad/s^2")
+    told = r"""
+        Block translates: all its points have the same velocity.
+        v_{\mathrm{e}} &= v_{D} = 2\,\unit{m/s}\quad\text{(to the right)}
+        Block translates: all its points have the same acceleration.
+        a_{\mathrm{e}} &= a_{D} = 0
+        """
+    assert find_untold(told, solution) == []

@@ -6,7 +6,8 @@ import pytest
 
 from kinegrade.expressions.reading import read_expression
 from kinegrade.problem.solving import solve_template
-from kinegrade.problem.template.library.library import load_template
+from kinegrade.problem.template.library.library import find_shipped, load_template
+from kinegrade.problem.template.library.reading import read_template
 from kinegrade.worked.positions.algebra import ZERO
 from kinegrade.worked.positions.right_angles import make_unit, split_right_angles, turn_back
 from tests.worked.draws import kept, told
@@ -149,3 +150,14 @@ def test_a_direction_in_right_angles_has_the_value_that_is_printed_beside_it() -
     template = load_template("planetary-gear-external-rim-velocities")
     page = "\n".join(lines(told(solve_template(template, {"phi": "135"}))))
     assert r"\varphi - 270^\circ = -135^\circ" in page
+
+
+def test_a_track_that_an_angle_gives_serves_as_one_that_two_points_give() -> None:
+    """The angles were cos 36 degrees and 144 degrees, and there was no check."""
+    shipped = find_shipped("templates") / "tangent-cam-with-roller.toml"
+    text = shipped.read_text(encoding="utf-8").replace("line(F, E)", "line(F, theta)")
+    page = "\n".join(lines(told(solve_template(read_template("cam", text, kept=True), {}))))
+    assert r"v_{\mathrm{r}} &= -\frac{v_{\mathrm{e}}}{\cos\theta} = " in page
+    assert r"$-\theta$" in page
+    assert r"(in the direction }180^\circ - \theta" in page
+    assert "Check by the projection" in page

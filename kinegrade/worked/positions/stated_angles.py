@@ -10,12 +10,16 @@ from math import degrees, nan, pi
 from typing import Any, assert_never
 
 from kinegrade.expressions.tree import Call, Expression, Name, Number, Operation, walk
+from kinegrade.mechanics.relations import Term
+from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.angle import Angle
 from kinegrade.worked.case import Case
 from kinegrade.worked.findings import Seen
+from kinegrade.worked.formulas.atoms import add_terms
 from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.leaves import formulate
-from kinegrade.worked.formulas.measures import tidy
+from kinegrade.worked.formulas.measures import bearing, tidy
+from kinegrade.worked.formulas.numbers import state_angle
 from kinegrade.worked.formulas.symbols import collect_symbols
 from kinegrade.worked.positions.construction_steps import Step, list_steps
 from kinegrade.worked.positions.marked_angles import find_marked_angle
@@ -28,6 +32,7 @@ _WORK: Mapping[str, Callable[[float, float], float]] = {
     "/": operator.truediv,
     "**": operator.pow,
 }
+_RIGHT = 90.0
 
 
 def find_stated_angle(ends: tuple[str, str], case: Case) -> tuple[Formula, int, float] | None:
@@ -35,10 +40,10 @@ def find_stated_angle(ends: tuple[str, str], case: Case) -> tuple[Formula, int, 
     sign with which it counts counter-clockwise from +x, and its degrees; None where none does.
     """
     steps = list_steps(case.template)
-    angle = next((angle for angle in _list_stated(ends, steps) if _is_given(angle, case)), None)
-    if angle is not None:
-        sign, plain, _ = split_right_angles(angle)
-        return _state(sign, plain, case)
+    angles = (find_given_angle(angle, case) for angle in _list_stated(ends, steps))
+    given = next((angle for angle in angles if angle is not None), None)
+    if given is not None:
+        return given
     marked, seen = find_marked_angle(ends, case), _find_seen(ends, case)
     if marked is not None:
         return _state(*marked, case)
@@ -46,6 +51,14 @@ def find_stated_angle(ends: tuple[str, str], case: Case) -> tuple[Formula, int, 
         sign, plain, _ = split_right_angles(seen.tree)
         return _state(sign, plain, case, seen)
     return None
+
+
+def find_given_angle(angle: Expression, case: Case) -> tuple[Formula, int, float] | None:
+    """An angle that is made of givens, without right angles and with its sign; None for others."""
+    if not _is_given(angle, case):
+        return None
+    sign, plain, _ = split_right_angles(angle)
+    return _state(sign, plain, case)
 
 
 def _state(
@@ -57,6 +70,27 @@ def _state(
         symbols[seen.name], values[seen.name] = seen.symbol, seen.value
     formula = formulate(symbols).state(angle, True)
     return formula, sign, tidy(degrees(_evaluate(angle, values)))
+
+
+def state_bearing(heading: Vector, term: Term | None, case: Case) -> Formula:
+    """The angle of a direction from +x: by the letters of its line where these give it."""
+    track, direction = find_track_angle(term, case) if term else None, bearing(heading)
+    if track is None:
+        return state_angle(direction)
+    angle, sign, value = track
+    quarters = round((direction - sign * value) / _RIGHT) % 4
+    right = (state_angle(quarters * _RIGHT),) if quarters else ()
+    return add_terms((*right, angle.signed(sign)))
+
+
+def find_track_angle(term: Term, case: Case) -> tuple[Formula, int, float] | None:
+    """The angle of givens that gives the line along which a point slides: in symbols and without
+    right angles, its sign counter-clockwise from +x, and its degrees; None where none does.
+    """
+    sentence = case.joint(term) if term.kind == "sliding" else None
+    if sentence is None or sentence.on is None or len(sentence.on.arguments) != 2:
+        return None
+    return find_given_angle(sentence.on.arguments[1], case)
 
 
 def _find_seen(ends: tuple[str, str], case: Case) -> Seen | None:

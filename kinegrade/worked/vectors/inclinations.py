@@ -23,7 +23,7 @@ from kinegrade.worked.positions.algebra import make_positive, over
 from kinegrade.worked.positions.instance import DEGREE, PURE, make_instance
 from kinegrade.worked.positions.marked_angles import measure_given
 from kinegrade.worked.positions.seen_angles import find_seen_acute
-from kinegrade.worked.positions.stated_angles import find_stated_angle
+from kinegrade.worked.positions.stated_angles import find_stated_angle, find_track_angle
 from kinegrade.worked.vectors.known_vectors import find_path_term
 from kinegrade.worked.vectors.magnitudes import find_heading, find_track_ends
 
@@ -123,7 +123,10 @@ def find_inclination(part: Part, case: Case) -> Inclination | None:
 def name_direction(direction: float, part: Part, case: Case) -> Inclination | None:
     """A direction along or normal to the line that belongs to a part."""
     ends = find_ends(part, case)
-    return name_along(direction, ends, case) if ends else name_axis(direction)
+    if ends is not None:
+        return name_along(direction, ends, case)
+    track = find_track_angle(part.term, case) if part.term else None
+    return name_axis(direction) or (_relate(direction, track) if track else None)
 
 
 def name_along(direction: float, ends: tuple[str, str], case: Case) -> Inclination | None:
@@ -132,8 +135,11 @@ def name_along(direction: float, ends: tuple[str, str], case: Case) -> Inclinati
     if axis is not None:
         return axis
     line = _find_line(ends, case)
-    if line is None:
-        return None
+    return _relate(direction, line) if line else None
+
+
+def _relate(direction: float, line: tuple[Formula, int, float]) -> Inclination | None:
+    """A direction by the angle of a line along or normal to which it is; None for any other."""
     angle, sign, value = line
     quarters = (direction - sign * value) / _RIGHT
     if abs(quarters - round(quarters)) > _CLOSE:
@@ -205,7 +211,7 @@ def is_direction_told(part: Part, case: Case) -> bool:
     ends, found = find_ends(part, case), find_inclination(part, case)
     if found is None or found.angle is None:
         return found is not None
-    known = ends is not None and is_inclination_known(found, ends, case)
+    known = ends is None or is_inclination_known(found, ends, case)
     return known or is_line_found(found.value, case)
 
 

@@ -15,9 +15,10 @@ from kinegrade.worked.case import Case, write_row
 from kinegrade.worked.formulas.atoms import TWO
 from kinegrade.worked.formulas.equation import Equation
 from kinegrade.worked.formulas.formula import Formula
-from kinegrade.worked.formulas.measures import NEGLIGIBLE, bearing, length
-from kinegrade.worked.formulas.numbers import state_angle, state_number
+from kinegrade.worked.formulas.measures import NEGLIGIBLE, length
+from kinegrade.worked.formulas.numbers import state_number
 from kinegrade.worked.formulas.symbols import join_letters
+from kinegrade.worked.positions.stated_angles import state_bearing
 from kinegrade.worked.vectors.arms import name_length
 from kinegrade.worked.vectors.known_vectors import find_path_term
 from kinegrade.worked.vectors.vectors import (
@@ -122,8 +123,7 @@ def describe_direction(equation: VectorEquation, part: Part, case: Case) -> str:
     """
     heading = find_heading(part)
     how = _find_orientation(equation, part, case) or _find_axis(heading)
-    angle = case.text(state_angle(bearing(heading)))
-    return f"${write_row(how)}$" if how else f"${angle}$"
+    return f"${write_row(how) if how else case.text(state_bearing(heading, part.term, case))}$"
 
 
 def find_heading(part: Part) -> Vector:

@@ -24,10 +24,10 @@ from kinegrade.worked.formulas.atoms import AXES, TWO, ZERO, VectorSymbol
 from kinegrade.worked.formulas.equation import Equation, equate
 from kinegrade.worked.formulas.measures import double, length
 from kinegrade.worked.formulas.numbers import measure, state_number
-from kinegrade.worked.senses import state_way_about
+from kinegrade.worked.senses import state_way, state_way_about
 from kinegrade.worked.vectors.arms import introduce_lengths, name_length
 from kinegrade.worked.vectors.carried import explain_turning, state_carried_component
-from kinegrade.worked.vectors.components import add_components, find_known
+from kinegrade.worked.vectors.components import add_components, find_known, state_signed
 from kinegrade.worked.vectors.facts import make_key
 from kinegrade.worked.vectors.known_vectors import find_positive_sense
 from kinegrade.worked.vectors.relatives import find_relative, index_relative
@@ -70,8 +70,7 @@ def find_point(chain: Chain, name: VectorSymbol, case: Case, level: Level) -> It
         yield case.say(_announce_rotation(last, "point", case))
         fact = yield from explain_turning(last, name, case)
     else:
-        yield from _explain_sum(chain, name, case, level)
-        fact = Fact(name, value, True)
+        fact = yield from _explain_sum(chain, name, case, level)
     case.findings.facts[make_key(chain, level)] = fact
 
 
@@ -110,15 +109,37 @@ def _find_single_sense(term: Term, value: Vector) -> Vector:
             assert_never(term.kind)
 
 
-def _explain_sum(chain: Chain, name: VectorSymbol, case: Case, level: Level) -> Iterator[Block]:
-    """The components of a point's vector: its last term added to the terms before."""
-    match chain[-1].kind:
+def _explain_sum(
+    chain: Chain, name: VectorSymbol, case: Case, level: Level
+) -> Generator[Block, None, Fact]:
+    """A point's vector: its last term added to the terms before, by components; that of its base
+    point where the body translates.
+    """
+    last, value = chain[-1], find_vector(chain, case.motion, level)
+    match last.kind:
         case "rotation":
+            if last.rate in case.held_rates:
+                base = name_point_vector(last.base, level, case)
+                yield from find_point(chain[:-1], base, case, level)
+                carried = find_known(base, value, case)
+                if len(carried.pieces) == 1:
+                    return (yield from _explain_shifted(carried.pieces[0], name, last, case, level))
             yield from _explain_carried(chain, name, case, level)
         case "sliding" | "arc":
             yield from _explain_composed(chain, name, case, level)
         case _:
-            assert_never(chain[-1].kind)
+            assert_never(last.kind)
+    return Fact(name, value, True)
+
+
+def _explain_shifted(
+    carried: Piece, name: VectorSymbol, term: Term, case: Case, level: Level
+) -> Generator[Block, None, Fact]:
+    """The vector of a point of a body that translates: that of its base point."""
+    yield case.say(Message(f"solution.same-{level}", body=case.naming.body(term.rate.body)))
+    links = (*equate(carried.symbol), *equate(state_signed(carried, case)))
+    yield case.show(Equation(name, links, state_way(carried.value, case)))
+    return Fact(name, carried.value, False, (replace(carried, symbol=name),))
 
 
 def _explain_single(term: Term, name: VectorSymbol, case: Case) -> Iterator[Block]:

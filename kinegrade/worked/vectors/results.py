@@ -7,6 +7,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from kinegrade.language.math.tree import Row
+from kinegrade.language.message import Message
 from kinegrade.mechanics.rates import Rate
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Level, Part
@@ -19,8 +20,10 @@ from kinegrade.worked.formulas.equation import (
 from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.measures import double, length
 from kinegrade.worked.formulas.numbers import measure, state_number
+from kinegrade.worked.positions.stated_angles import find_track_angle, state_bearing
 from kinegrade.worked.senses import (
     find_axis_sense,
+    say_beside,
     state_rotation_sense,
     state_sense_along,
     state_way_round,
@@ -87,4 +90,8 @@ def _state_sense(value: float, positive: Vector, part: Part, case: Case) -> Row:
     """
     if part.base and value < 0 and find_axis_sense(positive) is None:
         return state_way_round(part.base, value, case)
+    slanting = find_axis_sense(positive) is None and find_path_ends(part, case) is None
+    if value < 0 and slanting and part.term and find_track_angle(part.term, case):
+        angle = case.text(state_bearing(-positive, part.term, case))
+        return say_beside(Message("solution.at-angle", angle=angle), case)
     return state_sense_along(value, positive, find_path_ends(part, case), case)
