@@ -12,6 +12,7 @@ from kinegrade.problem.template.template import Template
 from kinegrade.proof.claims.angles import find_wrong_angles
 from kinegrade.proof.claims.circles import find_wrong_circles
 from kinegrade.proof.claims.kinds import find_marks_of_other_kinds, find_wrong_signs
+from kinegrade.proof.claims.lines import find_wrong_lines
 from kinegrade.proof.claims.means import find_wrong_means
 from kinegrade.proof.claims.places import find_wrong_places
 from kinegrade.proof.claims.senses import find_wrong_senses
@@ -22,6 +23,7 @@ def find_false_claims(template: Template, examples: Sequence[Solution]) -> Itera
     """A fault for each claim of a template's words and marks that these instances contradict."""
     said = (
         *find_wrong_places(template, examples),
+        *find_wrong_lines(template, examples),
         *find_wrong_senses(template, examples),
         *find_wrong_angles(template, examples),
         *find_wrong_states(template, examples),

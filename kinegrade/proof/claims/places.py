@@ -12,7 +12,7 @@ from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.floats import Floats
 from kinegrade.problem.solution import Solution
 from kinegrade.problem.template.template import Template
-from kinegrade.proof.claims.reading import DIFFERENT, find_points, read_claims
+from kinegrade.proof.claims.reading import DIFFERENT, NO_SUBJECT, find_points, read_claims
 
 _SIDES: Mapping[str, Callable[[Vector, float], bool]] = {
     "above": lambda step, room: abs(step.x) <= room < step.y,
@@ -20,8 +20,6 @@ _SIDES: Mapping[str, Callable[[Vector, float], bool]] = {
     "right": lambda step, room: step.x > room,
     "left": lambda step, room: step.x < -room,
 }
-# A line through a point, or what turns about it, is no place of the point itself
-_NO_SUBJECT = "(?<!through )(?<!about )(?<!durch )(?<!um )(?<!过 )(?<!过)(?<!绕 )(?<!绕)"
 _OF_ANOTHER = (
     "(?<!above )(?<!below )(?<!of )(?<!über )(?<!unter )(?<!von )"  # which has the distance
 )
@@ -82,7 +80,7 @@ def _find_wrong_midpoints(template: Template, examples: Sequence[Solution]) -> I
 
 def _find_wrong_distances(template: Template, examples: Sequence[Solution]) -> Iterator[Message]:
     """`$C$ at the distance {{ d }} from $A$` where it is at another one."""
-    for claim in read_claims(template, "distance", _NO_SUBJECT + _OF_ANOTHER):
+    for claim in read_claims(template, "distance", NO_SUBJECT + _OF_ANOTHER):
         ends = find_points(template, claim["point"], claim["other"])
         yield from _compare(template, claim, ends, claim["point"] + claim["other"], examples)
 
@@ -90,7 +88,7 @@ def _find_wrong_distances(template: Template, examples: Sequence[Solution]) -> I
 def _find_wrong_sides(template: Template, examples: Sequence[Solution]) -> Iterator[Message]:
     """`$C$, vertically above $O$` where it is elsewhere."""
     for side, holds in _SIDES.items():
-        for claim in read_claims(template, side, _NO_SUBJECT):
+        for claim in read_claims(template, side, NO_SUBJECT):
             names = find_points(template, claim["point"], claim["other"])
             for each in examples if names else ():
                 point, other = (each.doubles.points[name] for name in names)

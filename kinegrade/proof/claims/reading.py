@@ -14,10 +14,13 @@ from kinegrade.sign_conventions import Convention
 
 DIFFERENT = 1e-6  # of a length: less is what doubles leave
 LETTER = r"[A-Z](?:_\{?\d+\}?)?'*"
+# A line through a point, or what turns about it, is no place of the point itself
+NO_SUBJECT = "(?<!through )(?<!about )(?<!durch )(?<!um )(?<!过 )(?<!过)(?<!绕 )(?<!绕)"
 _SHAPES = {
     "POINT": rf"\$(?P<point>{LETTER})\$",
     "OTHER": rf"\$(?P<other>{LETTER})\$",
     "LINE": rf"\$(?P<start>{LETTER})(?P<end>{LETTER})\$",
+    "LINEIS": rf"\$(?P<start>{LETTER})(?P<end>{LETTER})\s*=\s*\$",
     "GIVEN": r"\{\{\s*(?P<given>\w+)(?:\s*\.\s*(?P<part>value|size))?\s*\}\}",
     "WORD": r"\w+",
     "REST": r"[^.;。；{}]*?",
