@@ -30,6 +30,7 @@ def note_lost_contacts(template: Template, examples: Sequence[Solution]) -> Iter
         for lost in (
             *_find_past_flanks(each, template.figure.shapes),
             *_find_past_slots(each, template),
+            *_find_off_wheels(each, template),
         )
     ]
     found.sort(key=str)
@@ -72,3 +73,28 @@ def _find_past_slots(mechanism: Mechanism, template: Template) -> Iterator[_Lost
             pin = at[joint.point]
             if (pin - centre).dot(pin - pivot) > _NEAR * (centre - pivot).squared():
                 yield "pin-past-slot", {"point": joint.point, "of": joint.of}
+
+
+def _find_off_wheels(mechanism: Mechanism, template: Template) -> Iterator[_Lost]:
+    """The points of wheels that are outside the largest circle about the one centre: no joint has
+    them, so that nothing else of the wheel can be drawn there.
+    """
+    at = mechanism.points
+    drawn = {name for rim in template.figure.circles for name in (rim.centre, rim.through)}
+    drawn |= {name for joint in mechanism.joints for name in joint.list_points()}
+    for body in mechanism.bodies:
+        rolling = [
+            joint.circle
+            for joint in mechanism.joints
+            if isinstance(joint, TouchingPair) and joint.body == body.name
+        ]
+        centres = {circle.centre for circle in rolling}
+        rims = [rim for rim in template.figure.circles if rim.body == body.name]
+        if len(centres) != 1 or {rim.centre for rim in rims} - centres:
+            continue
+        (centre,) = centres
+        radii = [circle.radius for circle in rolling]
+        radii += [length(at[rim.through] - at[rim.centre]) for rim in rims]
+        for name in body.points:
+            if name not in drawn and length(at[name] - at[centre]) > max(radii) + _NEAR:
+                yield "point-off-wheel", {"point": name, "body": body.name, "centre": centre}

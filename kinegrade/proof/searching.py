@@ -26,15 +26,27 @@ from kinegrade.proof.neighbours import list_probed
 def find_breaking_values(
     template: Template, asks: Sequence[str], examples: int, secret: str
 ) -> tuple[dict[str, str], Problem] | None:
-    """Values at which the asks cannot be worked out, with the reason; None if `examples` tries show
-    none. Another `secret` makes other tries.
+    """Values at which the asks cannot be worked out, with the reason, drawable ones if there are
+    such; None if `examples` tries show none. Another `secret` makes other tries.
     """
-    strategy = st.fixed_dictionaries(
-        {
-            name: st.sampled_from(list_probed(template, parameter))
-            for name, parameter in template.parameters.items()
-        }
-    )
+    probed = {name: list_probed(template, each) for name, each in template.parameters.items()}
+    found = _search(template, asks, probed, examples, secret)
+    if found is None:
+        return None
+    drawable = {name: each.choices for name, each in template.parameters.items()}
+    shown = _search(template, asks, drawable, examples, secret) or found
+    return shown, _find_reason(template, asks, shown) or ""
+
+
+def _search(
+    template: Template,
+    asks: Sequence[str],
+    pools: Mapping[str, Sequence[str]],
+    examples: int,
+    secret: str,
+) -> dict[str, str] | None:
+    """Values of these at which the asks cannot be worked out, if the tries show any."""
+    strategy = st.fixed_dictionaries({name: st.sampled_from(pool) for name, pool in pools.items()})
     quiet = settings(
         max_examples=examples,
         database=None,
@@ -43,7 +55,7 @@ def find_breaking_values(
     )
     with _keep_notes_elsewhere():
         try:
-            found = find(
+            return find(
                 strategy,
                 lambda values: _find_reason(template, asks, values) is not None,
                 settings=quiet,
@@ -51,7 +63,6 @@ def find_breaking_values(
             )
         except NoSuchExample:
             return None
-    return found, _find_reason(template, asks, found) or ""
 
 
 @contextmanager

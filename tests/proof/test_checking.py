@@ -18,6 +18,7 @@ from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.library.library import find_template_names, load_template
 from kinegrade.problem.template.library.reading import read_template
 from kinegrade.problem.template.library.starter import write_starter_text
+from kinegrade.proof import searching
 from kinegrade.proof.assemblies import close_otherwise, find_other_assemblies
 from kinegrade.proof.checking import _list_remarks, check, choose_drawable
 from kinegrade.proof.neighbours import list_probed
@@ -429,6 +430,15 @@ def test_the_condition_that_is_named_keeps_out_what_breaks() -> None:
         for fault in all_said(check(read_template("crank", text)).faults)
         if "breaks at" in fault
     ]
+
+
+def test_what_breaks_is_shown_at_values_that_can_be_drawn(monkeypatch: pytest.MonkeyPatch) -> None:
+    template = crank()
+    near = {"r": ["1"], "h": ["3.01"], "omega": ["2"]}
+    monkeypatch.setattr(searching, "list_probed", lambda _, given: near[given.name])
+    found = searching.find_breaking_values(template, ("v_x",), 30, "check")
+    assert found is not None
+    assert all(value in template.parameters[name].choices for name, value in found[0].items())
 
 
 @pytest.mark.parametrize(

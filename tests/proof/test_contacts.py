@@ -80,6 +80,20 @@ def test_a_pin_outside_its_geneva_wheel_is_noted() -> None:
     ]
 
 
+@pytest.mark.parametrize(("place", "noted"), [("(s, 3*q)", True), ("(s, 3/2*q)", False)])
+def test_a_point_of_a_wheel_beyond_its_rim_is_noted(place: str, noted: bool) -> None:
+    text = FLANK.replace("[bodies]", f'Q = "{place}"\n[bodies]').replace('er = "C"', 'er = "C Q"')
+    text = text.replace('follower = "C Q"', 'follower = "C"')
+    assert (
+        note(text, {"s": "20"})
+        == [
+            "Q lies outside the rim of roller in 1 of 1 instances, on nothing that is drawn: a "
+            "condition on distance(C, Q) or other domains keep it on the wheel"
+        ]
+        * noted
+    )
+
+
 def test_check_remarks_it() -> None:
     remarks = all_said(
         check(read_template("flank", FLANK.replace("-20, 20, ", "")), sample=1).remarks

@@ -11,6 +11,7 @@ from kinegrade.problem.solution import Solution
 from kinegrade.problem.template.template import Template
 from kinegrade.proof.claims.angles import find_wrong_angles
 from kinegrade.proof.claims.circles import find_wrong_circles
+from kinegrade.proof.claims.givens import find_wrong_givens
 from kinegrade.proof.claims.kinds import find_marks_of_other_kinds, find_wrong_signs
 from kinegrade.proof.claims.lines import find_wrong_lines
 from kinegrade.proof.claims.means import find_wrong_means
@@ -31,6 +32,7 @@ def find_false_claims(template: Template, examples: Sequence[Solution]) -> Itera
     found = (
         *(Fault("statement", what) for what in said),
         *find_wrong_circles(template, examples),
+        *find_wrong_givens(template, examples),
         *find_wrong_signs(template),
         *find_wrong_means(template),
         *find_marks_of_other_kinds(template),
