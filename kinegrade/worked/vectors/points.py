@@ -27,7 +27,7 @@ from kinegrade.worked.formulas.numbers import measure, state_number
 from kinegrade.worked.senses import state_way, state_way_about
 from kinegrade.worked.vectors.arms import introduce_lengths, name_length
 from kinegrade.worked.vectors.carried import explain_turning, state_carried_component
-from kinegrade.worked.vectors.components import add_components, find_known, state_signed
+from kinegrade.worked.vectors.components import add_components, find_known
 from kinegrade.worked.vectors.facts import make_key
 from kinegrade.worked.vectors.known_vectors import find_positive_sense
 from kinegrade.worked.vectors.relatives import find_relative, index_relative
@@ -137,7 +137,10 @@ def _explain_shifted(
 ) -> Generator[Block, None, Fact]:
     """The vector of a point of a body that translates: that of its base point."""
     yield case.say(Message(f"solution.same-{level}", body=case.naming.body(term.rate.body)))
-    links = (*equate(carried.symbol), *equate(state_signed(carried, case)))
+    size = length(carried.value, case.arithmetic)
+    against = double(carried.value.dot(carried.positive)) < 0
+    number = state_number(-size if against else size, name.unit)
+    links = (*equate(carried.symbol), number[-1])
     yield case.show(Equation(name, links, state_way(carried.value, case)))
     return Fact(name, carried.value, False, (replace(carried, symbol=name),))
 
