@@ -1,5 +1,5 @@
-"""An expression without the quotients x/|x| by which templates lay out a mechanism to either side:
-a drawn x has a sign, and readers see what follows from it.
+"""An expression without the quotients x/|x| and the sizes |x| by which templates lay out a
+mechanism to either side: a drawn x has a sign, and readers see what follows from it.
 """
 
 from __future__ import annotations
@@ -22,7 +22,8 @@ _ZERO, _ONE = Number(fmpq(0)), Number(fmpq(1))
 
 
 def fold_signs(tree: Expression, is_negative: Callable[[Expression], bool]) -> Expression:
-    """The expression with each factor x/abs(x) worked out; `is_negative` says so of x.
+    """The expression with each factor x/abs(x) and each abs(x) worked out; `is_negative` says so of
+    x.
 
     >>> n = Name("n")
     >>> beside = Operation("/", Operation("*", Name("l"), n), Call("abs", (n,)))
@@ -30,6 +31,9 @@ def fold_signs(tree: Expression, is_negative: Callable[[Expression], bool]) -> E
     Name(name='l')
     >>> fold_signs(Operation("-", Name("r"), beside), lambda part: True)
     Operation(sign='+', left=Name(name='r'), right=Name(name='l'))
+
+    >>> fold_signs(Call("abs", (n,)), lambda part: True)
+    Operation(sign='-', left=Number(value=0), right=Name(name='n'))
 
     An angle that is mirrored so is counted from where it is counted usually.
 
@@ -44,6 +48,9 @@ def fold_signs(tree: Expression, is_negative: Callable[[Expression], bool]) -> E
     match tree:
         case Number() | Name():
             return tree
+        case Call("abs", (part,)):
+            folded = fold_signs(part, is_negative)
+            return _turn(folded) if is_negative(part) else folded
         case Call(function, arguments):
             return Call(function, tuple(fold_signs(part, is_negative) for part in arguments))
         case Operation("/", left, Call("abs", (part,))) if _has_factor(left, part):
@@ -89,6 +96,15 @@ def _negate(tree: Expression) -> Expression:
     if isinstance(tree, Operation) and is_literal_zero(tree):
         return tree.right
     return Operation("-", _ZERO, tree)
+
+
+def _turn(tree: Expression) -> Expression:
+    """The expression with a minus: before the angle of a sine or tangent, which has a letter."""
+    match tree:
+        case Call("sin" | "tan" as odd, (angle,)):
+            return Call(odd, (_negate(angle),))
+        case _:
+            return _negate(tree)
 
 
 def _combine(tree: Operation) -> Expression:

@@ -48,10 +48,13 @@ def _lay_out(solution: Solution) -> Solution:
         return float(evaluate(tree, values, functions, solution.arithmetic)) < 0
 
     scheme = solution.template.scheme
-    points = {name: fold_signs(tree, is_negative) for name, tree in scheme.points.items()}
-    if points == scheme.points:
+    points, lengths = (
+        {name: fold_signs(tree, is_negative) for name, tree in trees.items()}
+        for trees in (scheme.points, scheme.lengths)
+    )
+    if points == scheme.points and lengths == scheme.lengths:
         return solution
-    laid_out = replace(solution.template, scheme=replace(scheme, points=points))
+    laid_out = replace(solution.template, scheme=replace(scheme, points=points, lengths=lengths))
     return replace(solution, template=laid_out)
 
 

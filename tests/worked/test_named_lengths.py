@@ -10,6 +10,7 @@ from kinegrade.problem.template.library.library import load_template
 from kinegrade.worked.case import write_row
 from kinegrade.worked.formulas.symbols import name_quantity
 from tests.problem.turning_crank import CRANK, faults
+from tests.worked.chapters import read_chapter, solve_small
 from tests.worked.draws import kept
 from tests.worked.telling import lines
 
@@ -84,3 +85,36 @@ def test_a_length_that_a_triangle_gives_is_told_with_its_reason(name: str, lengt
     told = list(lines(kept(name), boxes=False))
     place = next(place for place, line in enumerate(told) if line.startswith(f"    {length} &= "))
     assert told[place - 1] == f"{load_template(name).words.reasons[length].in_language('en')}:"
+
+
+def test_no_size_is_taken_of_what_is_positive() -> None:
+    """The crank's length was |a| over the root of 2, and then worked out from coordinates."""
+    page = "\n".join(lines(kept("geneva-drive")))
+    assert r"r &= \frac{a}{\sqrt{2}}" in page
+    assert r"$r \cdot \omega_{OP}" in page
+    assert r"y_{B} &= a\sin\varphi" in "\n".join(lines(kept("watt-linkage")))
+
+
+PARALLELOGRAM = """
+joints = ["pin O: ground OB", "pin Q: ground QA", "pin A: QA AC", "pin B: OB BC", "pin C: AC BC"]
+inputs = [{ motion = "QA turns", velocity = "2" }, { motion = "OB turns", velocity = "1" }]
+[points]
+O = "(0, 0)"
+Q = "(9, 0)"
+B = "(0, 3)"
+A = "(9, 4)"
+D = "polar(A, l, pi/3)"
+C = "B + D - A"
+[bodies]
+OB = "O B"
+QA = "Q A D"
+BC = "B C"
+AC = "A C"
+"""
+
+
+def test_the_side_of_a_parallelogram_is_as_long_as_the_one_across() -> None:
+    solution = solve_small(PARALLELOGRAM, omega="omega(BC) in rad/s")
+    page = read_chapter("# Velocities", solution)
+    assert r"(l \cdot \omega" in page
+    assert "BC = " not in page

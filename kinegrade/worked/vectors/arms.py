@@ -41,7 +41,24 @@ def find_stated_length(start: str, end: str, case: Case) -> Symbol | None:
         if one.along is None and not one.signed and {one.start, one.end} == {start, end}:
             return read_symbol(one.symbol)
     radius = _find_radius(start, end, case)
-    return given[radius.name] if isinstance(radius, Name) else None
+    named = given[radius.name] if isinstance(radius, Name) else None
+    opposite = _find_opposite_side(start, end, case)
+    return named or (find_stated_length(*opposite, case) if opposite else None)
+
+
+def _find_opposite_side(start: str, end: str, case: Case) -> tuple[str, str] | None:
+    """The side of a parallelogram across from that between two points, of which one completes it:
+    C = B + D - A.
+    """
+    for step in list_steps(case.template):
+        match step.tree:
+            case Operation("-", Operation("+", Name(first), Name(second)), Name(corner)):
+                for beside, across in ((first, second), (second, first)):
+                    if {start, end} == {step.point, beside}:
+                        return across, corner
+            case _:
+                continue
+    return None
 
 
 def introduce_lengths(ends: Iterable[tuple[str, str]], case: Case) -> Iterator[Equation]:
