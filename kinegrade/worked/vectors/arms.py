@@ -41,9 +41,9 @@ def find_stated_length(start: str, end: str, case: Case) -> Symbol | None:
         if one.along is None and not one.signed and {one.start, one.end} == {start, end}:
             return read_symbol(one.symbol)
     radius = _find_radius(start, end, case)
-    named = given[radius.name] if isinstance(radius, Name) else None
+    stated = given[radius.name] if isinstance(radius, Name) else None
     opposite = _find_opposite_side(start, end, case)
-    return named or (find_stated_length(*opposite, case) if opposite else None)
+    return stated or (find_stated_length(*opposite, case) if opposite else None)
 
 
 def _find_opposite_side(start: str, end: str, case: Case) -> tuple[str, str] | None:
