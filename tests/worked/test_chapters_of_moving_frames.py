@@ -83,11 +83,6 @@ def test_a_composition_of_velocities() -> None:
             6.4\,\unit{m/s}
         \omega &= \frac{v_{\mathrm{e}}}{OA} = \frac{6.4\,\unit{m/s}}{5\,\unit{m}} =
             1.28\,\unit{rad/s}\quad\text{(counter-clockwise)}
-        $\boldsymbol{v}_{\mathrm{r}}$ is needed for the check alone.
-        Projecting on the direction from $O$ to $A$, which is perpendicular to
-            $\boldsymbol{v}_{\mathrm{e}}$, eliminates $\boldsymbol{v}_{\mathrm{e}}$:
-        v_{\mathrm{r}} &= v_{\mathrm{a}}\sin\psi_{OB} = 8\,\unit{m/s} \cdot \sin 36.87^\circ =
-            4.8\,\unit{m/s}\quad(\text{from }O\text{ to }B)
         """
     )
 
@@ -123,14 +118,6 @@ def test_a_composition_of_accelerations_with_coriolis() -> None:
         &= -2.688\,\unit{m/s^2}\quad\text{(clockwise about }O\text{)}
         \alpha &= \frac{a_{\mathrm{e}}^{\mathrm{t}}}{OA} = \frac{-2.688\,\unit{m/s^2}}{5\,\unit{m}}
             = -0.5376\,\unit{rad/s^2}\quad\text{(clockwise)}
-        $\boldsymbol{a}_{\mathrm{r}}$ is needed for the check alone.
-        Projecting on the direction from $A$ to $O$, which is perpendicular to
-            $\boldsymbol{a}_{\mathrm{e}}^{\mathrm{t}}$, eliminates
-            $\boldsymbol{a}_{\mathrm{e}}^{\mathrm{t}}$:
-        a_{\mathrm{a}}^{\mathrm{n}}\cos\psi_{OA} &= a_{\mathrm{e}}^{\mathrm{n}} - a_{\mathrm{r}}
-        a_{\mathrm{r}} &= a_{\mathrm{e}}^{\mathrm{n}} - a_{\mathrm{a}}^{\mathrm{n}}\cos\psi_{OA} =
-            8.192\,\unit{m/s^2} - 16\,\unit{m/s^2} \cdot \cos 36.87^\circ
-        &= -4.608\,\unit{m/s^2}\quad(\text{from }B\text{ to }O)
         """
     )
 
@@ -160,11 +147,6 @@ def test_a_composition_of_velocities_in_a_translating_frame() -> None:
             eliminates $\boldsymbol{v}_{\mathrm{r}}$:
         v_{D} &= -v_{\mathrm{a}}\sin\psi_{OC} = -10\,\unit{m/s} \cdot \sin 53.13^\circ =
             -8\,\unit{m/s}\quad\text{(to the left)}
-        $\boldsymbol{v}_{\mathrm{r}}$ is needed for the check alone.
-        Projecting on the $y$ axis, which is perpendicular to $\boldsymbol{v}_{D}$, eliminates
-            $\boldsymbol{v}_{D}$:
-        v_{\mathrm{r}} &= v_{\mathrm{a}}\cos\psi_{OC} = 10\,\unit{m/s} \cdot \cos 53.13^\circ =
-            6\,\unit{m/s}\quad\text{(upwards)}
         """
     )
 
@@ -190,11 +172,6 @@ def test_a_composition_of_accelerations_without_coriolis() -> None:
             eliminates $\boldsymbol{a}_{\mathrm{r}}$:
         a_{D} &= -a_{\mathrm{a}}^{\mathrm{n}}\cos\psi_{OC} = -20\,\unit{m/s^2} \cdot \cos
             53.13^\circ = -12\,\unit{m/s^2}\quad\text{(to the left)}
-        $\boldsymbol{a}_{\mathrm{r}}$ is needed for the check alone.
-        Projecting on the $y$ axis, which is perpendicular to $\boldsymbol{a}_{D}$, eliminates
-            $\boldsymbol{a}_{D}$:
-        a_{\mathrm{r}} &= -a_{\mathrm{a}}^{\mathrm{n}}\sin\psi_{OC} = -20\,\unit{m/s^2} \cdot \sin
-            53.13^\circ = -16\,\unit{m/s^2}\quad\text{(downwards)}
         """
     )
 

@@ -76,6 +76,12 @@ WRONG: dict[Law, tuple[Block, ...]] = {
     "closed": (_draw([ALONG], [ACROSS]),),
     "used": (Display((read_math(r"s = 1 + 1 = 2", ""),)),),
     "once": (Prose("The rope $A$ does not turn here, so that is zero."),) * 2,
+    "another": (
+        Prose(
+            "Check by the projection on the $x$ axis, which has not been used: "
+            r"left side $1\,\unit{m/s}$, right side $1\,\unit{m/s}$; they agree."
+        ),
+    ),
     "label": (Display((read_math(r"v_S = 2\,\unit{m}", ""),)), _draw([ALONG], [ACROSS, BACK])),
 }
 

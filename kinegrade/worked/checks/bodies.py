@@ -39,15 +39,21 @@ class _Pair:
     facts: tuple[Fact, Fact]
 
 
+def list_new_body_checks(level: Level, case: Case) -> Iterator[Check]:
+    """The checks of the points of bodies of which neither has led to the other."""
+    for pair in _list_pairs(level, case):
+        if _is_new(pair, case):
+            yield from _check_pair(pair, level, case)
+
+
 def list_body_checks(level: Level, case: Case) -> Iterator[Check]:
-    """The checks of all bodies, those first in which nothing vanishes and neither point is the one
-    from which the other has been found.
+    """The checks of points and of the base points from which they have been found, then those of
+    components.
     """
     pairs = tuple(_list_pairs(level, case))
-    for new in (True, False):
-        for pair in pairs:
-            if _is_new(pair, case) == new:
-                yield from _check_pair(pair, level, case)
+    for pair in pairs:
+        if not _is_new(pair, case):
+            yield from _check_pair(pair, level, case)
     for pair in pairs:
         omega, alpha = case.motion.omega(pair.body), case.motion.alpha(pair.body)
         turned = Turned(pair.points, pair.facts, double(omega), double(alpha))

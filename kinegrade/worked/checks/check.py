@@ -5,7 +5,7 @@ agree where no slip has been made.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
@@ -16,14 +16,12 @@ from kinegrade.worked.case import Case
 from kinegrade.worked.deductions.deductions import explain_deduction
 from kinegrade.worked.document import Block
 from kinegrade.worked.formulas.atoms import ZERO, list_summands
-from kinegrade.worked.formulas.equation import WIDEST, Equation, approximate
+from kinegrade.worked.formulas.equation import WIDEST, Equation, Link, approximate, equate
 from kinegrade.worked.formulas.exactness import is_rounded
 from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.measures import double
 from kinegrade.worked.formulas.notation import PLAIN
 from kinegrade.worked.formulas.numbers import state_number
-from kinegrade.worked.vectors.angle_sums import work_out_sums
-from kinegrade.worked.vectors.inclinations import Cosine
 from kinegrade.worked.vectors.projection import Deduction
 from kinegrade.worked.vectors.stage import Stage
 from kinegrade.worked.vectors.vectors import name_part
@@ -52,14 +50,11 @@ class Lacking:
 
 @dataclass(frozen=True)
 class Check:
-    """By which way, and what either side amounts to; `sums` are cosines of angles that are sums
-    which no line before has worked out, `lacking` what the check alone needs.
-    """
+    """By which way, and what either side amounts to; `lacking` is what the check alone needs."""
 
     way: Message
     left: Equation
     right: Equation
-    sums: tuple[Cosine, ...] = ()
     lacking: tuple[Lacking, ...] = ()
 
     @cached_property
@@ -85,33 +80,44 @@ class Check:
         return left
 
     @property
+    def is_one_sided(self) -> bool:
+        """Whether one of the sides is zero."""
+        return ZERO in (self.left.left, self.right.left)
+
+    @property
     def is_short(self) -> bool:
-        """Whether the sides are read at a glance."""
-        return self.letters <= _AT_A_GLANCE
+        """Whether the sides are read at a glance, each either in letters or in numbers."""
+        links = max(len(self.left.links), len(self.right.links))
+        return self.letters <= _AT_A_GLANCE * max(links, 1)
 
     def say(self, case: Case) -> Iterator[Block]:
-        """The check in one sentence, after the vectors and the sums of angles that it needs."""
+        """The check in one sentence, after the vectors that it needs."""
         for one in self.lacking:
             yield from one.explain()
-        yield from work_out_sums(self.sums, case)
         left, right = map(case.tell, (self.left, self.right))
         yield case.say(Message("solution.check", way=self.way, left=left, right=right))
 
 
 @dataclass(frozen=True)
 class Side:
-    """One side in numbers, and its value in SI."""
+    """One side in numbers, and its value in SI; in letters first where it has such."""
 
     numbers: Formula
     value: Any
+    letters: Formula | None = None
 
     def work_out(self, unit: str) -> Equation:
         """The side with its value; alone where it is nothing but a value."""
+        if self.letters is None:
+            return Equation(self.numbers, self._find_value(unit))
+        return Equation(self.letters, (*equate(self.numbers), *self._find_value(unit)))
+
+    def _find_value(self, unit: str) -> tuple[Link, ...]:
         if self.numbers.is_decimal:
-            return Equation(self.numbers, ())
+            return ()
         *_, decimal = state_number(self.value, unit)
-        links = approximate(decimal.right) if is_rounded(self.numbers) else (decimal,)
-        return Equation(self.numbers, links)
+        alone = self.letters is None and is_rounded(self.numbers)
+        return approximate(decimal.right) if alone else (decimal,)
 
 
 def choose_check(checks: Iterable[Check]) -> Check | None:
@@ -131,5 +137,5 @@ def compare(way: Message, left: Side, right: Side, unit: str, largest: float = 0
     """
     greatest = max(abs(double(left.value)), largest)
     same = abs(double(left.value) - double(right.value)) < _CLOSE * greatest
-    other = Side(right.numbers, left.value) if same else right
+    other = replace(right, value=left.value) if same else right
     return Check(way, left.work_out(unit), other.work_out(unit))

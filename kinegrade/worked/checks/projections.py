@@ -33,14 +33,19 @@ _SAME = 1e-6  # degrees within which two axes are one
 _AXES: dict[float, AxisName] = {0.0: "x", 90.0: "y"}
 
 
-def list_projection_checks(step: Step, stage: Stage, *, summing: bool = False) -> Iterator[Check]:
-    """The checks of a step by the projection theorem where a pole has given the velocities, else by
-    axes that its deductions have not used: those whose angles have been worked out, or, `summing`,
-    those that need sums of them.
+def list_theorem_checks(step: Step, stage: Stage) -> Iterator[Check]:
+    """The checks of a step by the projection theorem where a pole has given the velocities."""
+    coupler = find_coupler(stage)
+    if coupler is not None and choose_method(coupler, stage.case) == "pole":
+        yield from _check_by_theorem(coupler, step, stage)
+
+
+def list_projection_checks(step: Step, stage: Stage) -> Iterator[Check]:
+    """The checks of a step by axes that its deductions have not used and whose angles have been
+    worked out; none where no deduction is told.
     """
     coupler, case = find_coupler(stage), stage.case
     if coupler is not None and choose_method(coupler, case) == "pole":
-        yield from _check_by_theorem(coupler, step, stage)
         return
     if find_rigid_triangle(stage) is not None:
         return
@@ -56,14 +61,11 @@ def list_projection_checks(step: Step, stage: Stage, *, summing: bool = False) -
     for equation in reversed(stage.equations):
         used = [one.axis for one in projections if one.equation == equation]
         for projection, axis in _list_axes(equation, case):
-            left = _list_sums(projection, stage) - printed
-            if _is_among(projection.axis, used) or bool(left) != summing:
+            if _is_among(projection.axis, used) or _list_sums(projection, stage) - printed:
                 continue
-            sums = tuple(one for one in _list_cosines(projection, stage) if one.value in left)
-            if all(one.summands for one in sums):
-                way = _name_way(equation, axis, stage)
-                for check in _check_on(projection, way, step, stage):
-                    yield replace(check, sums=sums, lacking=_select_lacking(lacking, projection))
+            way = _name_way(equation, axis, stage)
+            for check in _check_on(projection, way, step, stage):
+                yield replace(check, lacking=_select_lacking(lacking, projection))
 
 
 def _select_lacking(lacking: Iterable[Lacking], projection: Projection) -> tuple[Lacking, ...]:

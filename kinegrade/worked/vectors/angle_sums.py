@@ -20,12 +20,7 @@ def explain_sums(cosines: Iterable[Cosine | None], case: Case) -> Iterator[Block
     those of which a summand has been rounded.
     """
     seen = (one for one in cosines if one is not None and any(map(_is_rounded, one.summands)))
-    yield from work_out_sums(seen, case)
-
-
-def work_out_sums(cosines: Iterable[Cosine], case: Case) -> Iterator[Block]:
-    """What the angles in some cosines come to, all of which are sums."""
-    new = list(_select_new(cosines, case.findings.summed))
+    new = list(_select_new(seen, case.findings.summed))
     if new:
         sums = Listing(tuple(case.tell(_state_sum(one)) for one in new), "and")
         yield case.say(Message("solution.here", equations=sums))

@@ -145,7 +145,7 @@ def list_turning_summands(
     rate, body = case.motion.rates[term.rate], term.rate.body
     letters, value = case.naming.turning(body, level), case.rates(level)[term.rate]
     axes = choose_axes(list_steps(case.template))
-    across, along = (_state_arm(one, term, axes, case) for one in (other, axis))
+    across, along = (state_arm(one, term, axes, case) for one in (other, axis))
     if double(value) and across is not None:
         arm = measure(term.vector[PLACES[other]] * across.sign, "m")
         yield Summand(
@@ -162,7 +162,7 @@ def list_turning_summands(
         )
 
 
-def _state_arm(axis: AxisName, term: Term, axes: Axes, case: Case) -> Formula | None:
+def state_arm(axis: AxisName, term: Term, axes: Axes, case: Case) -> Formula | None:
     """A coordinate of a point from its base point, each left out where the choice of the axes makes
     it zero; None where it makes both zero.
     """

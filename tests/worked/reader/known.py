@@ -32,6 +32,28 @@ KNOWN: Mapping[Law, frozenset[str]] = {
             "parallelogram-with-sliding-rod",
         )
     ),
+    # bodies that slide along lines beside their axes, two relative motions at once, or so many
+    # slanting rods that any other way is longer
+    "another": frozenset(
+        (
+            "bent-rod-tangent-disc",
+            "bent-rod-two-sleeves",
+            "crank-rod-over-translating-pin",
+            "eccentric-cam-offset-follower",
+            "five-bar-two-driven-cranks",
+            "four-bar-by-lengths",
+            "guided-rack-and-gear",
+            "oscillating-flat-faced-follower",
+            "pin-in-disc-slot-and-rod",
+            "pin-in-two-rings",
+            "rod-sliding-on-driven-wheel",
+            "roller-rolling-on-rotating-bar",
+            "rolling-wheel-pin-slotted-rocker",
+            "slotted-rocker-and-slider-two-drivers",
+            "square-on-two-fixed-points",
+            "tangent-cam-with-roller",
+        )
+    ),
 }
 
 # Those that break a law at some draws, and not at the two that `make test` looks at

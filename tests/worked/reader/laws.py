@@ -15,6 +15,7 @@ from kinegrade.problem.solution import Solution
 from kinegrade.worked.case import write_row
 from kinegrade.worked.document import Block, Prose
 from tests.worked.reader.amounts import Amount, MixedUnits, Unreadable
+from tests.worked.reader.checks import find_projected_again
 from tests.worked.reader.economy import find_repeated, find_unused
 from tests.worked.reader.equations import Line, Said, Side, read_page
 from tests.worked.reader.forms import (
@@ -48,6 +49,7 @@ Law: TypeAlias = Literal[
     "label",
     "used",
     "once",
+    "another",
 ]
 LAWS: dict[Law, str] = {
     "equal": "a sign of equality joins equal values, to within what rounding can do",
@@ -63,6 +65,7 @@ LAWS: dict[Law, str] = {
     "label": "a symbol in a polygon stands beside an arrow as long as its value says",
     "used": "what is found is asked, or used further down, by a check at least",
     "once": "no long sentence stands twice under a title",
+    "another": "a check goes by another way: it does not project the vectors that were projected",
 }
 NATURAL = (0.0, 90.0, 180.0, 270.0, 360.0)  # degrees
 NEXT = 10  # lines after which an unknown of an equation has been found
@@ -118,6 +121,7 @@ def find_faults(blocks: Sequence[Block], solution: Solution) -> Iterator[Fault]:
                 yield from _judge_line(part, sought, known)
     yield from (Fault("used", line) for line in find_unused(blocks))
     yield from (Fault("once", sentence) for sentence in find_repeated(blocks))
+    yield from (Fault("another", check) for check in find_projected_again(blocks))
     for wrong in judge_polygons(blocks, known.amounts):
         yield Fault(wrong.law, wrong.line)
 
