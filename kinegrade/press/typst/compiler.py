@@ -8,6 +8,7 @@ typst wheel. Fonts installed on the system are ignored, so a paper looks the sam
 
 from __future__ import annotations
 
+from functools import cache
 from importlib.resources import files
 
 import pylopdf_fonts_zh_cn
@@ -20,8 +21,12 @@ def make_compiler() -> typst.Compiler:
     return typst.Compiler(root=layouts, font_paths=find_fonts(), ignore_system_fonts=True)
 
 
+@cache
 def find_fonts() -> typst.Fonts:
-    """The fonts a press may use, none of them the system's."""
+    """The fonts a press may use, none of them the system's.
+
+    All presses of a process share them, and what Typst remembers of texts set in them.
+    """
     folder = pylopdf_fonts_zh_cn.serif_path().parent
     return typst.Fonts(
         include_system_fonts=False, include_embedded_fonts=True, font_paths=[str(folder)]
