@@ -1,20 +1,22 @@
 """What follows from shipped files and stated numbers alone, found once in each process of tests: the
-templates, which mistakes their draws keep apart, what equal banks deal by equal secrets, the paths
-along which mechanisms move, the pictures of their vectors, and the worked solutions of
-exams. `make prove` finds it anew, as users do.
+templates, which mistakes their draws keep apart, which of their draws are good, what equal banks
+deal by equal secrets, the paths along which mechanisms move, the pictures of their vectors, and the
+worked solutions and typeset pages of exams. `make prove` finds it anew, as users do.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from concurrent.futures import Executor
+from dataclasses import dataclass, field, replace
 from functools import partial
 from hashlib import sha256
 from typing import Any, TypeVar
 
 from kinegrade.draws import draw_filter
-from kinegrade.draws.deal import Look
-from kinegrade.exam.printing import solution_pages
+from kinegrade.draws.deal import DeckPart, Look, Verdicts, look_here
+from kinegrade.draws.draw_filter import DrawFilter, Verdict
+from kinegrade.exam.printing import printing, solution_pages
 from kinegrade.exam.quiz import paper
 from kinegrade.exam.setting import dealing
 from kinegrade.exam.setting.alike_deal import AlikeDeal, deal_alike
@@ -28,12 +30,15 @@ from kinegrade.motion import path
 from kinegrade.motion.system import System
 from kinegrade.motion.tracing import Trace, trace_path
 from kinegrade.practice import questions
+from kinegrade.press.sheet import PaperSize
+from kinegrade.press.typst.press import TypstPress
 from kinegrade.problem.solution import Solution
 from kinegrade.problem.template.beside import Translations
 from kinegrade.problem.template.library import library
 from kinegrade.problem.template.library.reading import read_template
 from kinegrade.problem.template.sections.opening import FOLDER, Mechanisms
 from kinegrade.problem.template.template import Ask, Method, Template
+from kinegrade.processes.executor import THIS_PROCESS, Shared
 from kinegrade.students.mistaking.mistakes import Values
 from kinegrade.students.rounding.accuracy import Accuracy
 from kinegrade.students.separation import Separation, find_separation
@@ -42,6 +47,7 @@ from kinegrade.worked.solution import write_worked_solution
 from kinegrade.worked.steps import pictures
 
 Kept = TypeVar("Kept")
+look_elsewhere = dealing._look_by
 MANY = 300  # pictures or paths, of which some take as much memory as a template
 _MECHANISMS = library.find_shipped("templates") / FOLDER
 
@@ -53,9 +59,11 @@ class KeptResults:
     templates: dict[object, Template] = field(default_factory=dict)
     separations: dict[object, Separation] = field(default_factory=dict)
     deals: dict[str, AlikeDeal] = field(default_factory=dict)
+    verdicts: dict[str, dict[tuple[str, ...], Verdict]] = field(default_factory=dict)
     traces: dict[str, Trace] = field(default_factory=dict)
     scenes: dict[str, Scene] = field(default_factory=dict)
     solutions: dict[str, WorkedSolution] = field(default_factory=dict)
+    pages: dict[str, bytes] = field(default_factory=dict)
     shipped: set[int] = field(default_factory=set)  # the identities of those templates
 
     def read_template(
@@ -100,14 +108,25 @@ class KeptResults:
     def deal_alike(
         self, exam: Exam, places: Mapping[str, int], stated: Stated, look: Look
     ) -> AlikeDeal:
-        """As `deal_alike` of exams; where no other process is to have the figures, an equal exam is
-        dealt once.
+        """As `deal_alike` of exams; where no other process looks or is to have the figures, an
+        equal exam is dealt once, and a combination of an equal question is judged once.
         """
-        given = exam, places, stated, look
-        if exam.sketchbook is not None:
-            return deal_alike(*given)
+        if exam.sketchbook is not None or not _looks_here(look):
+            return deal_alike(exam, places, stated, look)
         key = sha256(repr((exam.bank, exam.secret, places, stated)).encode()).hexdigest()
-        return _keep(self.deals, key, lambda: deal_alike(*given))
+        looking = partial(self.look, exam, look)
+        return _keep(self.deals, key, lambda: deal_alike(exam, places, stated, looking))
+
+    def look(self, exam: Exam, look: Look, parts: Sequence[DeckPart]) -> Iterator[Verdicts]:
+        """As `look`, which is asked about what no exam of this process has looked at."""
+        for part in parts:
+            each = exam.filters[part.question]
+            judged = self.verdicts.setdefault(_identify(each), {})
+            drawn = {tuple(each.deck.combination(at).values()): at for at in part.positions}
+            new = {values: at for values, at in drawn.items() if values not in judged}
+            asked = [DeckPart(part.question, range(at, at + 1)) for at in new.values()]
+            judged |= {values: verdict for values, (verdict,) in zip(new, look(asked), strict=True)}
+            yield tuple(judged[values] for values in drawn)
 
     def trace_path(self, system: System) -> Trace:
         """As `trace_path` of motion; that of equal conditions is found once."""
@@ -131,6 +150,35 @@ class KeptResults:
         given = solution, asks, language, method
         return _keep(self.solutions, key, lambda: write_worked_solution(*given))
 
+    def make_press(self, paper_size: PaperSize = "a4") -> TypstPress:
+        """As `TypstPress`, for exams; pages of an equal source are typeset once."""
+        press = TypstPress(paper_size)
+        typeset = press._pdf
+
+        def keep(source: str, standard: Any) -> bytes:
+            key = sha256(f"{standard} {source}".encode()).hexdigest()
+            return _keep(self.pages, key, lambda: typeset(source, standard))
+
+        press._pdf = keep  # type: ignore[method-assign]
+        return press
+
+
+def _look_by(workers: Executor, shared: Shared[Exam]) -> Look:
+    """As `_look_by` of dealing, recognisable where this process looks itself."""
+    if workers is THIS_PROCESS:
+        return partial(look_here, shared.value.filters)
+    return look_elsewhere(workers, shared)
+
+
+def _looks_here(look: Look) -> bool:
+    return isinstance(look, partial) and look.func is look_here
+
+
+def _identify(question: DrawFilter) -> str:
+    """What verdicts on values depend on: all that a filter has, but not the order of its deck."""
+    order_apart = replace(question, deck=replace(question.deck, secret="", question=""))
+    return sha256(repr(order_apart).encode()).hexdigest()
+
 
 def _keep(kept: dict[str, Kept], key: str, find: Callable[[], Kept]) -> Kept:
     """What is kept under a key, found first where nothing is; the oldest goes where many are."""
@@ -148,6 +196,8 @@ def keep_results() -> None:
     library.read_template = results.read_template  # type: ignore[assignment]
     draw_filter.find_separation = results.find_separation
     dealing.deal_alike = results.deal_alike
+    dealing._look_by = _look_by
+    printing.TypstPress = results.make_press  # type: ignore[assignment, misc]
     path.trace_path = results.trace_path
     for module in (paper, questions, solution_pages):
         module.write_worked_solution = results.write_worked_solution
