@@ -17,8 +17,8 @@ from tempfile import TemporaryDirectory
 from kinegrade.exam.folder.contents import HEAD, KEY
 from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.exam.folder.exam_secret import FromWords
-from kinegrade.exam.folder.keys import KeyedExam
 from kinegrade.exam.folder.writing import encode_head, encode_line
+from kinegrade.exam.keyed_exam import KeyedExam, read_whole
 from kinegrade.exam.printing.head_record import candidate, make_exam_head
 from kinegrade.exam.printing.printing import Extras, PressOrder, PrintRun
 from kinegrade.exam.printing.sample import make_sample_bank
@@ -166,4 +166,4 @@ def as_read(dealt: ClassDeal, papers: Sequence[SetPaper]) -> KeyedExam:
         run = PrintRun(dealt.bank, "en", PressOrder(dealt.bank.engine, "a4"), Extras())
         (folder / HEAD).write_bytes(encode_head(make_exam_head(dealt, candidates, run)))
         (folder / KEY).write_bytes(b"".join(map(encode_line, lines)))
-        return open_exam(folder).in_memory()
+        return read_whole(open_exam(folder))

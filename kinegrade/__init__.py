@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from kinegrade.exam.generating.options import GenerateOptions
     from kinegrade.exam.roster.roster import Roster
     from kinegrade.lms.grades.dialect import ExportOptions
-    from kinegrade.public.assigning import assign
+    from kinegrade.public.assigning import assign, exchange
     from kinegrade.public.bank import Bank
     from kinegrade.public.class_page import report
     from kinegrade.public.entries import compare_entries
@@ -45,6 +45,7 @@ __all__ = [
     "add_students",
     "assign",
     "compare_entries",
+    "exchange",
     "export",
     "feedback",
     "generate",
@@ -67,6 +68,7 @@ _HOMES = {
     "add_students": "public.generating",
     "assign": "public.assigning",
     "compare_entries": "public.entries",
+    "exchange": "public.assigning",
     "export": "public.exporting",
     "feedback": "public.sheets",
     "generate": "public.generating",

@@ -70,6 +70,7 @@ INSIDE = {"kinegrade.errors": "kinegrade.language.errors"}
 SIBLINGS = ("figure", "grading", "lms")
 LOBBY = {"kinegrade", "kinegrade.__main__"}  # the entrances, which call any floor
 GRADING_MAY_USE = {
+    "kinegrade.exam.keyed_exam",
     "kinegrade.exam.value_dimension",
     "kinegrade.exam.roster.known_columns",
     "kinegrade.exam.roster.student_ids",

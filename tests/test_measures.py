@@ -57,10 +57,10 @@ def test_lines_of_code_are_lines_without_docstrings_comments_and_blanks(tmp_path
 # did when fairness came to be bounded (mistakes, follow-through, papers alike hard) and when
 # mechanisms came to move (cycles)
 FAR = {
-    "syntax nodes": 795_000,
-    "lines of code": 81_700,
-    "syntax nodes a line": 9.78,
-    "modules of more than 250 lines": 24,
+    "syntax nodes": 800_000,
+    "lines of code": 82_300,
+    "syntax nodes a line": 9.85,
+    "modules of more than 250 lines": 29,
 }
 COPIED = """
 def total(rows, key):

@@ -13,6 +13,7 @@ import pytest
 
 from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.exam.folder.keys import Key
+from kinegrade.exam.keyed_exam import read_whole
 from tests.small_class import asks_of, kinegrade, table
 from tests.spellings import SPELLINGS, Spelling, rounded, type_answers
 
@@ -62,7 +63,7 @@ def test_right_ends_at_the_tolerance_to_the_thirtieth_digit(
 ) -> None:
     keys = {
         examinee.student: examinee.keys
-        for examinee in open_exam(small_class / "EXAM").in_memory().examinees
+        for examinee in read_whole(open_exam(small_class / "EXAM")).examinees
     }
 
     def bound(student: str, column: str) -> str:
@@ -79,7 +80,7 @@ def test_right_ends_at_the_tolerance_to_the_thirtieth_digit(
 def test_the_bound_itself_is_right(small_class: Path, tmp_path: Path) -> None:
     keys = {
         examinee.student: examinee.keys
-        for examinee in open_exam(small_class / "EXAM").in_memory().examinees
+        for examinee in read_whole(open_exam(small_class / "EXAM")).examinees
     }
     finite: set[tuple[str, str]] = set()
 

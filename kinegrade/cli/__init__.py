@@ -29,7 +29,7 @@ from kinegrade.cli.problems.starters import new
 from kinegrade.cli.problems.templates import check, gallery
 from kinegrade.cli.problems.vocabulary import words
 from kinegrade.cli.quiz import quiz
-from kinegrade.cli.rosters import assign, roster
+from kinegrade.cli.rosters import assign, exchange, roster
 from kinegrade.cli.running.program import Program
 from kinegrade.cli.series import series
 from kinegrade.cli.sharing import sharing
@@ -65,6 +65,7 @@ for command in (
     reprint_exam,
     solutions,
     assign,
+    exchange,
     archive,
     verify,
     doctor,

@@ -1,4 +1,4 @@
-"""The commands about who is in the class: roster, assign."""
+"""The commands about who is in the class: roster, assign, exchange."""
 
 from __future__ import annotations
 
@@ -56,3 +56,13 @@ def assign(exam: Path, code: str, student: str, *, name: str, email: str, group:
     """Give the spare paper of EXAM that bears CODE to a STUDENT, by id, who has none."""
     folder = kinegrade.open_exam(exam)
     finish(kinegrade.assign(folder, code, student, name=name, email=email, group=group))
+
+
+@command()
+@click.argument("exam", type=FILE)
+@click.argument("code")
+@click.argument("student")
+@refusing
+def exchange(exam: Path, code: str, student: str) -> None:
+    """Give the paper of EXAM that bears CODE to a STUDENT who wrote it in place of the own one."""
+    finish(kinegrade.exchange(kinegrade.open_exam(exam), code, student))

@@ -1,9 +1,10 @@
-"""`kinegrade.assign`: a spare paper becomes that of a student."""
+"""`kinegrade.assign` and `kinegrade.exchange`: a paper becomes that of a student."""
 
 from __future__ import annotations
 
 from kinegrade.exam.folder.exam_folder import ExamFolder
-from kinegrade.exam.generating.assigning import assign_paper
+from kinegrade.exam.owners.assigning import assign_paper
+from kinegrade.exam.owners.exchanging import exchange_papers
 from kinegrade.exam.roster.students import Student
 from kinegrade.language.message import Message
 from kinegrade.public.opened import expect_opened
@@ -11,7 +12,13 @@ from kinegrade.public.outcome import Outcome
 
 
 def assign(
-    exam: ExamFolder, code: str, student: str, *, name: str = "", email: str = "", group: str = ""
+    exam: ExamFolder,
+    code: str,
+    student: str,
+    *,
+    name: str = "",
+    email: str = "",
+    group: str = "",
 ) -> Outcome:
     """Give the spare paper of that code to a student who has none, as `kinegrade assign` does.
 
@@ -28,5 +35,25 @@ def assign(
     """
     expect_opened(exam=exam)
     done = assign_paper(exam.path, code, Student(student, name, email, "", group=group))
+    said = Message("terminal.of", where=str(exam.path), what=done.summary)
+    return Outcome(exam.path, (*done.typed, said))
+
+
+def exchange(exam: ExamFolder, code: str, student: str) -> Outcome:
+    """Give the paper of that code, or the version of that letter, to a student who wrote it in
+    place of the own one, as `kinegrade exchange` does: whoever had it gets the other.
+
+    A spare paper that was assigned to a mistyped id is passed on. Every other paper stays. Raises
+    KinegradeError.
+
+    >>> exam = kinegrade.open_exam("EXAM")
+    >>> exchange(exam, exam.head.students[0].paper, "1002")
+    EXAM: "1002" has paper ... now, and "1001" has paper ... now; grade again what was graded before
+    >>> exchange(exam, "XXXX-XXXX", "1002")
+    Traceback (most recent call last):
+    kinegrade.errors.ExamError: ...
+    """
+    expect_opened(exam=exam)
+    done = exchange_papers(exam.path, code, student)
     said = Message("terminal.of", where=str(exam.path), what=done.summary)
     return Outcome(exam.path, (*done.typed, said))

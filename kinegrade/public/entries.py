@@ -10,7 +10,8 @@ from pathlib import Path
 
 from kinegrade.errors import TableError
 from kinegrade.exam.folder.exam_folder import ExamFolder
-from kinegrade.exam.folder.keys import Ask, Examinee, KeyedExam, Sitting
+from kinegrade.exam.folder.keys import Ask, Sitting
+from kinegrade.exam.keyed_exam import Examinee, KeyedExam
 from kinegrade.exam.roster.known_columns import list_key_columns
 from kinegrade.files.answer_file import AnswerFile
 from kinegrade.files.cell_text import make_header_key, trim

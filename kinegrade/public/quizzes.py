@@ -10,6 +10,7 @@ from os import PathLike
 from pathlib import Path
 
 from kinegrade.errors import ExamError
+from kinegrade.exam.folder.contents import ANSWER_WORKBOOK
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.quiz.document import Quiz, QuizPaper
 from kinegrade.exam.quiz.paper import QuizWishes
@@ -105,7 +106,14 @@ def quiz(
             remarks = writer(put, place, force=force)
     written = Message("terminal.quiz-written", file=str(place))
     other = (*_list_left_out(exam, place), *_list_bonus(exam, place))
-    return Outcome(place, (written, Message("terminal.marked-there")), (*remarks, *other))
+    notes = (written, Message("terminal.marked-there"), *_name_versions(exam, options))
+    return Outcome(place, notes, (*remarks, *other))
+
+
+def _name_versions(exam: ExamFolder, options: QuizOptions) -> Iterator[Message]:
+    """Where it stands who has which version, as each has a quiz of its own."""
+    if exam.head.versions and not options.variants:
+        yield Message("terminal.versions-stand", file=str(exam.path / ANSWER_WORKBOOK))
 
 
 def _refuse_alternatives(exam: ExamFolder) -> None:

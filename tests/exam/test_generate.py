@@ -18,6 +18,7 @@ from openpyxl import load_workbook
 from pypdf import PdfReader
 
 from kinegrade.exam.folder.exam_folder import open_exam
+from kinegrade.exam.keyed_exam import read_whole
 from kinegrade.expressions.evaluation import evaluate, make_elementary_functions
 from kinegrade.expressions.reading import read_expression
 from kinegrade.numbers.balls import Balls
@@ -255,7 +256,7 @@ def test_zero_answers_carry_an_absolute_tolerance(exam: Path) -> None:
 
 
 def test_grading_reads_the_exam(exam: Path) -> None:
-    known = open_exam(exam).in_memory()
+    known = read_whole(open_exam(exam))
     assert [examinee.student for examinee in known.examinees] == list(STUDENTS)
     assert [ask.column for ask in known.asks] == [
         "q1.v_B",

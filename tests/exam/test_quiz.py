@@ -20,6 +20,7 @@ from kinegrade.exam.folder.exact_keys import read_key_line
 from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.exam.folder.exam_secret import FromWords
 from kinegrade.exam.folder.records import KeyLine
+from kinegrade.exam.keyed_exam import read_whole
 from kinegrade.exam.printing.pages import lay_out_paper
 from kinegrade.exam.quiz import quiz
 from kinegrade.exam.quiz.document import Quiz, QuizAsk, QuizPaper
@@ -78,7 +79,7 @@ def first_line(exam: Path) -> dict[str, Any]:
 
 
 def test_every_number_is_the_one_by_which_marks_are_decided(small_class: Path) -> None:
-    exam = open_exam(small_class / "EXAM").in_memory()
+    exam = read_whole(open_exam(small_class / "EXAM"))
     found = {paper.student: asks(paper) for paper in papers(small_class / "EXAM")}
     assert list(found) == list(STUDENTS)
     for examinee in exam.examinees:

@@ -157,3 +157,22 @@ def test_an_exam_without_spare_papers_says_how_late_students_get_theirs(tmp_path
     assert not (tmp_path / "EXAM" / "spares.jsonl").exists()
     result = kinegrade("assign", tmp_path / "EXAM", "XXXX-XXXX", "0099")
     assert "all spare papers are assigned, or there were none; late students" in result.stderr
+
+
+@pytest.mark.parametrize(
+    ("header", "row", "said"),
+    [
+        ("student", "{code}", "{code} is a spare paper, which is nobody's yet - not graded until"),
+        ("student,paper", "007,{code}", "the paper with this code is a spare one - marked as the"),
+    ],
+)
+def test_answers_on_a_spare_paper_that_is_nobodys_say_how_it_is_assigned(
+    exam: Path, tmp_path: Path, header: str, row: str, said: str
+) -> None:
+    code = list_codes(exam)[0]
+    sheet = tmp_path / "answers.csv"
+    sheet.write_text(f"{header},q1.v_B\n{row.format(code=code)},1\n", encoding="utf-8")
+    result = kinegrade("grade", exam, sheet, "-o", tmp_path / "MARKS")
+    assert said.format(code=code) in result.stderr
+    way = "exchange" if "paper" in header else "assign"
+    assert f"kinegrade {way} ... {code}" in result.stderr

@@ -11,7 +11,8 @@ from math import nan
 
 import numpy as np
 
-from kinegrade.exam.folder.keys import Examinee, KeyedExam, Paper
+from kinegrade.exam.folder.keys import Paper
+from kinegrade.exam.keyed_exam import Examinee, KeyedExam
 from kinegrade.files.cell_text import is_answered
 from kinegrade.grading.fast.another_paper import PapersAnswered
 from kinegrade.grading.judging.decision import Decision, decide, void

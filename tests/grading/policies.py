@@ -10,8 +10,9 @@ from fractions import Fraction
 from pathlib import Path
 
 from kinegrade.exam.folder.exam_folder import ExamFolder, open_exam
-from kinegrade.exam.folder.keys import Ask, Examinee, Key, KeyedExam, Paper
+from kinegrade.exam.folder.keys import Ask, Key, Paper
 from kinegrade.exam.folder.records import Candidate, ExamHead, ExamQuestion
+from kinegrade.exam.keyed_exam import Examinee, KeyedExam
 from kinegrade.files.tables import parse_table
 from kinegrade.grading.grade import MarkingWishes, grade
 from kinegrade.grading.marking import MarkingTerms, mark

@@ -21,6 +21,7 @@ from kinegrade.exam.folder.columns.part import PartKeys
 from kinegrade.exam.folder.columns.writing import write_columns
 from kinegrade.exam.folder.contents import KEY, KEY_COLUMNS
 from kinegrade.exam.folder.exam_folder import open_exam
+from kinegrade.exam.keyed_exam import read_whole
 from kinegrade.files.tables import parse_table
 from kinegrade.grading.fast.block_judge import BlockJudge
 from kinegrade.grading.fast.judged_block import JudgedBlock
@@ -167,7 +168,7 @@ def test_blocks_say_what_deciding_one_by_one_says(seed: int, policy: str, follow
         folder, random = Path(name), Random(seed)
         write_class(folder, random, 12)
         (folder / "policy.toml").write_text(policy, encoding="utf-8")
-        exam, whole = open_exam(folder), open_exam(folder).in_memory()
+        exam, whole = open_exam(folder), read_whole(open_exam(folder))
         sheet = read_sheet(parse_table((folder / "answers.csv").read_bytes(), "answers.csv"), exam)
         rules = read_policy(folder / "policy.toml", exam)
         accepted, follows = (

@@ -15,6 +15,7 @@ from kinegrade.errors import ExamError
 from kinegrade.exam.folder import key_stream
 from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.exam.folder.keys import Ask, Key
+from kinegrade.exam.keyed_exam import read_whole
 from kinegrade.grading.grade import grade
 from kinegrade.numbers.tolerance import ONE_PER_CENT, Tolerance
 from tests.grading.small_exam import HALF_ROOT_12, STUDENTS, exam, paper, write_exam
@@ -23,7 +24,7 @@ Change = Callable[[dict[str, Any], list[Any]], object]
 
 
 def test_an_exam_is_read_digit_by_digit(exam_folder: Path) -> None:
-    found = open_exam(exam_folder).in_memory()
+    found = read_whole(open_exam(exam_folder))
     assert found.asks == (
         Ask("q1", "v_B", "m/s", Fraction(4)),
         Ask("q1", "omega_AB", "rad/s", Fraction(3)),
@@ -61,7 +62,7 @@ def test_a_unit_that_is_no_proper_text_is_a_fault_of_the_key(tmp_path: Path) -> 
     for entry in (head["questions"][1]["asks"][0], *(asks(each, 1)["a_B"] for each in papers)):
         entry["unit"] = "\ud800"
     with pytest.raises(ExamError, match=r"key.jsonl: line 1: is broken \(.*\) - expected it as"):
-        open_exam(write_exam(tmp_path / "EXAM", head, papers)).in_memory()
+        read_whole(open_exam(write_exam(tmp_path / "EXAM", head, papers)))
 
 
 def faults(tmp_path: Path, change: Change) -> tuple[str, ...]:
@@ -69,7 +70,7 @@ def faults(tmp_path: Path, change: Change) -> tuple[str, ...]:
     change(head, papers)
     folder = write_exam(tmp_path / "EXAM", head, papers)
     with pytest.raises(ExamError) as caught:
-        open_exam(folder).in_memory()
+        read_whole(open_exam(folder))
     return tuple(problem.removeprefix(f"{folder}/") for problem in caught.value.problems)
 
 
@@ -228,7 +229,7 @@ def test_papers_come_in_the_order_of_the_roster_however_many_lines_are_read_at_o
     lines = (folder / "key.jsonl").read_text(encoding="utf-8").splitlines()
     (folder / "key.jsonl").write_text("\n \n".join(lines), encoding="utf-8")
     monkeypatch.setattr(key_stream, "_BUFFER", size)
-    found = open_exam(folder).in_memory()
+    found = read_whole(open_exam(folder))
     assert found.students == tuple(STUDENTS)
     exact = [each.keys["q1.v_B"].value == Fraction(HALF_ROOT_12) for each in found.examinees]
     assert exact == [True, True, False, True]
@@ -238,7 +239,7 @@ def test_a_value_alone_is_a_key(tmp_path: Path) -> None:
     papers = [paper(student) for student in STUDENTS]
     for each in papers:
         del asks(each)["v_B"]["decimal"]
-    found = open_exam(write_exam(tmp_path / "EXAM", exam(), papers)).in_memory()
+    found = read_whole(open_exam(write_exam(tmp_path / "EXAM", exam(), papers)))
     assert found.examinees[0].keys["q1.v_B"].value == Fraction("1.7320508075688772")
 
 
@@ -266,7 +267,7 @@ def test_broken_files_are_named(
     if name == "key.jsonl" and content and content.startswith((b"{", b"[")):
         fault = "line 1: is broken ("
     with pytest.raises(ExamError) as caught:
-        open_exam(exam_folder).in_memory()
+        read_whole(open_exam(exam_folder))
     assert str(exam_folder / name) in str(caught.value)
     assert fault in str(caught.value)
 
@@ -277,7 +278,7 @@ def test_a_number_too_large_to_be_one_is_refused(exam_folder: Path) -> None:
     )
     (exam_folder / "exam.json").write_text(text)
     with pytest.raises(ExamError, match="expected a number"):
-        open_exam(exam_folder).in_memory()
+        read_whole(open_exam(exam_folder))
     assert json.loads(text)["format"] == 1
 
 
@@ -286,7 +287,7 @@ def test_significant_figures_give_the_numbers_that_agree(tmp_path: Path) -> None
     for each in papers:
         asks(each)["v_B"]["tolerance"] = {"relative": 0, "absolute": 0, "figures": 3}
         asks(each)["omega_AB"]["tolerance"]["figures"] = 3
-    keys = open_exam(write_exam(tmp_path / "EXAM", exam(), papers)).in_memory().examinees[0].keys
+    keys = read_whole(open_exam(write_exam(tmp_path / "EXAM", exam(), papers))).examinees[0].keys
     assert keys["q1.v_B"].interval == (Fraction("1.725"), Fraction("1.735"))  # of 1.73205
     assert keys["q1.omega_AB"].interval == (
         Fraction("-0.002"),
@@ -312,7 +313,7 @@ def test_what_is_wrong_with_mistakes_is_found_where_an_answer_is_held_against_th
 ) -> None:
     folder = folder_with_mistakes(tmp_path, mistakes)
     with pytest.raises(ExamError) as caught:
-        open_exam(folder).in_memory()
+        read_whole(open_exam(folder))
     assert str(caught.value).startswith(
         f'{folder}/key.jsonl: line 2: student "0012": q1.v_B: {fault} - expected '
     )

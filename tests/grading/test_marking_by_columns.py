@@ -22,6 +22,7 @@ from kinegrade.exam.folder.columns.writing import write_columns
 from kinegrade.exam.folder.contents import KEY, KEY_COLUMNS
 from kinegrade.exam.folder.exam_folder import ExamFolder, open_exam
 from kinegrade.exam.folder.keys import Key
+from kinegrade.exam.keyed_exam import read_whole
 from kinegrade.files.tables import parse_table
 from kinegrade.grading.fast import block_judge
 from kinegrade.grading.grade import MarkingWishes, grade
@@ -163,7 +164,7 @@ def test_at_the_bounds_each_answer_is_decided_exactly(tmp_path: Path) -> None:
     sheet = read_sheet(table, exam)
     assert all(isinstance(paper.keys, PartKeys) for paper in exam.papers())
     marks = mark(exam, sheet, MarkingTerms(AS_PRINTED)).marks
-    exactly = marks_one_by_one(exam.in_memory(), sheet, AS_PRINTED)
+    exactly = marks_one_by_one(read_whole(exam), sheet, AS_PRINTED)
     assert state([*marks]) == state(exactly)
     assert {each.verdict.kind for each in marks} >= {"right", "wrong", "mistake"}
 

@@ -24,6 +24,7 @@ from kinegrade.cli.sharing import sharing as command
 from kinegrade.errors import ExamError
 from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.exam.folder.keys import Key
+from kinegrade.exam.keyed_exam import read_whole
 from kinegrade.grading.fast.bounds import tabulate_rules
 from kinegrade.grading.poisson import find_tail
 from kinegrade.language import ENGLISH
@@ -181,7 +182,7 @@ def test_students_who_can_be_in_no_pair_are_left_out_of_the_search(
 def test_a_class_is_searched_by_the_columns_of_its_key_as_by_the_key(tmp_path: Path) -> None:
     write_class(tmp_path, 200, 0.0)
     exam = open_exam(tmp_path / "EXAM")
-    examinees = exam.in_memory().examinees
+    examinees = read_whole(exam).examinees
     copied = {place: {**examinees[place + 1].keys} for place in range(0, 40, 4)}
     answers = [
         MarkedAnswer(
@@ -194,7 +195,7 @@ def test_a_class_is_searched_by_the_columns_of_its_key_as_by_the_key(tmp_path: P
         for verdict in ["wrong" if place in copied else "right"]
     ]
     by_columns = find_pairs(exam, answers)
-    assert by_columns == find_pairs(exam.in_memory(), answers)
+    assert by_columns == find_pairs(read_whole(exam), answers)
     assert named(by_columns.reported) == {
         (examinees[place].student, examinees[place + 1].student) for place in copied
     }

@@ -14,6 +14,7 @@ from hypothesis import strategies as st
 from kinegrade.exam.folder.columns.writing import write_columns
 from kinegrade.exam.folder.contents import KEY, KEY_COLUMNS
 from kinegrade.exam.folder.exam_folder import open_exam
+from kinegrade.exam.keyed_exam import read_whole
 from kinegrade.files.cell_text import shorten
 from kinegrade.files.csv_writing import encode, neutralise
 from kinegrade.files.tables import read_table
@@ -82,7 +83,7 @@ def test_lines_are_those_of_answers_decided_one_by_one(
         exam, answers = open_exam(folder), folder / "answers.csv"
         rules = read_policy(folder / "policy.toml", exam) if policy else AS_PRINTED
         sheet = read_sheet(read_table(answers), exam)
-        expected = write_lines(marks_one_by_one(exam.in_memory(), sheet, rules))
+        expected = write_lines(marks_one_by_one(read_whole(exam), sheet, rules))
         wishes = MarkingWishes(policy=folder / "policy.toml" if policy else None, own_papers=True)
         grade(exam, answers, folder / "MARKS", wishes)
         assert (folder / "MARKS" / ANSWERS.name).read_bytes() == expected

@@ -10,6 +10,7 @@ import pytest
 
 from kinegrade.errors import ExamError
 from kinegrade.exam.folder.exam_folder import open_exam
+from kinegrade.exam.keyed_exam import read_whole
 from kinegrade.files.rows.cell_grid import CellGrid
 from kinegrade.files.tables import Table, read_table
 from kinegrade.grading.marking import MarkingTerms, mark
@@ -123,7 +124,7 @@ def written(path: Path, header: Sequence[str], rows: Sequence[Sequence[str]]) ->
 
 
 def marked(exam: Path, table: Table) -> Marks:
-    known = open_exam(exam).in_memory()
+    known = read_whole(open_exam(exam))
     return mark(
         known,
         read_sheet(table, known),

@@ -33,7 +33,7 @@ from kinegrade.exam.folder.head import read_head, require_finished
 from kinegrade.exam.folder.key_decoding import PaperDecoder
 from kinegrade.exam.folder.key_index import KeyIndex, make_index
 from kinegrade.exam.folder.key_stream import stream_papers
-from kinegrade.exam.folder.keys import Ask, Examinee, KeyedExam, Paper, RightAnswers, list_questions
+from kinegrade.exam.folder.keys import Ask, Paper, RightAnswers, list_questions
 from kinegrade.exam.folder.printed_orders import read_printed_orders
 from kinegrade.exam.folder.records import ExamHead, KeyLine, StatedNumber
 from kinegrade.exam.folder.stated_keys import Place
@@ -87,6 +87,11 @@ class ExamFolder:
     def codes(self) -> Mapping[str, str]:
         """The candidates by the codes of their papers."""
         return self.head.owners
+
+    @property
+    def spare_codes(self) -> Collection[str]:
+        """The codes of spare papers, which are nobody's."""
+        return [each.paper for each in self.head.spares]
 
     @property
     def head_file(self) -> Path:
@@ -145,17 +150,6 @@ class ExamFolder:
         ExamError.
         """
         return tuple(self._variant(*line) for line in self.pool_texts())
-
-    def in_memory(self) -> KeyedExam:
-        """The whole exam. Raises ExamError."""
-        columns = [ask.column for ask in self.asks]
-
-        def examinee(paper: Paper) -> Examinee:
-            held = [number for number in range(len(columns)) if number not in paper.lacks]
-            keys = {columns[number]: paper.key(number) for number in held}
-            return Examinee(paper.student, paper.name, keys)
-
-        return KeyedExam(self.asks, tuple(map(examinee, self.papers())))
 
     def printed_orders(self) -> Mapping[str, tuple[str, ...]]:
         """The order of the questions on each paper, by student, where it is not the bank's.

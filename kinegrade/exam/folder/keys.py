@@ -5,12 +5,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Container, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from typing import TYPE_CHECKING, NamedTuple, Protocol, assert_never
 
-from kinegrade.language import ENGLISH, Language
+from kinegrade.language import Language
 from kinegrade.numbers.amounts import add_amounts
 from kinegrade.numbers.tolerance import Tolerance
 from kinegrade.sign_conventions import Convention
@@ -143,15 +143,6 @@ class Paper(NamedTuple):
                 assert_never(key)
 
 
-@dataclass(frozen=True, slots=True)
-class Examinee:
-    """Whose paper it is, and its key by answer column, of those that it asks for."""
-
-    student: str
-    name: str
-    keys: Mapping[str, Key]
-
-
 class RightAnswers(NamedTuple):
     """What is right on some papers: `values`, nearly rounded, have a row for each paper and a
     column for each ask, `rules` are those of each paper, `periods` the full turns of the asks or 0.
@@ -184,6 +175,10 @@ class Sitting(Protocol):
         """The examinees by the codes of their papers."""
 
     @property
+    def spare_codes(self) -> Collection[str]:
+        """The codes of spare papers, which are nobody's."""
+
+    @property
     def language(self) -> Language:
         """The language of the papers."""
 
@@ -195,49 +190,6 @@ class Sitting(Protocol):
 
     def variants(self) -> Sequence[Paper]:
         """The papers of the pool that was made of the exam, none if there is no pool."""
-
-
-@dataclass(frozen=True, slots=True)
-class KeyedExam:
-    """The asks in the order of the paper, the examinees in the order of the roster."""
-
-    asks: tuple[Ask, ...]
-    examinees: tuple[Examinee, ...]
-    language: Language = ENGLISH
-
-    @property
-    def questions(self) -> tuple[str, ...]:
-        """The questions in the order of the paper."""
-        return list_questions(self.asks)
-
-    @property
-    def students(self) -> tuple[str, ...]:
-        """The ids of the examinees."""
-        return tuple(examinee.student for examinee in self.examinees)
-
-    @property
-    def names(self) -> Mapping[str, str]:
-        """The names of the examinees, by id."""
-        return {examinee.student: examinee.name for examinee in self.examinees}
-
-    @property
-    def codes(self) -> Mapping[str, str]:
-        """None: papers in memory have none."""
-        return {}
-
-    def papers(self) -> Iterator[Paper]:
-        """The papers of the examinees."""
-        for each in self.examinees:
-            keys = [each.keys.get(ask.column, NOT_ASKED) for ask in self.asks]
-            yield Paper(each.student, each.name, keys)
-
-    def right_answers(self) -> Iterator[RightAnswers]:
-        """Nothing: keys in memory are no arrays."""
-        return iter(())
-
-    def variants(self) -> Sequence[Paper]:
-        """None: an exam in memory has the papers of its examinees alone."""
-        return ()
 
 
 def add_counted(asks: Iterable[Ask]) -> Fraction:

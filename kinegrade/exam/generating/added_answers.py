@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
 from kinegrade.errors import TableError
@@ -16,9 +17,12 @@ from kinegrade.files.tables import Table, read_table
 from kinegrade.language.message import Fault, Message, Quoted
 
 
-def write_grown_answers(old: Path, head: ExamHead, folder: Path) -> None:
+def write_grown_answers(
+    old: Path, head: ExamHead, folder: Path, passed_on: Mapping[Candidate, Candidate]
+) -> None:
     """Write the answer sheet of the exam folder `old` into another one, with a blank row for each
-    student of `head` who has none; a blank sheet where there is none.
+    student of `head` who has none; a blank sheet where there is none. The rows of those who are
+    `passed_on` are those of others now, with what was typed into them.
 
     Raises TableError where it cannot be read any more.
     """
@@ -32,14 +36,30 @@ def write_grown_answers(old: Path, head: ExamHead, folder: Path) -> None:
         raise TableError(
             Fault(str(sheet), Message("exam.no-answer-column", column=Quoted(OWN_COLUMNS[0])))
         )
-    blank = (_blank(columns, each) for each in _lacking(table, columns, head))
-    write_for_people(folder / ANSWERS, table.header, (*(row.cells for row in table.rows), *blank))
+    rows = list(_pass_on(table, columns, passed_on))
+    blank = (_blank(columns, each) for each in _lacking(rows, columns, head))
+    write_for_people(folder / ANSWERS, table.header, (*rows, *blank))
 
 
-def _lacking(table: Table, columns: list[str], head: ExamHead) -> list[Candidate]:
+def _pass_on(
+    table: Table, columns: list[str], passed_on: Mapping[Candidate, Candidate]
+) -> Iterator[Sequence[str]]:
+    """The rows of the sheet, each with the id and the name of whose it is now."""
+    place = columns.index(OWN_COLUMNS[0])
+    now = {make_student_key(each.student): after for each, after in passed_on.items()}
+    for row in table.rows:
+        after = now.get(make_student_key(row.cell(place)))
+        if after is None:
+            yield row.cells
+            continue
+        own = dict(zip(OWN_COLUMNS, (after.student, neutralise(after.name)), strict=True))
+        yield [own.get(column, cell) for column, cell in zip(columns, row.cells, strict=True)]
+
+
+def _lacking(rows: Sequence[Sequence[str]], columns: list[str], head: ExamHead) -> list[Candidate]:
     """The students who have no row."""
     place = columns.index(OWN_COLUMNS[0])
-    listed = {make_student_key(row.cell(place)) for row in table.rows}
+    listed = {make_student_key(row[place]) for row in rows}
     return [each for each in head.students if make_student_key(each.student) not in listed]
 
 

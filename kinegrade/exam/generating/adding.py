@@ -5,10 +5,11 @@ paper changes.
 from __future__ import annotations
 
 import shutil
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from contextlib import closing
 from dataclasses import dataclass, replace
 from pathlib import Path
+from types import MappingProxyType
 
 from msgspec import structs
 
@@ -16,7 +17,7 @@ from kinegrade.errors import OutputError, Problem
 from kinegrade.exam.bank.blueprint import Blueprint
 from kinegrade.exam.folder.contents import ANSWER_WORKBOOK, KEY, PAPERS, SOLUTIONS
 from kinegrade.exam.folder.exam_folder import ExamFolder, open_exam
-from kinegrade.exam.folder.records import ExamHead
+from kinegrade.exam.folder.records import Candidate, ExamHead
 from kinegrade.exam.generating.added_answers import write_grown_answers
 from kinegrade.exam.generating.exam_files import write_blank_workbook, write_head, write_papers
 from kinegrade.exam.generating.generate import list_complaints, require_none
@@ -43,6 +44,7 @@ from kinegrade.press.sheet import KeyPaper
 from kinegrade.processes.executor import open_executor
 from kinegrade.processes.garbage_collection import bulk_work
 
+_NOBODY: Mapping[Candidate, Candidate] = MappingProxyType({})
 _MISSING = {
     PAPERS: Message("exam.papers-missing"),
     SOLUTIONS: Message("exam.solutions-missing"),
@@ -147,14 +149,20 @@ def _grown_head(
     )
 
 
-def write_rest(exam: ExamFolder, folder: Path, head: ExamHead) -> tuple[Message, ...]:
+def write_rest(
+    exam: ExamFolder,
+    folder: Path,
+    head: ExamHead,
+    passed_on: Mapping[Candidate, Candidate] = _NOBODY,
+) -> tuple[Message, ...]:
     """The booklets of rooms, the answer sheets, with what was typed into them, and the head; gives
-    what is to be said of a workbook that has no row for those who are new.
+    what is to be said of a workbook that has no row for those who are new. The rows of those who
+    are `passed_on` are those of others now.
 
     Raises OutputError where a file would be lost that was edited by hand, TableError.
     """
     write_room_booklets(folder, map(student_of, head.students))
-    write_grown_answers(exam.path, head, folder)
+    write_grown_answers(exam.path, head, folder, passed_on)
     write_blank_workbook(head, folder)
     lost = list(find_edited(exam.path, exam.head, folder))
     said: tuple[Message, ...] = ()

@@ -1,5 +1,6 @@
 """Everything that is told of answers which stand in a wrong place of the sheet, once a class is
-marked: columns, rows, and those to another sheet.
+marked: columns, rows, and those to another sheet or
+version.
 """
 
 from __future__ import annotations
@@ -13,6 +14,7 @@ from kinegrade.grading.misplaced.class_answers import ClassAnswers
 from kinegrade.grading.misplaced.columns import MisplacedColumns
 from kinegrade.grading.misplaced.displaced_columns import DisplacedColumns
 from kinegrade.grading.misplaced.other_sheets import find_other_sheets
+from kinegrade.grading.misplaced.other_versions import OtherVersions
 from kinegrade.grading.misplaced.rows import MisplacedRows
 
 
@@ -26,3 +28,6 @@ def find_typing_slips(
     rows = MisplacedRows(papers.intervals, papers.different, exam.students, answers, columns.others)
     yield from rows.list_complaints()
     yield from find_other_sheets(exam, answers)
+    if exam.head.versions:
+        versions = [each.version for each in exam.head.students]
+        yield from OtherVersions(exam.students, versions, answers).list_complaints()

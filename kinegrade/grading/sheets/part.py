@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
 
 from kinegrade.exam.folder.keys import Sitting
 from kinegrade.exam.roster.student_ids import StudentIds, describe_restoration
@@ -29,6 +30,14 @@ from kinegrade.language.message import (
     Quoted,
     list_choices,
 )
+
+
+@dataclass(frozen=True)
+class _Papers:
+    """Whose papers are whose, and the spare ones, which are nobody's."""
+
+    ids: StudentIds
+    spares: StudentIds
 
 
 def read_part(answers: AnswerFile, exam: Sitting) -> Part:
@@ -74,6 +83,7 @@ def _group_rows(
     table: Table, columns: Columns, exam: Sitting
 ) -> tuple[Mapping[str, Sequence[Row]], list[Complaint]]:
     ids = StudentIds(exam.students, exam.codes)
+    papers = _Papers(ids, StudentIds((), {code: code for code in exam.spare_codes}))
     kept = drop_headers(table)
     exactly = ids.all_exact([row.cell(columns.student) for row in kept])
     found = list(zip(kept, exactly, strict=True))
@@ -85,32 +95,33 @@ def _group_rows(
     for row, exact in found:
         student = exact or restored.get(row.cell(columns.student))
         if student is None:
-            complaints.append(_complain_of_unknown(table, row, columns, ids))
+            complaints.append(_complain_of_unknown(table, row, columns, papers))
         else:
             rows[student].append(row)
             if columns.codes:
-                complaints += _find_other_codes(table, row, columns, ids, student)
+                complaints += _find_other_codes(table, row, columns, papers, student)
     return rows, complaints
 
 
 def _find_other_codes(
-    table: Table, row: Row, columns: Columns, ids: StudentIds, student: str
+    table: Table, row: Row, columns: Columns, papers: _Papers, student: str
 ) -> Iterator[Complaint]:
     """A complaint for a code beside the id that is not that of the student's paper."""
     for index in columns.codes:
         code = row.cell(index)
-        owner = ids.coded(code)
+        owner = papers.ids.coded(code)
         if not trim(code) or owner == student:
             continue
-        problem = (
-            Message("marking.code-of-another", student=Quoted(owner))
-            if owner
-            else Message("marking.no-such-code")
-        )
-        done = Message("marking.marked-by-id", student=Quoted(student))
-        yield Complaint(
-            table.file, row.line, table.header[index], shorten(trim(code)), problem, done
-        )
+        whose, shown = Quoted(student), shorten(trim(code))
+        done = Message("marking.own-or-exchange", student=whose, code=shown, whose=student)
+        if owner:
+            problem = Message("marking.code-of-another", student=Quoted(owner))
+        elif papers.spares.coded(code):
+            problem = Message("marking.code-of-spare")
+        else:
+            problem = Message("marking.no-such-code")
+            done = Message("marking.marked-by-id", student=whose)
+        yield Complaint(table.file, row.line, table.header[index], shown, problem, done)
 
 
 def _find_other_names(
@@ -153,19 +164,26 @@ def _complain_of_restored(table: Table, columns: Columns, restored: Mapping[str,
     return Complaint(table.file, None, table.header[columns.student], "", problem, done)
 
 
-def _complain_of_unknown(table: Table, row: Row, columns: Columns, ids: StudentIds) -> Complaint:
+def _complain_of_unknown(table: Table, row: Row, columns: Columns, papers: _Papers) -> Complaint:
     cell = row.cell(columns.student)
-    key, likely = make_student_key(cell), ids.near(cell)
+    problem, done = _explain_unknown(cell, papers)
+    shown = quote_cells(row.cells)
+    return Complaint(table.file, row.line, table.header[columns.student], shown, problem, done)
+
+
+def _explain_unknown(cell: str, papers: _Papers) -> tuple[Message, Message]:
+    """What is wrong with an id that nobody has, and what to do."""
+    key, likely = make_student_key(cell), papers.ids.near(cell)
+    spare = papers.spares.coded(cell)
+    if not key:
+        return Message("marking.no-id"), Message("marking.not-graded")
+    if spare:
+        return Message("marking.nobodys-paper", code=spare), Message("marking.assign", code=spare)
     unknown = Message("marking.no-student", student=Quoted(shorten(key)))
-    correct = Message("marking.correct-id", students=list_choices(map(Quoted, likely)))
-    return Complaint(
-        table.file,
-        row.line,
-        table.header[columns.student],
-        quote_cells(row.cells),
-        unknown if key else Message("marking.no-id"),
-        correct if likely else Message("marking.not-graded"),
-    )
+    if likely:
+        students = list_choices(map(Quoted, likely))
+        return unknown, Message("marking.correct-id", students=students)
+    return unknown, Message("marking.not-graded")
 
 
 def _make_entries(

@@ -11,7 +11,8 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 
 from kinegrade.exam.folder.exam_folder import ExamFolder
-from kinegrade.exam.folder.keys import Ask, Examinee, KeyedExam, Paper, Sitting
+from kinegrade.exam.folder.keys import Ask, Paper, Sitting
+from kinegrade.exam.keyed_exam import Examinee, KeyedExam
 from kinegrade.grading.sheets.entry import Entry
 from kinegrade.grading.sheets.sheet import Sheet
 from kinegrade.marks_folder.rows import Put

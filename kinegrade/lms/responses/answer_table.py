@@ -94,7 +94,7 @@ def read_responses(
     if typed.by_number:
         _refuse_shuffled(table.file, exam)
     everybody = [*(each.row for each in typed.rows), *(each.row for each in typed.not_taken)]
-    people = People(exam.head.students)
+    people = People(exam.head.students, exam.head.spares)
     columns = people.columns(everybody, typed.people, typed.named)
     if not columns.indices and typed.rows:
         raise TableError(Fault(table.file, Message("responses.no-people")))
@@ -237,13 +237,16 @@ def _about_people(table: Table, found: Sequence[tuple[TypedRow, Found]]) -> Iter
     """Rows of nobody in the exam, and rows that only the code of a paper gives to a student."""
     for each, who in found:
         if who.student is None or who.code:
-            content, done = who.code or whole(each.row), _explain_done(who)
-            yield Complaint(table.file, each.row.line, who.column, content, who.problem, done)
+            content = who.code if who.student and who.code else whole(each.row)
+            where = table.file, each.row.line, who.column, content
+            yield Complaint(*where, who.problem, _explain_done(who))
 
 
 def _explain_done(who: Found) -> Message:
     if who.student is not None:
         return Message("marking.marked-by-code", student=Quoted(who.student))
+    if who.code:
+        return Message("marking.assign", code=who.code)
     if not who.likely:
         return Message("marking.not-graded")
     return Message("marking.correct-file", students=list_choices(map(Quoted, who.likely)))

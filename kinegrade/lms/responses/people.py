@@ -25,7 +25,7 @@ class Found(msgspec.Struct, frozen=True, gc=False):  # there are many
     """The student of a row; else the column at fault, why, and the students who may be meant.
 
     `restored` is the id as it stands in the file where it is not the exam's; `code` is that of the
-    paper where nothing else names the student.
+    paper where nothing else names the student, or of a spare paper that is nobody's.
     """
 
     student: str | None
@@ -53,12 +53,15 @@ class Columns:
 
 
 class People:
-    """The students of an exam, by the ids and addresses that files have."""
+    """The students of an exam, by the ids and addresses that files have; `spares` are papers that
+    are nobody's.
+    """
 
-    def __init__(self, students: Iterable[Candidate]) -> None:
+    def __init__(self, students: Iterable[Candidate], spares: Iterable[Candidate] = ()) -> None:
         known = list(students)
         codes = {person.paper: person.student for person in known if person.paper}
         self._ids = StudentIds((person.student for person in known), codes)
+        self._spares = StudentIds((), {each.paper: each.paper for each in spares})
         self._by_email = _grouped(known, lambda person: make_header_key(person.email))
 
     def by_id(self, cell: str) -> str | None:
@@ -181,13 +184,19 @@ class People:
         written = {place: trim(cell) for place, cell in cells.items() if trim(cell)}
         owners = {self._ids.coded(code) for code in written.values()}
         owner = owners.pop() if len(owners) == 1 else None
-        if owner is None:
+        place, code = next(iter(written.items()), (None, ""))
+        if place is None or (owner is None and not self._spares.coded(code)):
             return Found(None, "", Message("responses.no-id"))
-        place, code = next(iter(written.items()))
+        if owner is None:
+            return self._unknown(code, header[place])
         return Found(owner, header[place], Message("responses.no-id"), code=code)
 
     def _unknown(self, cell: str, column: str) -> Found:
         shown = Quoted(shorten(make_student_key(cell)))
+        spare = self._spares.coded(cell)
+        if spare:
+            problem = Message("marking.nobodys-paper", code=spare)
+            return Found(None, column, problem, code=spare)
         if make_header_key(cell) in self._by_email:
             return Found(None, column, Message("responses.shared-address", address=shown))
         login = self._likely(cell)

@@ -23,6 +23,7 @@ from dataclasses import dataclass
 
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.keys import Sitting
+from kinegrade.exam.keyed_exam import read_whole
 from kinegrade.grading.same_key import require_same_key
 from kinegrade.grading.sheets.pool import make_exam_as_put
 from kinegrade.marks_folder.folder import MarksFolder
@@ -60,7 +61,7 @@ def find_sharing(exam: ExamFolder, marks: MarksFolder, level: float = _LEVEL) ->
     Raises ExamError, TableError.
     """
     require_same_key(exam, marks)
-    known = make_exam_as_put(exam, exam.in_memory(), marks.put) if marks.put else exam
+    known = make_exam_as_put(exam, read_whole(exam), marks.put) if marks.put else exam
     here = (each for each in marks.answers() if each.student not in marks.elsewhere)
     return find_pairs(known, here, level)
 

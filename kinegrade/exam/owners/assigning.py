@@ -5,29 +5,23 @@ Its numbers and its code stay, and so does every other paper.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 
 from msgspec import structs
 
 from kinegrade.errors import ExamError
-from kinegrade.exam.folder.contents import KEY, SOLUTIONS, SPARES
+from kinegrade.exam.folder.contents import KEY, SPARES
 from kinegrade.exam.folder.exam_folder import ExamFolder, open_exam
-from kinegrade.exam.folder.records import Candidate, ExamHead
+from kinegrade.exam.folder.records import Candidate
 from kinegrade.exam.folder.writing import encode_line
 from kinegrade.exam.generating.adding import write_rest
 from kinegrade.exam.generating.grown_class import find_stem, list_twins
 from kinegrade.exam.generating.grown_folder import copy_exam, open_grown_folder
-from kinegrade.exam.generating.key_books import list_spare_ids, write_spare_key
-from kinegrade.exam.printing.key_pages import make_kept_keys
-from kinegrade.exam.printing.printed_files import replace_papers, write_solutions
-from kinegrade.exam.printing.reprint import kept_run, reprint_candidate
+from kinegrade.exam.owners.papers_anew import print_anew
 from kinegrade.exam.roster.student_ids import StudentIds
-from kinegrade.exam.roster.students import Student, make_student_key, read_place
-from kinegrade.exam.setting.kept_exam import KeptExam
+from kinegrade.exam.roster.students import Student, make_student_key
 from kinegrade.language.message import Fault, Message, Quoted, list_plainly
-from kinegrade.press.protocol import Printout
 
 
 @dataclass(frozen=True)
@@ -58,15 +52,14 @@ def assign_paper(path: Path, code: str, student: Student) -> Assigned:
     """
     exam = open_exam(path)
     spare = _find_spare(exam, code)
-    owner = _make_owner(exam, spare, student)
+    owner = make_owner(exam, spare, student)
     left = tuple(each for each in exam.head.spares if each != spare)
     head = structs.replace(exam.head, students=(*exam.head.students, owner), spares=left)
     with open_grown_folder(exam) as folder:
         copy_exam(exam, folder)
         _move_line(exam, folder, spare, owner)
-        _rename_files(folder, Path(spare.file).stem, Path(owner.file).stem)
-        _print_again(ExamFolder(folder, head), owner)
-        _print_key(ExamFolder(folder, head))
+        rename_files(folder, Path(spare.file).stem, Path(owner.file).stem)
+        print_anew(ExamFolder(folder, head), (owner,))
         typed = write_rest(exam, folder, head)
     return Assigned(owner.student, owner.paper, len(left), typed)
 
@@ -85,19 +78,23 @@ def _find_spare(exam: ExamFolder, code: str) -> Candidate:
     )
     known = Message("exam.spares-left", codes=list_plainly(by_code))
     do = known if by_code else Message("exam.generate-spares")
+    if owner is not None:
+        do = Message("exam.write-exchange")
     raise ExamError(Fault(str(exam.head_file), what, do=do))
 
 
-def _make_owner(exam: ExamFolder, spare: Candidate, student: Student) -> Candidate:
+def make_owner(exam: ExamFolder, spare: Candidate, student: Student) -> Candidate:
     """The student with that paper. Raises ExamError where the student has one already."""
     known = {make_student_key(each): each for each in exam.students}
     key = make_student_key(student.student)
     if not key or key in known:
         shown = Quoted(student.student)
         what = Message("exam.has-own-paper", student=shown) if key else Message("exam.empty-id")
-        raise ExamError(Fault(str(exam.head_file), what, Message("exam.students-without")))
-    do = Message("exam.other-person-late")
-    twins = tuple(list_twins(exam, student.student, str(exam.head_file), do))
+        expected = Message("exam.students-without")
+        do = Message("exam.write-exchange") if key else ""
+        raise ExamError(Fault(str(exam.head_file), what, expected, do))
+    late = Message("exam.other-person-late")
+    twins = tuple(list_twins(exam, student.student, str(exam.head_file), late))
     if twins:
         raise ExamError(*twins)
     return structs.replace(
@@ -125,35 +122,7 @@ def _move_line(exam: ExamFolder, folder: Path, spare: Candidate, owner: Candidat
     (folder / KEY).write_bytes(ended + moved)
 
 
-def _rename_files(folder: Path, old: str, new: str) -> None:
+def rename_files(folder: Path, old: str, new: str) -> None:
     """All files of a paper, whatever their kind."""
     for file in sorted(folder.glob(f"*/**/{old}.*")):
         file.rename(file.with_name(f"{new}{file.suffix}"))
-
-
-def _print_again(exam: ExamFolder, owner: Candidate) -> None:
-    """The paper and its worked solutions, as far as they are printed, with the name of the
-    student.
-    """
-    again, place = reprint_candidate(exam, owner), read_place(owner.file)
-    places = _list_places(exam.head)
-    if not exam.head.unprinted:
-        (exam.path / owner.file).write_bytes(again.pages())
-        replace_papers(exam.path, (), places)
-    if (exam.path / SOLUTIONS / f"{place}.pdf").exists():
-        solution = Printout(again.solution())
-        write_solutions(exam.path, [(place, solution)], places)
-
-
-def _print_key(exam: ExamFolder) -> None:
-    """The instructor's key of spare papers, in which the paper is the student's."""
-    if exam.head.unprinted:
-        return
-    kept, spare = KeptExam(exam), list_spare_ids(exam.head)
-    papers = (each for each in exam.head.everybody if each.student in spare)
-    write_spare_key(exam.path, kept_run(exam, kept), make_kept_keys(kept, papers))
-
-
-def _list_places(head: ExamHead) -> Sequence[str]:
-    """Where the files of all papers are, those without a student last."""
-    return [read_place(each.file) for each in head.everybody]

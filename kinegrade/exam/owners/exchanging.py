@@ -1,0 +1,177 @@
+"""`kinegrade exchange`: a student gets the paper that was written in place of the own one.
+
+Two students exchange theirs; a spare paper takes the place of the own, which is spare then; a
+student of another version gets that; and a spare paper that was assigned to the wrong student is
+passed on. What is printed of these papers is printed anew; all others stay.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from msgspec import structs
+
+from kinegrade.errors import ExamError, suggest
+from kinegrade.exam.folder.exam_folder import ExamFolder, open_exam
+from kinegrade.exam.folder.records import Candidate, KeyLine
+from kinegrade.exam.generating.adding import write_rest
+from kinegrade.exam.generating.grown_folder import copy_exam, open_grown_folder
+from kinegrade.exam.owners.assigning import make_owner, rename_files
+from kinegrade.exam.owners.papers_anew import print_anew, replace_lines
+from kinegrade.exam.roster.student_ids import StudentIds
+from kinegrade.exam.roster.students import Student, make_student_key
+from kinegrade.language.message import Fault, Message, Quoted
+
+
+@dataclass(frozen=True)
+class Exchanged:
+    """What was done, in one line, and what is said of a workbook that was typed into."""
+
+    summary: Message
+    typed: tuple[Message, ...]
+
+
+@dataclass(frozen=True)
+class _Change:
+    """Who stands in the exam now, and the line of the key there, by who stood there before;
+    `passed_on` are those who have taken the place of another person.
+    """
+
+    owners: Mapping[str, Candidate]
+    lines: Mapping[str, KeyLine]
+    summary: Message
+    passed_on: Mapping[Candidate, Candidate] = field(default_factory=dict)
+
+
+def exchange_papers(path: Path, code: str, student: str) -> Exchanged:
+    """Give the paper of that code, or of that version, to a student of the exam who has another, or
+    an assigned spare paper to one who has none.
+
+    Raises ExamError where there is no such paper, where it is the student's already, or is that of
+    somebody who would be left without; OutputError. Then nothing is written.
+    """
+    exam = open_exam(path)
+    change = _find_change(exam, code, student)
+    changed = change.owners
+    head = structs.replace(
+        exam.head,
+        students=tuple(changed.get(each.student, each) for each in exam.head.students),
+        spares=tuple(changed.get(each.student, each) for each in exam.head.spares),
+    )
+    with open_grown_folder(exam) as folder:
+        copy_exam(exam, folder)
+        replace_lines(exam, folder, change.lines)
+        for before, after in change.passed_on.items():
+            rename_files(folder, Path(before.file).stem, Path(after.file).stem)
+        print_anew(ExamFolder(folder, head), tuple(changed.values()))
+        typed = write_rest(exam, folder, head, change.passed_on)
+    return Exchanged(change.summary, typed)
+
+
+def _find_change(exam: ExamFolder, code: str, student: str) -> _Change:
+    """What is exchanged. Raises ExamError."""
+    known = {make_student_key(each.student): each for each in exam.head.students}
+    own = known.get(make_student_key(student))
+    if own is None:
+        return _pass_on(exam, code, student)
+    letter = code.strip().upper()
+    if letter in exam.head.versions:
+        return _change_version(exam, own, letter)
+    return _exchange(exam, own, _find_paper(exam, code))
+
+
+def _exchange(exam: ExamFolder, own: Candidate, other: Candidate) -> _Change:
+    """Two papers, of which one may be spare, change hands. Raises ExamError."""
+    if other == own:
+        raise _explain_own(exam, own)
+    there = Message("exam.spare-now", code=own.paper)
+    if other not in exam.head.spares:
+        there = Message("exam.has-paper", student=Quoted(other.student), code=own.paper)
+    here = Message("exam.has-paper", student=Quoted(own.student), code=other.paper)
+    return _Change(
+        {own.student: _with_paper(own, other), other.student: _with_paper(other, own)},
+        {
+            own.student: _with_owner(exam.line_of(other.student), own),
+            other.student: _with_owner(exam.line_of(own.student), other),
+        },
+        Message("exam.exchanged", here=here, there=there),
+    )
+
+
+def _change_version(exam: ExamFolder, own: Candidate, letter: str) -> _Change:
+    """A student gets another version, whose letter stands before the code. Raises ExamError."""
+    if own.version == letter:
+        raise _explain_own(exam, own)
+    line = exam.line_of(own.student)
+    other = next((each for each in exam.head.everybody if each.version == letter), None)
+    if other is None:
+        raise _refuse(exam, Message("exam.version-unheld", version=letter), "")
+    code = f"{letter}-{own.paper.removeprefix(f'{own.version}-')}"
+    owner = structs.replace(own, paper=code, version=letter)
+    changed = structs.replace(
+        exam.line_of(other.student), student=own.student, paper=code, place=line.place
+    )
+    return _Change(
+        {own.student: owner},
+        {own.student: changed},
+        Message("exam.has-version", student=Quoted(own.student), version=letter, code=code),
+    )
+
+
+def _pass_on(exam: ExamFolder, code: str, student: str) -> _Change:
+    """A spare paper that was assigned to a mistyped id is that of another, with the name that was
+    given. Raises ExamError.
+    """
+    before = _find_paper(exam, code)
+    if before in exam.head.spares:
+        what = Message("exam.nothing-to-exchange", student=Quoted(student))
+        raise _refuse(exam, what, Message("exam.write-assign", code=before.paper))
+    if not before.was_spare:
+        what = Message("exam.spare-taken", code=Quoted(code), student=Quoted(before.student))
+        raise _refuse(exam, what, Message("exam.only-spare-passed-on"))
+    named = Student(student, before.name, before.email, "", group=before.group)
+    owner = make_owner(exam, before, named)
+    return _Change(
+        {before.student: owner},
+        {before.student: _with_owner(exam.line_of(before.student), owner)},
+        Message(
+            "exam.passed-on",
+            code=owner.paper,
+            student=Quoted(owner.student),
+            before=Quoted(before.student),
+        ),
+        {before: owner},
+    )
+
+
+def _find_paper(exam: ExamFolder, code: str) -> Candidate:
+    """Whose paper has that code, or who has that id. Raises ExamError."""
+    everybody = {each.student: each for each in exam.head.everybody}
+    codes = {each.paper: each.student for each in exam.head.everybody if each.paper}
+    found = StudentIds(exam.students, codes).exact(code)
+    if found is None:
+        what = Message("exam.no-such-paper", code=Quoted(code))
+        raise _refuse(exam, what, suggest(code, codes))
+    return everybody[found]
+
+
+def _with_paper(owner: Candidate, other: Candidate) -> Candidate:
+    """Somebody with the paper of another."""
+    return structs.replace(
+        owner, paper=other.paper, version=other.version, was_spare=other.was_spare
+    )
+
+
+def _with_owner(line: KeyLine, owner: Candidate) -> KeyLine:
+    return structs.replace(line, student=owner.student)
+
+
+def _explain_own(exam: ExamFolder, own: Candidate) -> ExamError:
+    what = Message("exam.spare-taken", code=Quoted(own.paper), student=Quoted(own.student))
+    return _refuse(exam, what, Message("exam.name-another-paper"))
+
+
+def _refuse(exam: ExamFolder, what: Message, do: str | Message) -> ExamError:
+    return ExamError(Fault(str(exam.head_file), what, do=do))
