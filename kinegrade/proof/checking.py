@@ -27,6 +27,7 @@ from kinegrade.proof.claims.circles import note_radii_of_bars
 from kinegrade.proof.claims.claims import find_false_claims
 from kinegrade.proof.claims.givens import note_angles_in_radians
 from kinegrade.proof.claims.kinds import note_other_kinds
+from kinegrade.proof.claims.swaps import note_printed_answers
 from kinegrade.proof.contacts import note_lost_contacts
 from kinegrade.proof.demanding import describe_demands
 from kinegrade.proof.ends import note_points_beyond_ends
@@ -80,6 +81,7 @@ def check(template: Template, sample: int = 200, secret: str = SECRET) -> Report
     report.faults += find_false_claims(template, report.examples)
     report.remarks += note_points_beyond_ends(template, report.examples)
     report.remarks += note_lost_contacts(template, report.examples)
+    report.remarks += note_printed_answers(template, report.sound)
     report.remarks += note_radii_of_bars(template, report.examples)
     report.remarks += note_points_without_letter(template, report.examples[:1])
     report.faults += prove_solutions(report)

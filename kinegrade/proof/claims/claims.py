@@ -18,6 +18,7 @@ from kinegrade.proof.claims.means import find_wrong_means
 from kinegrade.proof.claims.places import find_wrong_places
 from kinegrade.proof.claims.senses import find_wrong_senses
 from kinegrade.proof.claims.states import find_wrong_states
+from kinegrade.proof.claims.swaps import find_swapped_givens
 
 
 def find_false_claims(template: Template, examples: Sequence[Solution]) -> Iterator[Fault]:
@@ -28,6 +29,7 @@ def find_false_claims(template: Template, examples: Sequence[Solution]) -> Itera
         *find_wrong_senses(template, examples),
         *find_wrong_angles(template, examples),
         *find_wrong_states(template, examples),
+        *find_swapped_givens(template),
     )
     found = (
         *(Fault("statement", what) for what in said),

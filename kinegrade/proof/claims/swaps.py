@@ -1,0 +1,75 @@
+"""Givens that stand where others are meant: two that have changed places, and an answer printed as
+a number.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from itertools import combinations
+
+from kinegrade.errors import MechanismError
+from kinegrade.language.message import Message
+from kinegrade.problem.solving import solve_template
+from kinegrade.problem.template.template import Parameter, Template
+
+_SLOT = re.compile(r"\{\{\s*(\w+)[^}]*\}\}")
+_NAME = re.compile(  # of a part: gear 2, wheel A, the bar $AB$
+    r"(?<![\wÀ-ÿ{\\])(\d|[A-Z]{1,2}(?:_?\{?\d\}?)?)(?![\wÀ-ÿ}])", re.ASCII
+)
+_WITH_UNIT = re.compile(
+    r"(?<![\w.,^{])(\d+(?:[.,]\d+)?)\s*(?:\\[,;: ]\s*)?"
+    r"(?:\\mathrm\{([^{}]+)\}|\$?\s?([a-z]+/[a-z]+))"
+)
+_SAME = 5e-3  # of an answer: a number on paper has few figures
+
+
+def find_swapped_givens(template: Template) -> Iterator[Message]:
+    """Two givens of one unit, each at the part that the other one means: `gear 2, with {{ z3 }}
+    teeth, and gear 3, with {{ z2 }}`.
+    """
+    meant = {name: _find_only_name(given) for name, given in template.parameters.items()}
+    for text in template.words.statement.texts:
+        said = dict(_list_slots(text))
+        for one, other in combinations(said, 2):
+            names = (meant.get(one), meant.get(other))
+            units = {template.parameters[name].unit for name in (one, other) if name in meant}
+            if all(names) and len(units) == 1 and (said[other], said[one]) == names != names[::-1]:
+                yield Message("template.swapped", one=one, other=other)
+
+
+def _find_only_name(given: Parameter) -> str | None:
+    """The part that a given means, a letter or number, where all its texts name that one alone."""
+    named = {name.replace("_", "") for text in given.means.texts for name in _NAME.findall(text)}
+    return next(iter(named)) if len(named) == 1 else None
+
+
+def _list_slots(text: str) -> Iterator[tuple[str, str]]:
+    """The givens of a text, each with the part named last before it, in its sentence."""
+    start = 0
+    for slot in _SLOT.finditer(text):
+        before = re.split(r"[.;。；]", text[start : slot.start()])[-1]
+        named = _NAME.findall(before)
+        if named:
+            yield slot[1], named[-1].replace("_", "")
+        start = slot.end()
+
+
+def note_printed_answers(template: Template, asks: Sequence[str]) -> Iterator[Message]:
+    """A remark for each number with a unit in the statement that is an answer at the source's
+    values: it stands on every paper, whatever the values.
+    """
+    if not any(map(_WITH_UNIT.search, template.words.statement.texts)):
+        return
+    try:
+        source = solve_template(template, {}, asks)
+    except MechanismError:
+        return  # the source's values are refused elsewhere
+    for text in template.words.statement.texts:
+        for number, unit, plain in _WITH_UNIT.findall(text):
+            value = float(number.replace(",", "."))
+            for name, answer in source.answers.items():
+                same_unit = template.asks[name].unit.text == (unit or plain)
+                if value and same_unit and abs(abs(answer.value) - value) <= _SAME * value:
+                    said = f"{number} {unit or plain}"
+                    yield Message("template.printed-answer", said=said, name=name)
