@@ -73,6 +73,15 @@ def test_an_extension_line_does_not_begin_in_a_letter() -> None:
     assert [end.y * side < 0 for _, end in _find_extensions(moved)] == [True, True]
 
 
+def test_a_dimension_line_keeps_off_a_letter_that_it_would_own() -> None:
+    bare = Obstacles.of(())
+    [free, _] = _find_extensions(_add(Length("d", "A", "B"), ()))
+    letter = Label("C", Vector(0.0, free[1].y + 2.0), 2.0, 2.0)
+    layout = replace(Layout.of((letter,)), labels=(letter,))
+    moved = add_length(layout, AB, Length("d", "A", "B"), Around(bare, bare))
+    assert [end.y * free[1].y < 0 for _, end in _find_extensions(moved)] == [True, True]
+
+
 def test_extension_lines_start_outside_the_supports_of_their_points() -> None:
     ground = (*draw_pivot(A, DOWN * STAND), *draw_pivot(B, DOWN * STAND))
     bar = Strokes(((Vector(-30.0, 5.0), Vector(30.0, 4.0)),), BOLD)

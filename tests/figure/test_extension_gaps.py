@@ -14,6 +14,7 @@ from kinegrade.figure.mechanism.straight_parts import Bar
 from kinegrade.figure.placing.obstacles import Obstacles
 from kinegrade.figure.placing.place import place_label
 from kinegrade.figure.plane import polar
+from kinegrade.figure.scene import BOLD, THIN, Pen, Strokes
 from kinegrade.mechanics.vector import Vector
 
 POINT, RIGHT = Vector(3.0, 2.0), Vector(1.0, 0.0)
@@ -37,15 +38,10 @@ def test_an_extension_line_begins_where_a_bar_beside_it_is_clear_of_it() -> None
     assert [_find_gap_beside(turn).reach for turn in (1.0, 20.0)] == [1.6, 1.6]
 
 
-def test_the_symbol_of_a_bar_is_not_nearer_to_another_one() -> None:
-    """Two bars at a sharp angle: the symbol stands outside it, or where they are well apart."""
-    bar, slotted = (
-        Bar("OA", POINT, POINT + polar(radians(90)) * 20.0),
-        Bar("OB", POINT, POINT + polar(radians(75)) * 20.0, "slot"),
-    )
-    around = Around(NOTHING, NOTHING, (bar,), (slotted,))
-    others = tuple(around.list_other_bars(bar.start, bar.end))
-    beside = SymbolBeside(bar.start, bar.end, "r", others=others)
-    assert place_label(beside.wish(), NOTHING).label.centre.x < POINT.x
-    other_way = SymbolBeside(bar.end, bar.start, "r", others=others)
-    assert place_label(other_way.wish(), NOTHING).label.centre.x < POINT.x
+@pytest.mark.parametrize("pen", [BOLD, THIN])
+def test_the_symbol_of_a_bar_is_clearly_nearer_to_it_than_to_another_line(pen: Pen) -> None:
+    """At a sharp angle: the symbol stands outside it, or where the two are well apart."""
+    start, end, other = (POINT, POINT + polar(radians(90)) * 20.0, POINT + polar(radians(75)) * 20)
+    drawn = Obstacles.of([Strokes(((start, end),), BOLD), Strokes(((start, other),), pen)])
+    for beside in (SymbolBeside(*ends, "r", drawn=drawn) for ends in ((start, end), (end, start))):
+        assert place_label(beside.wish(), drawn).label.centre.x < POINT.x

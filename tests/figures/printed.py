@@ -18,6 +18,7 @@ from tests.figures.flaws import find_flaws, find_part_flaws
 from tests.figures.frame_flaws import find_frame_flaws
 from tests.figures.lettered_points import find_letter_flaws
 from tests.figures.on_paper import find_points_on_paper
+from tests.figures.ownership_flaws import find_ownership_flaws
 from tests.figures.radius_flaws import find_radius_flaws
 from tests.figures.support_flaws import find_support_flaws
 from tests.figures.svg_shapes import Picture, read_picture
@@ -44,7 +45,8 @@ class Printed:
         drawn = find_flaws(self.picture) + find_support_flaws(self.picture)
         drawn += find_radius_flaws(self.picture) + find_turning_flaws(self.picture)
         frames = find_frame_flaws(self.picture, self.points, self.hints.frames)
-        return [*drawn, *measured, *lettered, *angles, *frames]
+        owned = find_ownership_flaws(self.picture, self.points, self.hints.lengths)
+        return [*drawn, *measured, *lettered, *angles, *frames, *owned]
 
 
 def read_printed(solution: Solution) -> Printed:

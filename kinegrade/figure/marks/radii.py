@@ -14,6 +14,7 @@ from kinegrade.figure.marks.radius_arrows import FROM_OUTSIDE, RadiusFromCentre,
 from kinegrade.figure.marks.straight.motions import gather_arrows
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.placing.obstacles import COST_BOLD, Obstacles
+from kinegrade.figure.placing.ownership import CLAIMING, widen_labels
 from kinegrade.figure.plane import NEAR, angle_of, length, nearest_of, polar, unit
 from kinegrade.figure.scene import THIN, Bow
 from kinegrade.figure.symbols import HEAD_LENGTH
@@ -41,18 +42,8 @@ _ACROSS_ARROW = 12.0  # cost of an arrow across that of a motion
 _AT_POINT = 3.0  # cost of a tip that hides a point on the rim
 # Millimetres beyond a rim in which a bar leaves a narrow wedge, and the cost of a tip beside one
 _WEDGE, _BESIDE_BAR = 2.2, 8.0
-_ALONG_ARC = (
-    0.06,
-    0.94,
-    0.12,
-    0.88,
-    0.2,
-    0.8,
-    0.28,
-    0.72,
-    0.36,
-    0.64,
-)  # parts of an arc from its start
+# Parts of an arc from its start
+_ALONG_ARC = (0.06, 0.94, 0.12, 0.88, 0.2, 0.8, 0.28, 0.72, 0.36, 0.64)
 _SHIFTS = tuple(shift * pi / 24 for shift in (0, 2, -2))
 
 
@@ -100,8 +91,12 @@ def _add_radius(
         large = rim.radius >= _SMALL_RADIUS
         if large and not rim.ring and rim.kind != "cam" and rim.find_arc() is None:
             marks.append(inward(leaning + _INWARD + foreign, rim.kind == "gear"))
-    arrows = gather_arrows(layout.marks)
-    crossed = [_ACROSS_ARROW * (arrows.along(mark.path(), shared=False) > 0) for mark in marks]
+    arrows, claimed = gather_arrows(layout.marks), widen_labels(layout.labels)
+    crossed = [
+        _ACROSS_ARROW * (arrows.along(mark.path(), shared=False) > 0)
+        + CLAIMING * (claimed.along(mark.path(), shared=False) > 0)
+        for mark in marks
+    ]
     rated = zip(marks, crossed, strict=True)
     return layout.marked([replace(mark, demerit=mark.demerit + worse) for mark, worse in rated])
 

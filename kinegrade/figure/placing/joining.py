@@ -1,12 +1,13 @@
-"""Whether what is drawn joins two points by a straight line."""
+"""Whether what is drawn joins two points by a straight line, and other points divide it."""
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import Literal
 
 from kinegrade.figure.placing.crossing import SAME_AXIS, resolve
 from kinegrade.figure.placing.obstacles import Obstacles
-from kinegrade.figure.plane import length
+from kinegrade.figure.plane import NEAR, length, nearest_of
 from kinegrade.mechanics.vector import Vector
 
 Join = Literal["none", "part", "whole"]
@@ -32,3 +33,14 @@ def find_join(drawn: Obstacles, start: Vector, end: Vector, gap: float) -> Join:
         if on_axis and min(before, beyond) >= -gap:
             join = "part"
     return join
+
+
+def divides(start: Vector, end: Vector, others: Iterable[Vector]) -> bool:
+    """Whether one of the other points divides the line, so that a letter beside it could mean only
+    a part of it.
+    """
+    return any(
+        length(point - nearest_of(point, start, end)) < NEAR
+        and length(point - start) > NEAR < length(point - end)
+        for point in others
+    )

@@ -144,6 +144,9 @@ class Obstacles:
         return total
 
 
+NOTHING = Obstacles((), ())
+
+
 def _find_near(things: Sequence[Boxed], box: Bounds) -> list[Boxed]:
     """The lines or rings whose boxes meet a box."""
     left, bottom, right, top = box

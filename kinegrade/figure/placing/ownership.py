@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
-from math import ceil
+from dataclasses import dataclass, replace
+from math import ceil, pi
 
 import numpy as np
 
 from kinegrade.figure.placing.extent import measure_symbol
-from kinegrade.figure.placing.obstacles import Segment
+from kinegrade.figure.placing.obstacles import COST_LABEL, Obstacles, Segment
 from kinegrade.figure.placing.place import Floats
 from kinegrade.figure.placing.wedge import rate_cut_off
 from kinegrade.figure.plane import length
-from kinegrade.figure.scene import Disc
+from kinegrade.figure.scene import Disc, Label
 from kinegrade.mechanics.vector import Vector
 
 # Demerits of a symbol on the other side of a circle or a bar, and of one nearer to a pin, or to a
@@ -21,6 +21,13 @@ from kinegrade.mechanics.vector import Vector
 _CUT_OFF, _CLAIMED, _AT_LINE = 20.0, 6.0, 4.0
 _AT_PIN = 1.0  # millimetres by which a symbol is nearer to its own mark than to the middle of a pin
 _STEP = 0.8  # millimetres between the places on a line that are looked at
+# Millimetres by which a symbol is clearly nearer to its own line than to anything else, about a
+# line that are its own, and from a symbol within which other things are looked for
+_CLEARLY, _ITS_OWN, _LOOKED = 0.8, 1.0, 3.0
+_ABOUT = 0.8  # millimetres about an earlier letter that lines of other things keep off
+CLAIMING = 4.0  # demerit of a line that does not
+_SHARES = np.linspace(0.0, 1.0, 17)[:, None]  # of a line, where it is looked at
+_ROUND = np.arange(0.0, 2 * pi, pi / 36)  # radians, where a circle is looked at
 
 
 @dataclass(frozen=True)
@@ -72,3 +79,56 @@ def list_places(lines: Iterable[Segment], about: Vector, within: float) -> Itera
             at = start + (end - start) * (step / count)
             if length(at - about) < within:
                 yield at
+
+
+def widen_labels(labels: Iterable[Label]) -> Obstacles:
+    """Letters with what is about them, where a line of something else would own them."""
+    return Obstacles.of(
+        replace(each, width=each.width + 2 * _ABOUT, height=each.height + 2 * _ABOUT)
+        for each in labels
+    )
+
+
+def rate_beside_line(
+    symbol: str, spots: Floats, own: Segment, half: float, drawn: Obstacles
+) -> Floats:
+    """For each spot of a symbol beside a line, or a link of `half` a width about it, how far it is
+    from being clearly nearer to that than to anything else that is drawn: 0 where it is, 1 where
+    something else is as near.
+    """
+    box = np.array(measure_symbol(symbol)) / 2
+    low, high = spots.min(axis=0) - box - _LOOKED, spots.max(axis=0) + box + _LOOKED
+    places, pens = _sample(drawn.near((*low.tolist(), *high.tolist())))
+    foreign = _measure_off(places, own) > half + _ITS_OWN
+    if not foreign.any():
+        return np.zeros(len(spots))
+    theirs = (_measure_gaps(spots, box, places[foreign]) - pens[foreign]).min(axis=1)
+    start, end = (np.array(at) for at in own)
+    mine = _measure_gaps(spots, box, start + _SHARES * (end - start)).min(axis=1) - half
+    return np.asarray(np.clip(1.0 - (theirs - mine) / _CLEARLY, 0.0, 1.0).round(6))
+
+
+def _sample(drawn: Obstacles) -> tuple[Floats, Floats]:
+    """Places along everything but letters, and half the width of the pen at each."""
+    lines = np.array([line[4] for line in drawn.lines if line[4][-1] < COST_LABEL]).reshape(-1, 8)
+    rings = np.array([ring[4] for ring in drawn.rings]).reshape(-1, 5)
+    along = lines[:, None, :2] + _SHARES * lines[:, None, 2:4]
+    ways = np.stack((np.cos(_ROUND), np.sin(_ROUND)), axis=1)
+    about = rings[:, None, :2] + ways * rings[:, None, 3:4]
+    pens = np.repeat(lines[:, 6], len(_SHARES))
+    places = np.concatenate((along.reshape(-1, 2), about.reshape(-1, 2)))
+    return places, np.concatenate((pens, np.zeros(about.shape[0] * about.shape[1])))
+
+
+def _measure_off(places: Floats, line: Segment) -> Floats:
+    """How far places are from a line."""
+    start, end = (np.array(at) for at in line)
+    step = end - start
+    shares = np.clip((places - start) @ step / max(float(step @ step), 1e-9), 0.0, 1.0)
+    return np.asarray(np.hypot(*(places - start - shares[:, None] * step).T))
+
+
+def _measure_gaps(spots: Floats, half: Floats, places: Floats) -> Floats:
+    """The distance from a box about each spot (rows) to each place (columns)."""
+    gaps = np.maximum(np.abs(spots[:, None] - places) - half, 0.0)
+    return np.asarray(np.hypot(gaps[..., 0], gaps[..., 1]))

@@ -5,11 +5,11 @@ symbol at the end of a leader.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import ceil
 
 from kinegrade.figure.placing.leading import list_spots_at_leader
-from kinegrade.figure.placing.obstacles import Segment
-from kinegrade.figure.placing.place import Wish, list_spots_beside, rate_nearness
+from kinegrade.figure.placing.obstacles import NOTHING, Obstacles, Segment
+from kinegrade.figure.placing.ownership import rate_beside_line
+from kinegrade.figure.placing.place import Wish, list_spots_beside
 from kinegrade.figure.plane import NEAR, length, nearest_of, polar, unit
 from kinegrade.figure.scene import THIN, Primitive, Strokes
 from kinegrade.figure.symbols import HEAD_LENGTH, draw_arrowhead
@@ -18,9 +18,7 @@ from kinegrade.mechanics.vector import Vector
 _LEFT = 4.2  # millimetres from a point in which its own bars leave beside an extension line
 _ONE_FOOT = 0.1  # millimetres within which the ends of two dimension lines are one
 _BESIDE = 3.6  # millimetres between parallel dimension lines side by side
-_EVERY = 2.0  # millimetres between the places of a bar that are looked at
-# Millimetres by which a symbol is nearer to its bar than to another one, and the demerit of less
-_CLEARLY, _OF_OTHER = 0.4, 1.2
+_OF_OTHER = 3.0  # demerit of a symbol no nearer to its own line than to something else
 
 
 @dataclass(frozen=True)
@@ -37,6 +35,10 @@ class DimensionLine:
     def path(self) -> tuple[Segment, ...]:
         """The dimension line, and the extension lines from where they have left their points."""
         return (self.line(), *self._extensions(_LEFT))
+
+    def whole(self) -> tuple[Segment, ...]:
+        """The dimension line and all of the extension lines."""
+        return (self.line(), *self._extensions())
 
     def beginnings(self) -> tuple[Segment, ...]:
         """The extension lines, up to where they have left their points."""
@@ -127,7 +129,8 @@ def _cross_any(lines: tuple[Segment, ...], across: Segment) -> bool:
 @dataclass(frozen=True)
 class SymbolBeside:
     """The symbol alone, close to a line that is drawn between the two points, or to the edge of a
-    link of `half` a width, where the most room is, and not nearer to places on `others`.
+    link of `half` a width, where the most room is, and clearly nearer to it than to anything else
+    that is `drawn`.
     """
 
     start: Vector
@@ -135,7 +138,7 @@ class SymbolBeside:
     symbol: str
     demerit: float = 0.0
     half: float = 0.0
-    others: tuple[Vector, ...] = ()
+    drawn: Obstacles = NOTHING
     shared: bool = True
 
     def path(self) -> tuple[Segment, ...]:
@@ -144,11 +147,10 @@ class SymbolBeside:
 
     def wish(self) -> Wish:
         """Close beside the line."""
-        gaps = (self.half + 0.8, self.half + 1.3)
+        gaps = (self.half + 0.8, self.half + 1.3, self.half + 0.5)  # the last at thin lines
         spots = list_spots_beside(self.symbol, self.start, self.end, gaps=gaps, stations=5)
-        steps = ceil(length(self.end - self.start) / _EVERY)
-        own = [self.start + (self.end - self.start) * (n / steps) for n in range(steps + 1)]
-        other = rate_nearness(self.symbol, spots, own, self.others, _CLEARLY - self.half)
+        own = (self.start, self.end)
+        other = rate_beside_line(self.symbol, spots, own, self.half, self.drawn)
         return Wish(self.symbol, spots, demerits=_OF_OTHER * other)
 
     def primitives(self) -> tuple[Primitive, ...]:

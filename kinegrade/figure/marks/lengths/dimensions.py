@@ -14,11 +14,12 @@ from kinegrade.figure.marks.lengths.dimension_lines import DimensionLine, Symbol
 from kinegrade.figure.marks.lengths.extension_gaps import Around, Gap, find_gap
 from kinegrade.figure.marks.lengths.length_leaders import list_leaders
 from kinegrade.figure.marks.straight.motions import gather_arrows
-from kinegrade.figure.placing.joining import Join, find_join
+from kinegrade.figure.placing.joining import Join, divides, find_join
 from kinegrade.figure.placing.layout import Layout, no_others
 from kinegrade.figure.placing.mark import Mark
 from kinegrade.figure.placing.obstacles import Obstacles, Segment
-from kinegrade.figure.plane import NEAR, angle_of, length, nearest_of, unit
+from kinegrade.figure.placing.ownership import CLAIMING, widen_labels
+from kinegrade.figure.plane import NEAR, angle_of, length, unit
 from kinegrade.figure.scene import THIN, Bow, Outline, Primitive
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import Length, Projection
@@ -75,7 +76,7 @@ def add_length(layout: Layout, at: Mapping[str, Vector], hint: Length, around: A
     if find_join(layout.obstacles, start, end, _DRAWN_GAP) == "whole":
         demerit = min(demerit, _LEG)
     half = around.find_half_width(start, end)
-    letters = _list_letters(at, hint, 0.0 if half else demerit, half, around)
+    letters = _list_letters(at, hint, 0.0 if half else demerit, half, layout.obstacles)
     led = demerit < _PART and letters
     leaders = partial(list_leaders, layout, (start, end), hint.symbol) if led else no_others
     close = [company.rate(mark) for mark in dimensions if mark.demerit < _LIKELY]
@@ -91,12 +92,14 @@ def add_length(layout: Layout, at: Mapping[str, Vector], hint: Length, around: A
 
 @dataclass(frozen=True)
 class _Company:
-    """What a dimension has to keep off as a whole: letters, the arrows of motions, and with its
-    line, other than with its extension lines, all that is firm; with its arrowheads all that is
-    drawn; the ground; the arcs and squares of angles, earlier dimensions and other points.
+    """What a dimension has to keep off as a whole: letters and what is about them, the arrows of
+    motions, and with its line, other than with its extension lines, all that is firm; with its
+    arrowheads all that is drawn; the ground; the arcs and squares of angles, earlier dimensions and
+    other points.
     """
 
     written: Obstacles
+    claimed: Obstacles
     arrows: Obstacles
     firm: Obstacles
     drawn: Obstacles
@@ -110,6 +113,7 @@ class _Company:
         """What there is in a layout."""
         return _Company(
             Obstacles.of(layout.labels),
+            widen_labels(layout.labels),
             gather_arrows(layout.marks),
             layout.obstacles.firm(),
             layout.obstacles,
@@ -123,12 +127,17 @@ class _Company:
         """The dimension with its demerit here: it stands well apart from earlier ones, or goes on
         from one of them in its line, where their heads meet.
         """
-        goes_on = any(map(mark.goes_on_from, self.earlier))
+        chain = [
+            part for each in self.earlier if mark.goes_on_from(each) for part in each.primitives()
+        ]
+        goes_on = bool(chain)
         begins, path = mark.beginnings(), mark.path()
         worse = _CLOSE * sum(map(mark.crowds, self.earlier))
         worse += _CUT * sum(map(mark.cuts, self.earlier))
         worse += _STAGGERED * (not goes_on and any(map(mark.adjoins, self.earlier)))
+        worse -= Obstacles.of(chain).along(path, mark.shared)
         worse += self.written.along(begins, mark.shared)
+        worse += CLAIMING * (self.claimed.along(mark.whole(), mark.shared) > 0)
         worse += _ON_ARROW * (self.arrows.along(path, mark.shared) > 0)
         worse += self.firm.along(path[:1], mark.shared)
         worse += _ON_GROUND * (self.ground.along(path, mark.shared) > 0)
@@ -192,17 +201,16 @@ def _draw_close_dimension(
 
 
 def _list_letters(
-    at: Mapping[str, Vector], hint: Length, demerit: float, half: float, around: Around
+    at: Mapping[str, Vector], hint: Length, demerit: float, half: float, drawn: Obstacles
 ) -> list[Mark]:
     """The symbol beside the line between the two points, or the link of that half width; nothing
     where no line joins the points, or a part of it could be meant.
     """
     start, end = at[hint.start], at[hint.end]
     points = [point for name, point in at.items() if name not in (hint.start, hint.end)]
-    if hint.along is not None or demerit == inf or _between(start, end, points):
+    if hint.along is not None or demerit == inf or divides(start, end, points):
         return []
-    others = tuple(around.list_other_bars(start, end))
-    return [SymbolBeside(start, end, hint.symbol, demerit, half, others)]
+    return [SymbolBeside(start, end, hint.symbol, demerit, half, drawn)]
 
 
 def find_extension_angles(
@@ -237,14 +245,3 @@ def _draw_dimension(
 
 def _measure(gaps: Gaps) -> tuple[float, float]:
     return gaps[0].reach, gaps[1].reach
-
-
-def _between(start: Vector, end: Vector, others: Iterable[Vector]) -> bool:
-    """Whether one of the other points divides the line, so that a letter beside it could mean only
-    a part of it.
-    """
-    return any(
-        length(point - nearest_of(point, start, end)) < NEAR
-        and length(point - start) > NEAR < length(point - end)
-        for point in others
-    )

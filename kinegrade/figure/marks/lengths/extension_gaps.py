@@ -8,13 +8,11 @@ from dataclasses import dataclass
 
 from kinegrade.figure.mechanism.layers import Drawing
 from kinegrade.figure.mechanism.straight_parts import Bar, Rod, find_half_width, list_ways
-from kinegrade.figure.placing.obstacles import Obstacles, Segment
-from kinegrade.figure.placing.ownership import list_places
+from kinegrade.figure.placing.obstacles import Obstacles
 from kinegrade.figure.plane import length, unit
 from kinegrade.figure.scene import BOLD
 from kinegrade.mechanics.vector import Vector
 
-_ABOUT = 4.0  # millimetres past the ends of a bar in which others are near it
 _LEAVING = 1.6  # millimetres from a point to its extension line, where nothing is in the way
 # Millimetres around a point in which its support is, in steps, and from there to the line
 _SUPPORT, _PROBES, _OUTSIDE = (7.0, 10, 0.5)
@@ -29,14 +27,11 @@ _OFF_BAR, _NEAR_BY, _FAR_OFF = 0.7, 4.2, 12.0
 
 @dataclass(frozen=True)
 class Around:
-    """What there is about a dimension: the mechanism, its supports and guides, its bars, and those
-    with a slot.
-    """
+    """What there is about a dimension: the mechanism, its supports and guides, and its bars."""
 
     drawn: Obstacles
     ground: Obstacles
     bars: tuple[Bar | Rod, ...] = ()
-    slotted: tuple[Bar, ...] = ()
 
     @staticmethod
     def of(drawn: Obstacles, drawing: Drawing) -> Around:
@@ -46,10 +41,7 @@ class Around:
             for part in drawing.parts
             if isinstance(part, Rod) or (isinstance(part, Bar) and part.use != "slot")
         )
-        slotted = tuple(
-            part for part in drawing.parts if isinstance(part, Bar) and part.use == "slot"
-        )
-        return Around(drawn, Obstacles.of(drawing.ground), bars, slotted)
+        return Around(drawn, Obstacles.of(drawing.ground), bars)
 
     def find_half_width(self, start: Vector, end: Vector) -> float:
         """Half the width of the broad link that is pinned at both points; 0 where there is none."""
@@ -58,21 +50,6 @@ class Around:
         return max(
             (find_half_width(bar) for bar in broad if {bar.start, bar.end} == points), default=0.0
         )
-
-    def list_other_bars(self, start: Vector, end: Vector) -> list[Vector]:
-        """Places along the edges of the bars that do not lead from one point to the other."""
-        middle, reach = (start + end) / 2, length(end - start) / 2 + _ABOUT
-        return [
-            at
-            for bar in (*self.bars, *self.slotted)
-            if not (list_ways(bar, start) and list_ways(bar, end))
-            for at in list_places(_list_edges(bar), middle, reach)
-        ]
-
-
-def _list_edges(bar: Bar | Rod) -> tuple[Segment, Segment]:
-    across = unit(bar.end - bar.start).turned() * find_half_width(bar)
-    return ((bar.start + across, bar.end + across), (bar.start - across, bar.end - across))
 
 
 @dataclass(frozen=True)

@@ -1,0 +1,67 @@
+"""What is wrong with the letters of lengths in a printed picture: one beside its bar that is as near
+to something else, so that a reader takes it for the length of that.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+
+from shapely import LineString, Point
+from shapely.geometry.base import BaseGeometry
+
+from kinegrade.problem.template.hints import Length
+from tests.figures.svg_shapes import Letters, Picture
+
+BESIDE = 2.5  # millimetres from its line within which a letter stands beside it
+ITS_OWN = 1.0  # millimetres about a line that are its own
+OF_LINK = 2.2, 0.8  # millimetres about a line, and share of some ink in it that is its own
+AT_END = 1.2  # millimetres between a letter and the end of its leader
+CLEARLY = 0.1  # millimetres by which a letter is nearer to its own line than to anything else
+
+
+def find_ownership_flaws(
+    picture: Picture, points: Mapping[str, Point], lengths: Sequence[Length]
+) -> list[str]:
+    """What is wrong with the letters of lengths between marked points, in words."""
+    return [
+        flaw
+        for length in lengths
+        if length.along is None and {length.start, length.end} <= {*points}
+        for flaw in _find_flaws_of(picture, length, points)
+    ]
+
+
+def _find_flaws_of(picture: Picture, length: Length, points: Mapping[str, Point]) -> Iterator[str]:
+    own = LineString([points[length.start], points[length.end]])
+    text = re.sub(r"[^A-Za-z0-9]", "", length.symbol)
+    letters = [each for each in picture.letters if each.text == text]
+    nearest = min(letters, key=lambda each: each.box.distance(own), default=None)
+    if nearest and nearest.box.distance(own) < BESIDE and not _has_leader(nearest, own, picture):
+        mine, other = _measure(nearest, own, picture.ink)
+        if other < mine + CLEARLY:
+            yield f"{text} stands as near to something else as to its own line"
+
+
+def _has_leader(letters: Letters, own: LineString, picture: Picture) -> bool:
+    """Whether a thin line leads from a letter to its line."""
+    return any(
+        min(ends, key=letters.box.distance).distance(letters.box) < AT_END
+        and min(ends, key=own.distance).distance(own) < ITS_OWN
+        for line in picture.lines
+        if not line.within(own.buffer(ITS_OWN))
+        for ends in [[Point(at) for at in line.coords]]
+    )
+
+
+def _measure(letters: Letters, own: LineString, ink: Sequence[BaseGeometry]) -> tuple[float, float]:
+    """The distance of a letter from its line or link, and from anything else."""
+    about, link = own.buffer(ITS_OWN), own.buffer(OF_LINK[0])
+    mine, other = letters.box.distance(own), 99.0
+    for each in ink:
+        if each.intersection(link).area > OF_LINK[1] * each.area:
+            mine = min(mine, letters.box.distance(each))
+        else:
+            rest = each.difference(about)
+            other = min(other, letters.box.distance(rest)) if not rest.is_empty else other
+    return mine, other
