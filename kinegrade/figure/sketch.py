@@ -204,7 +204,7 @@ def _place_frames_and_angles(
     legs = [draw_least_legs(at, *each) for each in zip(hints.angles, sides, strict=True)]
     usual = [choose_bow(at, *each) for each in zip(hints.angles, sides, strict=True)]
     sparing = [line for lines in legs for line in lines]
-    layout = add_frames(layout, at, hints, drawing, sparing)
+    layout = add_frames(layout, at, hints, drawing, sparing, likely=likely)
     around = find_neighbours(drawing)
     arrows = draw_likely_motions(likely)
     for number, angle in enumerate(hints.angles, start=1):

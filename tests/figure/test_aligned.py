@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from math import cos
 
 import numpy as np
@@ -105,6 +106,13 @@ def test_the_letter_of_a_point_is_rather_not_beside_an_arrow() -> None:
     kept = keep_from_marks(wish, [arrow])
     assert kept.demerits is not None
     assert kept.demerits[0] > kept.demerits[1] == 0.0
+    spots = np.array([[6.0, 1.5], [0.0, 2.5]])
+    led = replace(wish, closely=lambda _: Wish("B", spots))
+    look = keep_from_marks(led, [arrow]).closely
+    assert look is not None
+    demerits = look(3.0).demerits
+    assert demerits is not None
+    assert (demerits > 0.5).tolist() == [True, False]
 
 
 def test_the_heads_of_a_dimension_lie_between_its_feet_or_outside() -> None:

@@ -259,6 +259,14 @@ def test_an_axis_is_short_where_a_bar_stands_farther_along_it() -> None:
     assert max(part.corners[0].y for part in layout.lines if isinstance(part, Outline)) < 9.0
 
 
+def test_an_axis_reaches_beyond_the_arrow_of_a_motion_that_lies_on_it() -> None:
+    hints = FigureHints(axes="origin")
+    motion = (RIGHT * 8.0, RIGHT * 18.0)
+    layout = add_frames(Layout.of(()), {}, hints, EMPTY, (), likely=(motion,))
+    tips = [part.corners[0] for part in layout.lines if isinstance(part, Outline)]
+    assert [max(tip.x for tip in tips) > 22.0, max(tip.y for tip in tips) < 15.0] == [True, True]
+
+
 @pytest.mark.parametrize("far", [0.1, 2.0])
 def test_an_axis_reaches_beyond_the_point_that_gives_the_side_of_an_angle(far: float) -> None:
     mechanism, _ = sliding_plate()

@@ -83,6 +83,25 @@ def test_neither_head_of_an_acceleration_lies_on_a_rim() -> None:
         assert not hypot(*(back - at)) < inner < hypot(*(end - at)), (start, end, inner)
 
 
+def test_a_head_ends_well_off_a_rim_and_the_symbol_of_an_arrow_in_a_disc_too() -> None:
+    mechanism = slider(1, 0)
+    at = mechanism.points["B"]
+    for radius in (9.0, 10.0, 11.0, 13.0):
+        layout = add_motions(Layout.of([Disc(at, radius, FIRM)]), Site(mechanism), BOTH[:1])
+        [(_, end)] = list_shafts(layout)
+        assert abs(hypot(*(end - at)) - radius) > 1.0
+        within = [hypot(*(place - at)) < radius for place in (end, layout.labels[0].centre)]
+        assert within != [True, False]
+
+
+def test_an_arrow_lies_on_an_axis_through_its_point() -> None:
+    mechanism = slider(1, 0)
+    at = mechanism.points["B"]
+    axis = Strokes(((at - RIGHT * 10, at + RIGHT * 20),), THIN)
+    ((start, end),) = place(Layout.of([axis]), mechanism, Moving("v", "B"))
+    assert (start.y, end.y) == (at.y, at.y)
+
+
 def test_a_velocity_and_an_acceleration_that_oppose_point_away_from_one_another() -> None:
     mechanism = slider(1, -1)
     (tail, tip), (start, end) = place(Layout.of(()), mechanism, *BOTH)

@@ -1,4 +1,4 @@
-"""What is wrong with the letters of lengths in a printed picture: one beside its bar that is as near
+"""What is wrong with the letters of lengths in a printed picture: one beside its bar that is nearer
 to something else, so that a reader takes it for the length of that.
 """
 
@@ -16,8 +16,9 @@ from tests.figures.svg_shapes import Letters, Picture
 BESIDE = 2.5  # millimetres from its line within which a letter stands beside it
 ITS_OWN = 1.0  # millimetres about a line that are its own
 OF_LINK = 2.2, 0.8  # millimetres about a line, and share of some ink in it that is its own
+ALONG, AT_DIMENSION = 7.0, 1.6  # millimetres from a line to a dimension line, from that to a letter
 AT_END = 1.2  # millimetres between a letter and the end of its leader
-CLEARLY = 0.1  # millimetres by which a letter is nearer to its own line than to anything else
+CLEARLY = 0.3  # millimetres by which a letter may not be nearer to something else
 
 
 def find_ownership_flaws(
@@ -39,12 +40,23 @@ def _find_flaws_of(picture: Picture, length: Length, points: Mapping[str, Point]
     nearest = min(letters, key=lambda each: each.box.distance(own), default=None)
     if nearest and nearest.box.distance(own) < BESIDE and not _has_leader(nearest, own, picture):
         mine, other = _measure(nearest, own, picture.ink)
-        if other < mine + CLEARLY:
-            yield f"{text} stands as near to something else as to its own line"
+        if other < mine - CLEARLY:
+            yield f"{text} stands nearer to something else than to its own line"
 
 
 def _has_leader(letters: Letters, own: LineString, picture: Picture) -> bool:
-    """Whether a thin line leads from a letter to its line."""
+    """Whether a thin line leads from a letter to its line, or the letter stands at a dimension
+    line along that.
+    """
+    along = own.buffer(ALONG, cap_style="flat")
+    if any(
+        line.within(along)
+        and line.length > own.length / 2
+        and own.buffer(ITS_OWN).disjoint(line)
+        and line.distance(letters.box) < AT_DIMENSION
+        for line in picture.lines
+    ):
+        return True
     return any(
         min(ends, key=letters.box.distance).distance(letters.box) < AT_END
         and min(ends, key=own.distance).distance(own) < ITS_OWN

@@ -14,21 +14,23 @@ from tests.figures.test_flaws import LINE, draw, write
 POINTS = {"A": Point(2, 10), "B": Point(38, 10)}
 GIVEN = (Length("l", "A", "B"),)
 AXIS = '<path d="M20 9.9L20 2" stroke-width="0.18"/>'
-LEADER = '<path d="M21 10L20.7 9.2" stroke-width="0.18"/>'
-AS_NEAR = ["l stands as near to something else as to its own line"]
+LEADER = '<path d="M24 10L21.6 8" stroke-width="0.18"/>'
+NEARER = ["l stands nearer to something else than to its own line"]
 
 
 def find(*elements: str) -> list[str]:
     return find_ownership_flaws(draw(LINE, *elements), POINTS, GIVEN)
 
 
-def test_a_letter_as_near_to_another_line_is_found() -> None:
-    assert find(AXIS, write("l", 21.3, 8.5)) == AS_NEAR
+def test_a_letter_nearer_to_another_line_is_found() -> None:
+    assert find(AXIS, write("l", 20.9, 8.2)) == NEARER
 
 
-def test_a_letter_at_its_own_line_or_at_a_leader_has_no_flaw() -> None:
+def test_a_letter_at_its_own_line_or_at_a_leader_or_dimension_has_no_flaw() -> None:
     assert find(AXIS, write("l", 26, 8.5)) == []
-    assert find(AXIS, LEADER, write("l", 21.3, 8.5)) == []
+    assert find(AXIS, LEADER, write("l", 20.9, 8.2)) == []
+    dimension = '<path d="M2 6.5L38 6.5" stroke-width="0.18"/>'
+    assert find(dimension, write("l", 20, 8.5)) == []
 
 
 @pytest.mark.parametrize(

@@ -19,7 +19,6 @@ from kinegrade.figure.mechanism.layers import Drawing
 from kinegrade.figure.mechanism.straight.broad_links import find_frame_place, measure_way
 from kinegrade.figure.mechanism.straight_parts import Bar
 from kinegrade.figure.placing.layout import Layout
-from kinegrade.figure.placing.mark import Mark
 from kinegrade.figure.placing.obstacles import Segment
 from kinegrade.figure.placing.place import Wish, list_spots_around
 from kinegrade.figure.plane import NEAR, length, unit
@@ -37,6 +36,7 @@ _LENGTHS, _BODY_LENGTHS, _ASIDE = (
 )
 _LEG_LENGTHS = (22.0, 25.0, 19.0)  # millimetres of an axis that is the leg of an angle
 _BEYOND_LEG = 4.0  # millimetres of an axis beyond the point that gives the side of an angle
+_BEYOND_TIP = 5.0  # millimetres of an axis beyond the arrow of a motion that lies on it
 _BEYOND_BAR = (6.0, 7.5, 9.0)  # millimetres of an axis beyond the bar or the ground that it is on
 _ON_EDGE = 5.0  # millimetres of an edge or a bar beyond the longest axis along it
 _OUTWARD = 3.0  # share of the way out of a plate, of the way from the tip on its edge to the letter
@@ -58,12 +58,14 @@ def add_frames(
     hints: FigureHints,
     drawing: Drawing,
     sparing: Sequence[Primitive],
+    *,
+    likely: Sequence[Segment] = (),
 ) -> Layout:
     """The layout with the axes that stand at points: those of bodies, then x and y at the
     origin; their letters keep clear of lines that are still to come. An axis along a bar or the
     ground runs on beyond it, as does one to a block; along the long edge of a plate it lies on
     that, along a long link on that, which is broad; one that is the leg of an angle reaches beyond
-    its arc.
+    its arc, one along the `likely` arrow of a motion beyond its tip.
     """
     axes = [
         axis for frame in hints.frames for axis in _name_axes(*find_frame_place(at, frame), frame)
@@ -71,13 +73,14 @@ def add_frames(
     if hints.axes == "origin":
         axes += [("x", _ORIGIN, _RIGHT, _LENGTHS), ("y", _ORIGIN, _RIGHT.turned(), _LENGTHS)]
     for axis in axes:
-        layout = layout.marked(_list_ways(at, hints, drawing, axis), sparing)
+        ways = _list_ways(at, hints, drawing, axis)
+        layout = layout.marked([way.past(likely) for way in ways], sparing)
     return layout
 
 
 def _list_ways(
     at: Mapping[str, Vector], hints: FigureHints, drawing: Drawing, axis: _NamedAxis
-) -> list[Mark]:
+) -> list[_Axis]:
     """An axis in the lengths that it may have; on a long edge or a broad bar, so that it is seen
     to begin at its own origin.
     """
@@ -105,10 +108,10 @@ def _list_ways(
     return [replace(way, free=free) for way in ways]
 
 
-def _list_axes_on_bar(axis: _NamedAxis) -> list[Mark]:
+def _list_axes_on_bar(axis: _NamedAxis) -> list[_Axis]:
     """An axis on the broad bar along which it runs, with its letter on either side of that."""
     symbol, origin, toward, usual = axis
-    found: list[Mark] = []
+    found: list[_Axis] = []
     for rank, outward in enumerate((toward.turned(), -toward.turned())):
         for way in _list_axes(origin + toward * PIN, toward, symbol, usual):
             worse = way.demerit + _OTHER_SIDE * rank
@@ -211,6 +214,16 @@ class _Axis:
     bare: bool = False
     away: Vector | None = None
     shared: bool = True
+
+    def past(self, arrows: Iterable[Segment]) -> _Axis:
+        """The axis with its tip past those of arrows that lie on it."""
+        reaches = [
+            (end - self.start).dot(self.toward)
+            for tail, end in arrows
+            if max(abs((at - self.start).cross(self.toward)) for at in (tail, end)) < NEAR
+            and unit(end - tail).dot(self.toward) > 0
+        ]
+        return replace(self, size=max([self.size, *(reach + _BEYOND_TIP for reach in reaches)]))
 
     def path(self) -> tuple[Segment, ...]:
         """The part before the tip, as the rest may run along a bar or over one; all that is clear

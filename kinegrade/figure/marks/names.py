@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 from itertools import pairwise
@@ -38,9 +38,10 @@ _NEAR_SPOTS = 48  # spots for a letter of which those outside an angle at its po
 _TEETH = 4.5  # millimetres of the leader to a point among teeth that may cross these
 _INSIDE = 0.95  # share of a radius: nearer to the rim a letter may stand on either side
 _WITHIN = 1.5  # millimetres inside a rim from which on a letter is rather inside it as well
-# Millimetres from a point to where an arrow is past it, and cost of a letter about as near to it:
-# no fault
-_AT_TAIL, _AT_ARROW = 3.0, 0.45
+# Millimetres from its tail, and from a point, to where an arrow is past it, and cost of a letter
+# about as near to it: no fault
+_AT_TAIL, _AT_ARROW = 3, 0.45
+_TAKEN = 2.0  # cost of a place looked for closely that is about as near to an arrow: a fault
 _IN_DISC = 0.45  # cost of the letter of a tip in the disc beneath it: no fault
 _Wedge = tuple[Vector, float]  # the bisector of an angle, and the cosine of its half
 _POINT = re.compile(r"([A-Za-z])(\d*)(p*)")
@@ -140,16 +141,21 @@ def keep_from_marks(wish: Wish, marks: Sequence[Mark]) -> Wish:
     at = wish.names
     if at is None:
         return wish
-    stations = [
-        place
-        for arrow in marks
-        if isinstance(arrow, MovingArrow)
-        for place in arrow.list_stations()
-        if length(place - at) > _AT_TAIL
-    ]
+    arrows = [mark.list_stations()[_AT_TAIL:] for mark in marks if isinstance(mark, MovingArrow)]
+    stations = [place for each in arrows for place in each if length(place - at) > _AT_TAIL]
     worse = _AT_ARROW * rate_nearness(wish.symbol, wish.spots, [at], stations)
     lines = tuple(mark.line() for mark in marks if isinstance(mark, DimensionLine))
-    return replace(wish.worse_by(worse), walls=(*wish.walls, *lines))
+    closely = partial(_look_off_arrows, wish.closely, at, stations) if wish.closely else None
+    return replace(wish.worse_by(worse), walls=(*wish.walls, *lines), closely=closely)
+
+
+def _look_off_arrows(
+    look: Callable[[float], Wish], at: Vector, stations: Sequence[Vector], farthest: float
+) -> Wish:
+    """The many places close to a point for its letter, none of them at an arrow."""
+    close = look(farthest)
+    worse = _TAKEN * rate_nearness(close.symbol, close.spots, [at], stations, 0.0)
+    return close.worse_by(worse)
 
 
 def _look_closely(

@@ -28,6 +28,8 @@ _AHEAD = {
     (AT_PIN, LEAVING, 12.0): 2.0,
     (AT_PIN, 5.4, 12.0): 2.4,
     (AT_PIN, 7.5, 12.0): 3.0,
+    (AT_PIN, LEAVING, 15.0): 3.4,
+    (AT_PIN, 5.4, 15.0): 3.8,
 }
 # Millimetres of an arrow above the ground on which it lies otherwise, and the demerit
 _ABOVE, _OFF_GROUND = 1.1, 0.2

@@ -15,7 +15,8 @@ from kinegrade.figure.scene import THIN, Bow
 from kinegrade.mechanics.vector import Vector
 
 # Demerits of an arrow that ends at a rim, as a radius would, and at the arc of an angle
-_HEAD_AT_RIM, _HEAD_AT_ARC = 3.5, 8.0
+_HEAD_AT_RIM, _HEAD_AT_ARC = 8.0, 8.0
+_OFF_RIM = 1.2  # millimetres between a head and a rim that it would seem to end at
 _OVER_SIDE = 18.0  # demerit of a longer arrow that hides the side of an angle
 _ACROSS_ARC = 12.0  # demerit of an arrow across the arc of an angle, which would seem to end there
 # Demerits of an arrow on the far side of the rail on which its point slides, more where its line
@@ -64,7 +65,7 @@ class Surroundings:
             worse += _OVER_SIDE
         elif self.along.lines and self.along.along((arrow.head(),), arrow.shared) > 0:
             worse += _HEAD_AT_ARC
-        if self.rims.rings and self.rims.along((arrow.head(),), arrow.shared) > 0:
+        if self.rims.rings and self.rims.along((arrow.head(_OFF_RIM),), arrow.shared) > 0:
             worse += _HEAD_AT_RIM
         if not arrow.is_ahead() and self._is_centre(arrow.point):
             worse += _OFF_CENTRE

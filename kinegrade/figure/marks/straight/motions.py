@@ -21,7 +21,7 @@ from kinegrade.figure.placing.obstacles import Obstacles, Segment
 from kinegrade.figure.placing.ownership import Claims, list_places
 from kinegrade.figure.placing.place import Wish
 from kinegrade.figure.plane import length, unit
-from kinegrade.figure.scene import THIN, Label, Primitive, Strokes
+from kinegrade.figure.scene import THIN, Disc, Label, Primitive, Strokes
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import Moving
 
@@ -96,13 +96,15 @@ def _caption(
     """
     lines = list_thin_lines(layout.lines)
     bars = tuple((part.start, part.end) for part in site.parts if isinstance(part, Bar | Rod))
+    discs = [part for part in layout.lines if isinstance(part, Disc)]
     for arrow in arrows:
         others = [other for other in arrows if other != arrow]
         wish = arrow.wish_apart(others, site.find_rails(arrow.point))
         own, places = arrow.list_stations(), list(list_places(lines, arrow.start, _ABOUT))
         near = [*own, own[-1] + arrow.toward * _PAST]
         foreign = [at for at in places if min(length(at - each) for each in near) > _BESIDE]
-        claims = Claims(bars=bars, lines=tuple(foreign))
+        around = tuple(disc for disc in discs if arrow.lies_in(disc))
+        claims = Claims(around, bars, lines=tuple(foreign))
         worse = claims.rate(wish.symbol, wish.spots, own)
         if any(arrow.is_past(at) for at in places):
             worse += _AT_LINE * np.array([arrow.is_past(Vector(*at)) for at in wish.spots])

@@ -17,7 +17,7 @@ from kinegrade.figure.placing.place import (
     widen,
 )
 from kinegrade.figure.plane import NEAR, length
-from kinegrade.figure.scene import THIN, Outline, Primitive, Strokes
+from kinegrade.figure.scene import THIN, Disc, Outline, Primitive, Strokes
 from kinegrade.figure.symbols import HEAD_LENGTH, HEADS, PIN, draw_arrow
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import Moving
@@ -73,7 +73,11 @@ class MovingArrow:
     short: float = 0.0
     lettered: float = 3.0
     outward: Vector | None = None
-    shared: bool = False
+
+    @property
+    def shared(self) -> bool:
+        """Whether it may lie on an axis or another thin line: where it begins at its point."""
+        return self.is_ahead()
 
     def among(self, others: Sequence[MovingArrow]) -> MovingArrow:
         """The arrow beside others at its point, past which is the way to it."""
@@ -113,10 +117,10 @@ class MovingArrow:
         level = self.start - self.toward * (self.start - self.point).dot(self.toward)
         return ((level + self.toward * LEAVING, level + self.toward * self.leaving),)
 
-    def head(self) -> Segment:
-        """The piece under its arrowheads and just about them."""
-        heads = HEAD_LENGTH * HEADS[self.hint.level] + _ABOUT_HEAD
-        return (self._end() - self.toward * heads, self._end() + self.toward * _ABOUT_HEAD)
+    def head(self, about: float = _ABOUT_HEAD) -> Segment:
+        """The piece under its arrowheads and so many millimetres about them."""
+        heads = HEAD_LENGTH * HEADS[self.hint.level] + about
+        return (self._end() - self.toward * heads, self._end() + self.toward * about)
 
     def is_ahead(self) -> bool:
         """Whether it begins at its point, ahead of which it stands."""
@@ -191,6 +195,11 @@ class MovingArrow:
             step.dot(self.toward) > self.size + _ONE_LINE
             and abs(step.cross(self.toward)) < _ONE_LINE
         )
+
+    def lies_in(self, disc: Disc) -> bool:
+        """Whether all of it lies within a circle."""
+        ends = (self.start, self._end())
+        return all(length(end - disc.centre) < disc.radius for end in ends)
 
     def list_claimed(self) -> list[Vector]:
         """Those and places just past its tip, where the symbol of another one would seem its."""
