@@ -62,7 +62,7 @@ _ACCENTS: dict[AccentName, str] = {
 _LOW, _DEEP, _BOTH = (
     frozenset("acemnorsuvwxzαγεικνοπστυωϵ"),
     frozenset("gpqyηχμ"),
-    frozenset("jβζξρφϕψϱ,;()"),
+    frozenset("Qjβζξρφϕψϱ,;()"),
 )
 
 
