@@ -107,7 +107,7 @@ def work_from_the_pole(given: Givens, p: Pad) -> Answers:
         "v_CB": p(p(rate * coupler) / 2),
         "v_C_x": v_c_x,
         "v_C_y": v_c_y,
-        "v_C": p(rate * magnitude(right, below, p)),
+        "v_C": p(abs(rate) * magnitude(right, below, p)),
         "ic_x": pole_x,
         "ic_y": pole_y,
         "a_B": magnitude(normal_b, tangential_b, p),
