@@ -38,7 +38,7 @@ def test_velocities_by_a_base_point() -> None:
         The velocity of $A$ is that of the base point $B$ plus that of the rotation of $AB$ about
             $B$.
         [ ] \boldsymbol{v}_{A} | ? | $+y$
-        [=] \boldsymbol{v}_{B} | $2\,\unit{m/s}$ | $\parallel x$
+        [=] \boldsymbol{v}_{B} | $2\,\unit{m/s}$ | $+x$
         [+] \boldsymbol{v}_{AB} | ? $(BA \cdot \omega)$ | $\perp BA$
         Here $BA = \sqrt{x_{B}^{2} + y_{A}^{2}} = \sqrt{(4\,\unit{m})^{2} + (3\,\unit{m})^{2}} =
             5\,\unit{m}$.
@@ -76,7 +76,7 @@ def test_velocities_by_the_projection_theorem() -> None:
         The velocity of $A$ is that of the base point $B$ plus that of the rotation of $AB$ about
             $B$.
         [ ] \boldsymbol{v}_{A} | ? | $+y$
-        [=] \boldsymbol{v}_{B} | $2\,\unit{m/s}$ | $\parallel x$
+        [=] \boldsymbol{v}_{B} | $2\,\unit{m/s}$ | $+x$
         [+] \boldsymbol{v}_{AB} | ? $(BA \cdot \omega_{AB})$ | $\perp BA$
         Here $BA = \sqrt{x_{B}^{2} + y_{A}^{2}} = \sqrt{(4\,\unit{m})^{2} + (3\,\unit{m})^{2}} =
             5\,\unit{m}$.

@@ -13,13 +13,13 @@ from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.library.library import find_template_names, load_template
 from kinegrade.problem.template.texts import find_languages
-from kinegrade.worked.document import Block, Display, Picture, Pictures, Prose
+from kinegrade.worked.document import Block, Display, Picture, Pictures, Prose, TermTable
 from kinegrade.worked.solution import write_worked_solution
 from tests.worked.draws import drawn, kept, told
 from tests.worked.reader.economy import find_repeated, find_unused
 from tests.worked.reader.known import KNOWN
 from tests.worked.reader.laws import LAWS, Law, find_faults
-from tests.worked.telling import lines
+from tests.worked.telling import lines, read_term
 
 
 def _broken(name: str, language: Language = "en") -> dict[Law, list[str]]:
@@ -76,6 +76,7 @@ WRONG: dict[Law, tuple[Block, ...]] = {
     "closed": (_draw([ALONG], [ACROSS]),),
     "used": (Display((read_math(r"s = 1 + 1 = 2", ""),)),),
     "once": (Prose("The rope $A$ does not turn here, so that is zero."),) * 2,
+    "sense": (TermTable((read_term("", "v_A", r"$2\,\unit{m/s}$", r"$\parallel x$"),)),),
     "another": (
         Prose(
             "Check by the projection on the $x$ axis, which has not been used: "

@@ -169,28 +169,26 @@ def _find_alignment(part: Part, case: Case) -> Row:
 
 
 def _align_term(part: Part, term: Term, case: Case) -> Row:
-    """The line to which a rotating part is perpendicular, or along which a sliding part lies."""
+    """The line to which a rotating part is perpendicular, or the way of a sliding part."""
     match term.kind:
         case "rotation" | "arc":
             return (Sign(r"\perp"), *name_arm(part, case).row)
-        case "sliding" if part.coefficient is not None:
-            return _find_assumed_direction(part, part.coefficient, case)
         case "sliding":
-            line = _find_track(term, case)
-            return (Sign(r"\parallel"), *line) if line else ()
+            return _find_way(part, case)
         case _:
             assert_never(term.kind)
 
 
-def _find_assumed_direction(part: Part, positive: Vector, case: Case) -> Row:
-    """The direction in which an unknown sliding part counts positive: from point to point, or that
-    of an axis.
+def _find_way(part: Part, case: Case) -> Row:
+    """The direction of a known sliding part, and in which an unknown one counts positive: from
+    point to point, or that of an axis.
     """
+    heading = find_heading(part)
     ends = find_path_ends(part, case)
     if ends:
         start, end = map(case.naming.letter, ends)
         return (*start.row, Sign(r"\to"), *end.row)
-    return _find_axis(positive)
+    return _find_axis(heading)
 
 
 def _find_axis(heading: Vector) -> Row:
@@ -207,21 +205,10 @@ def find_path_ends(part: Part, case: Case) -> tuple[str, str] | None:
     two points do.
     """
     ends = find_track_ends(part.term, case) if part.term and part.term.kind == "sliding" else None
-    if ends is None or part.coefficient is None:
+    if ends is None:
         return None
     start, end = (case.motion.points[point] for point in ends)
-    return ends if float((end - start).dot(part.coefficient)) > 0 else (ends[1], ends[0])
-
-
-def _find_track(term: Term, case: Case) -> Row:
-    """The line along which a point slides: by two points, or an axis parallel to it."""
-    ends = find_track_ends(term, case)
-    if ends:
-        return join_letters(map(case.naming.letter, ends)).row
-    x, y = abs(float(term.vector.x)), abs(float(term.vector.y))
-    if y < NEGLIGIBLE:
-        return (Letter("x"),)
-    return (Letter("y"),) if x < NEGLIGIBLE else ()
+    return ends if float((end - start).dot(find_heading(part))) > 0 else (ends[1], ends[0])
 
 
 def find_track_ends(term: Term, case: Case) -> tuple[str, str] | None:

@@ -32,6 +32,7 @@ KNOWN: Mapping[Law, frozenset[str]] = {
             "parallelogram-with-sliding-rod",
         )
     ),
+    "sense": frozenset(),
     # bodies that slide along lines beside their axes, two relative motions at once, or so many
     # slanting rods that any other way is longer
     "another": frozenset(

@@ -34,6 +34,7 @@ from tests.worked.reader.formula_reader import (
 )
 from tests.worked.reader.givens import find_introduced, find_letters, read_givens
 from tests.worked.reader.polygons import judge_polygons
+from tests.worked.reader.tables import find_without_sense
 
 Law: TypeAlias = Literal[
     "equal",
@@ -50,6 +51,7 @@ Law: TypeAlias = Literal[
     "used",
     "once",
     "another",
+    "sense",
 ]
 LAWS: dict[Law, str] = {
     "equal": "a sign of equality joins equal values, to within what rounding can do",
@@ -65,6 +67,7 @@ LAWS: dict[Law, str] = {
     "label": "a symbol in a polygon stands beside an arrow as long as its value says",
     "used": "what is found is asked, or used further down, by a check at least",
     "once": "no long sentence stands twice under a title",
+    "sense": "a known vector along a line has a direction, not the line alone",
     "another": "a check goes by another way: it does not project the vectors that were projected",
 }
 NATURAL = (0.0, 90.0, 180.0, 270.0, 360.0)  # degrees
@@ -121,6 +124,7 @@ def find_faults(blocks: Sequence[Block], solution: Solution) -> Iterator[Fault]:
                 yield from _judge_line(part, sought, known)
     yield from (Fault("used", line) for line in find_unused(blocks))
     yield from (Fault("once", sentence) for sentence in find_repeated(blocks))
+    yield from (Fault("sense", column) for column in find_without_sense(blocks))
     yield from (Fault("another", check) for check in find_projected_again(blocks))
     for wrong in judge_polygons(blocks, known.amounts):
         yield Fault(wrong.law, wrong.line)

@@ -1,0 +1,16 @@
+"""What the tables under vector equations say."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from kinegrade.worked.case import write_row
+from kinegrade.worked.document import Block, TermTable
+
+
+def find_without_sense(blocks: Sequence[Block]) -> Iterator[str]:
+    """The known vectors of which a table says along which line they lie, not to which side."""
+    for block in blocks:
+        for term in block.terms if isinstance(block, TermTable) else ():
+            if "?" not in term.magnitude and r"\parallel" in term.direction:
+                yield f"{write_row(term.symbol)}: {term.direction}"
