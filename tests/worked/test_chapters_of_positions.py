@@ -112,3 +112,23 @@ def test_an_angle_that_a_triangle_has_given_is_not_found_by_coordinates_again() 
     (found,) = (line for line in page if line.strip().startswith(r"\psi_{BC} &"))
     assert r"&= \angle(x,\overrightarrow{BD}) + \angle DBC" in found
     assert not any(r"\tan\psi_{BC}" in line for line in page)
+
+
+TANGENT = """
+joints = ["pin C: ground arm", "pin M: ground disc"]
+inputs = [{ motion = "arm turns", velocity = "1" }, { motion = "disc turns", velocity = "1" }]
+[points]
+C = "(0, 0)"
+M = "(4, 3)"
+T = "polar(C, sqrt(distance(C, M)**2 - l**2), direction(C, M) + asin(l/distance(C, M)))"
+[bodies]
+arm = "C T"
+disc = "M"
+"""
+
+
+def test_a_distance_and_a_direction_are_found_before_they_place_a_point() -> None:
+    said = read_chapter("# Positions", solve_small(TANGENT, y="y(T) in m"))
+    places = [said.find(part) for part in ("CM &= ", r"\tan\angle", "y_{T} &= ")]
+    assert -1 not in places
+    assert places == sorted(places)

@@ -25,3 +25,8 @@ from tests.worked.telling import lines
 )
 def test_turns_become_radians_by_two_pi(name: str, line: str) -> None:
     assert any(line in told for told in lines(kept(name)))
+
+
+def test_a_rotational_speed_that_is_asked_has_its_sense() -> None:
+    (line,) = (one for one in lines(kept("belt-driven-bicycle")) if "n_{A} &=" in one)
+    assert line.endswith(r"\quad\text{(clockwise)}")

@@ -125,7 +125,10 @@ def _count_turns(ask: Ask, working: Working, case: Case) -> Equation:
     *_, value = state_quantity(case.solution.answers[ask.name])
     turned = count_seconds(rate.right / FULL_TURN, ask.unit)
     turns = equate(working.symbols / FULL_TURN, turned)
-    return Equation(read_symbol(ask.symbol), (*turns, value), _state_sense(ask, case))
+    rotations = tuple(find_motion_calls(ask.quantity))
+    alone = len(rotations) == 1
+    sense = state_rotation_sense(find_value(rotations[0], case), case) if alone else ()
+    return Equation(read_symbol(ask.symbol), (*turns, value), sense)
 
 
 def state_value(ask: Ask, case: Case) -> tuple[Link, ...]:

@@ -67,7 +67,7 @@ def explain_circles(
         ),
         Display(
             (
-                *_find_direction(side, opened),
+                *find_direction(side.direction, opened),
                 *_work_out_sum(turned, opened),
                 *opened.coordinate_lines(point, opened.axes.pair(placed) or _NOTHING),
             )
@@ -100,15 +100,15 @@ def _find_side(first: Expression, second: Expression, instance: Instance) -> _Si
     return _Side(size, Call("direction", (first, second)))
 
 
-def _find_direction(side: _Side, instance: Instance) -> tuple[Row, ...]:
-    """The direction of the side from its coordinates, where it is not given."""
-    if not isinstance(side.direction, Call):
+def find_direction(direction: Expression, instance: Instance) -> tuple[Row, ...]:
+    """The direction from one point to another by coordinates, where it is not given."""
+    if not isinstance(direction, Call):
         return ()
-    start, end = side.direction.arguments
+    start, end = direction.arguments
     x, y = instance.axes.pair(Operation("-", end, start)) or _NOTHING
-    angle = instance.formula(side.direction)
+    angle = instance.formula(direction)
     slope = () if x == ZERO else instance.equation(Function("tan", angle), over(y, x), PURE)
-    return (*slope, *instance.equation(angle, side.direction, DEGREE))
+    return (*slope, *instance.equation(angle, direction, DEGREE))
 
 
 def _work_out_sum(direction: Expression, instance: Instance) -> tuple[Row, ...]:

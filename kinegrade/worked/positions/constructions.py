@@ -6,16 +6,17 @@ Lines, circles and feet of perpendiculars are in `kinegrade.worked.positions.int
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from typing import assert_never
 
-from kinegrade.expressions.tree import Call, Expression, Name, Number, Operation, list_parts
+from kinegrade.expressions.tree import Call, Expression, Name, Number, Operation, list_parts, walk
 from kinegrade.language.math.tree import Row
 from kinegrade.language.message import Message
 from kinegrade.worked.document import Block
 from kinegrade.worked.formulas.atoms import Symbol
 from kinegrade.worked.positions.algebra import ZERO, over, plus
 from kinegrade.worked.positions.axes import length_of, scale
+from kinegrade.worked.positions.circles_meeting import find_direction
 from kinegrade.worked.positions.construction_steps import Step
 from kinegrade.worked.positions.instance import Instance
 from kinegrade.worked.positions.intersections import explain_foot, explain_meeting
@@ -51,7 +52,20 @@ def _explain_construction(step: Step, instance: Instance) -> Part:
     found = instance.coordinates(step.point, pair)
     if sentence is None:
         return Coordinates((instance.letter(step.point),), found)
-    return Stated(sentence, found)
+    return Stated(sentence, found, tuple(_find_used(tree, instance)))
+
+
+def _find_used(tree: Expression, instance: Instance) -> Iterator[Derived]:
+    """The distances of points, and the directions from one to another, that place a point at a
+    distance in a direction.
+    """
+    if not (isinstance(tree, Call) and tree.function == "polar"):
+        return
+    for part in dict.fromkeys(one for one in walk(tree) if isinstance(one, Call)):
+        if part.function in ("distance", "direction"):
+            away = part.function == "distance"
+            lines = (write_length_lines if away else find_direction)(part, instance)
+            yield Derived(Symbol(instance.formula(part).print()), lines)
 
 
 def _describe_place(step: Step, instance: Instance) -> Message | None:
