@@ -24,7 +24,7 @@ from kinegrade.exam.setting.dealing import deal_exam
 from kinegrade.figure.scene import Scene
 from kinegrade.language import Language
 from kinegrade.press.latex.press import LatexPress
-from kinegrade.press.latex.xetex import make_pdf, run
+from kinegrade.press.latex.xetex import make_pdf, run, write_style
 from kinegrade.press.protocol import Press
 from kinegrade.press.sheet import Paper
 from kinegrade.problem.template.library.library import find_template_names, load_template
@@ -377,3 +377,10 @@ def test_files_state_their_title_and_their_language() -> None:
             assert str(document.docinfo.Title) == papers[name].title
             assert str(document.Root.Lang) == {"en": "en", "zh": "zh-CN"}[papers[name].language]
             assert document.Root.ViewerPreferences.DisplayDocTitle is True
+
+
+def test_a_paragraph_of_reasoning_leaves_no_line_alone_at_the_end_of_a_page() -> None:
+    """The title of a step stood at the foot with the first line of its sentence, and half an empty
+    page below it.
+    """
+    assert r"{\clubpenalty10000 \widowpenalty10000 #1\par}" in write_style()
