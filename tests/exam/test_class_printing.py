@@ -95,7 +95,8 @@ def test_the_parts_are_the_class_and_become_smaller(count: int, workers: int) ->
     sizes = list(map(len, parts))
     assert sizes == sorted(sizes, reverse=True)
     assert max(sizes) <= MOST
-    assert all(size >= CHUNK for size in sizes[:-1])
+    assert all(2 * size >= CHUNK for size in sizes[:-1])
+    assert workers > 1 or all(size >= CHUNK for size in sizes[:-1])
 
 
 # Of a library: copies where there are none, else processes afresh

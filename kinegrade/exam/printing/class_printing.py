@@ -15,7 +15,8 @@ from kinegrade.exam.setting.setting import DealtPaper, Exam, set_papers
 from kinegrade.press.protocol import Press
 from kinegrade.processes.executor import Shared, map_in_order
 
-# Papers in one task at least: fewer would make too many tasks
+# Papers worth a process, and in one task at least; of several processes the last tasks have half as
+# many, as nobody else has work while the last is done, and its papers are bound behind it
 CHUNK = 20
 # Papers in one task at most: enough for the work they share to cost little per paper
 MOST = 60
@@ -55,9 +56,9 @@ def count_processes(wanted: int, students: int) -> int:
 
 def split_class(count: int, jobs: int) -> Iterator[range]:
     """The class in parts, smaller ones at the end, so that all processes end together."""
-    first = 0
+    first, least = 0, CHUNK if jobs == 1 else -(-CHUNK // 2)
     while first < count:
-        size = min(max((count - first) // (2 * jobs), CHUNK), MOST)
+        size = min(max((count - first) // (2 * jobs), least), MOST)
         yield range(first, min(first + size, count))
         first += size
 
