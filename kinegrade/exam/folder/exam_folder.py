@@ -73,12 +73,12 @@ class ExamFolder:
         """The questions in the order of the bank."""
         return list_questions(self.asks)
 
-    @property
+    @cached_property
     def students(self) -> tuple[str, ...]:
         """The ids of the candidates, in the order of the roster."""
         return tuple(self.head.candidates)
 
-    @property
+    @cached_property
     def names(self) -> Mapping[str, str]:
         """The names of the candidates, by id."""
         return {each.student: each.name for each in self.head.students}

@@ -77,7 +77,9 @@ class PapersAnswered:
     @cached_property
     def _students(self) -> list[Intervals]:
         """The intervals on the different papers of students."""
-        return [each.at(self.different) for each in self.intervals]
+        count = len(self.different)
+        all_differ = count == len(self.sitting.students)
+        return [each.at(slice(count) if all_differ else self.different) for each in self.intervals]
 
     @cached_property
     def _sorted(self) -> list[SortedIntervals]:
@@ -87,7 +89,8 @@ class PapersAnswered:
     def _cells(self) -> list[PaperCells]:
         """By asks of different questions together: those of one follow from each other."""
         asks = (ask for each in zip_longest(*self.questions) for ask in each if ask is not None)
-        return list_cells([each for each in asks if self._students[each].is_plain], self._sorted)
+        whole = [ask for ask in asks if self._students[ask].is_plain]
+        return list_cells(whole, self._students, self._sorted)
 
     def find_shared(self, paper: Paper, numbers: Numbers, wrong: Flags) -> Sequence[range]:
         """The questions that a student answered as is right on one other paper; `numbers` are the

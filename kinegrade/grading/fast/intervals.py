@@ -8,13 +8,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from itertools import chain
 
 import numpy as np
 
 from kinegrade.exam.folder.columns.gathering import read_right_answers
 from kinegrade.exam.folder.columns.runs import list_runs
-from kinegrade.exam.folder.keys import Sitting
+from kinegrade.exam.folder.keys import RightAnswers, Sitting
 from kinegrade.grading.fast.bounds import Flags, Numbers, Places, tabulate_rules
 
 SAME = 1e-9  # relative: values further apart than this are different
@@ -41,8 +40,8 @@ class Intervals:
         low, high = (self.value + factor * (end - self.value) for end in (self.low, self.high))
         return Intervals(self.value, low, high, self.period)
 
-    def at(self, papers: Places) -> Intervals:
-        """Those of these papers."""
+    def at(self, papers: Places | slice) -> Intervals:
+        """Those of these papers; of a slice they share the memory."""
         return Intervals(self.value[papers], self.low[papers], self.high[papers], self.period)
 
     def fit(self, answers: Numbers) -> Flags:
@@ -105,12 +104,11 @@ class Intervals:
 @dataclass(frozen=True, slots=True)
 class SortedIntervals:
     """The intervals of one ask in the order of their values, in which those that hold an answer
-    stand close together: `papers` have these `values`, `up_to` is the highest end so far, `from_on`
-    the lowest beginning from there on. Full turns are no part of it.
+    stand close together: `papers` have them, `up_to` is the highest end so far, `from_on` the
+    lowest beginning from there on. Full turns are no part of it.
     """
 
     papers: Places
-    values: Numbers
     up_to: Numbers
     from_on: Numbers
 
@@ -118,12 +116,11 @@ class SortedIntervals:
     def of(cls, intervals: Intervals) -> SortedIntervals:
         """Those of all its papers."""
         papers = np.argsort(intervals.value)
-        values = intervals.value[papers]
-        room = _SLACK * np.abs(values)
+        room = _SLACK * np.abs(intervals.value[papers])
         low, high = intervals.low[papers] - room, intervals.high[papers] + room
         up_to = np.maximum.accumulate(np.maximum(low, high))
         from_on = np.minimum.accumulate(np.minimum(low, high)[::-1])[::-1]
-        return cls(papers, values, up_to, from_on)
+        return cls(papers, up_to, from_on)
 
     def find_ranges(self, answers: Numbers) -> tuple[Places, Places]:
         """Where the papers on which each answer may be right begin and end in that order: all on
@@ -180,11 +177,17 @@ def list_intervals(exam: Sitting) -> list[Intervals]:
     """Those of each ask on the papers of an exam, and then on those of its pool. Raises ExamError
     where the papers cannot be read.
     """
-    parts = list(read_right_answers(exam))
-    columns = np.concatenate([part.values for part in parts])
-    rules = tabulate_rules([*chain.from_iterable(part.rules for part in parts)])
-    bounds = rules.bounds(columns.reshape(-1))
-    each = (columns, *(ends.reshape(columns.shape) for ends in (bounds.low, bounds.high)))
-    turned = (np.ascontiguousarray(numbers.T) for numbers in each)
-    periods = (max(own) for own in zip(*(part.periods for part in parts), strict=True))
+    parts = [(_list_ends(part), part.periods) for part in read_right_answers(exam)]
+    each = zip(*(ends for ends, _ in parts), strict=True)
+    turned = [np.concatenate(numbers, axis=1) for numbers in each]
+    periods = (max(own) for own in zip(*(own for _, own in parts), strict=True))
     return [*map(Intervals, *turned, periods)]
+
+
+def _list_ends(part: RightAnswers) -> tuple[Numbers, Numbers, Numbers]:
+    """The values of some papers, and where their intervals begin and end: a row for each ask."""
+    bounds = tabulate_rules(part.rules).bounds(part.values.reshape(-1))
+    each = part.values, bounds.low, bounds.high
+    turned = (numbers.reshape(part.values.shape).T for numbers in each)
+    values, low, high = map(np.ascontiguousarray, turned)
+    return values, low, high

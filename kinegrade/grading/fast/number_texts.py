@@ -97,15 +97,18 @@ def _assemble(digits: Places, power: Places, negative: Flags) -> Words:
         (tables.halves, tables.low_layout[layout] + low),
         (tables.ends, row),
     )
-    words = np.zeros((len(digits), 2), dtype="<u8")
-    offset = np.zeros(len(digits), dtype=np.uint64)
-    for texts, which in pieces:
-        letters = texts.letters[which]
-        # A shift by more than a word, also one that wraps around below zero, leaves nothing
-        words[:, 0] |= letters << offset
-        words[:, 1] |= (letters >> (_WORD - offset)) | (letters << (offset - _WORD))
-        offset += texts.bits[which]
-    return words
+    (beginnings, first), *others = pieces
+    low, offset = beginnings.letters[first], beginnings.bits[first]
+    high = np.zeros_like(low)
+    for texts, which in others:
+        bits = texts.bits[which]
+        if bits.any():
+            letters = texts.letters[which]
+            # A shift by more than a word, also one that wraps around below zero, leaves nothing
+            low |= letters << offset
+            high |= (letters >> (_WORD - offset)) | (letters << (offset - _WORD))
+            offset += bits
+    return np.stack((low, high), axis=1).astype("<u8", copy=False)
 
 
 class _Texts(NamedTuple):

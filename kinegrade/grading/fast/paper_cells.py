@@ -15,10 +15,10 @@ import numpy as np
 
 from kinegrade.exam.folder.columns.runs import list_runs
 from kinegrade.grading.fast.bounds import Flags, Numbers, Places
-from kinegrade.grading.fast.intervals import SAME, SortedIntervals
+from kinegrade.grading.fast.intervals import SAME, Intervals, SortedIntervals
 
 _TOGETHER = 4  # asks: papers stand in one cell of so many
-_CELLS = 200  # for each paper: so few are taken
+_CELLS = 50  # for each paper: so few are taken
 _MOST_BUCKETS = 64
 _MOST_LOOKED = 4  # buckets of an ask; a row that has to look into more cannot be told
 
@@ -39,17 +39,17 @@ class PaperCells:
     taken: Flags
 
     @classmethod
-    def of(cls, asks: Mapping[int, SortedIntervals]) -> PaperCells:
-        """The papers of these intervals by asks, none of which has full turns or a paper that does
-        not ask it.
+    def of(cls, asks: Mapping[int, tuple[Numbers, SortedIntervals]]) -> PaperCells:
+        """The papers with these values and their intervals by asks, none of which has full turns or
+        a paper that does not ask it.
         """
-        papers = len(next(iter(asks.values())).papers)
+        papers = len(next(iter(asks.values()))[0])
         most = round((_CELLS * papers) ** (1 / len(asks)))
         count = max(1, min(_MOST_BUCKETS, most, papers))
         buckets: dict[int, _Buckets] = {}
         cells = np.zeros(papers, dtype=np.intp)
-        for ask, order in asks.items():
-            buckets[ask], stands = _divide(order, count)
+        for ask, (values, order) in asks.items():
+            buckets[ask], stands = _divide(values[order.papers], order, count)
             cells = cells * count + stands
         taken = np.zeros(count ** len(asks), dtype=np.bool_)
         taken[cells] = True
@@ -70,18 +70,20 @@ class PaperCells:
         return open_to
 
 
-def list_cells(asks: Sequence[int], orders: Sequence[SortedIntervals]) -> list[PaperCells]:
+def list_cells(
+    asks: Sequence[int], each: Sequence[Intervals], orders: Sequence[SortedIntervals]
+) -> list[PaperCells]:
     """The cells of these asks, as many together as tell papers apart; few rows are right on their
     own paper in all of them.
     """
     begins = range(0, len(asks) - _TOGETHER + 1, _TOGETHER)
     parts = (asks[begin : begin + _TOGETHER] for begin in begins)
-    return [PaperCells.of({ask: orders[ask] for ask in part}) for part in parts]
+    return [PaperCells.of({ask: (each[ask].value, orders[ask]) for ask in part}) for part in parts]
 
 
-def _divide(order: SortedIntervals, count: int) -> tuple[_Buckets, Places]:
+def _divide(values: Numbers, order: SortedIntervals, count: int) -> tuple[_Buckets, Places]:
     """The buckets of an ask, with as many papers as equal values allow, and that of each paper."""
-    begins_run = np.append(True, order.values[1:] != order.values[:-1])
+    begins_run = np.append(True, values[1:] != values[:-1])
     first = np.maximum.accumulate(np.where(begins_run, np.arange(len(begins_run)), 0))
     bucket = first * count // len(first)
     stands = np.empty(len(bucket), dtype=np.intp)

@@ -130,7 +130,8 @@ def rank_mistake(
     """The sort key of mistakes that lead to one answer: first the one with the best credit, of
     equals the nearest, then the first by label.
     """
-    return -shares.get(find_identifier(label), _NONE), difference, label
+    share = -shares.get(find_identifier(label), _NONE) if shares else _NONE
+    return share, difference, label
 
 
 def name_mistakes(best: str, labels: Collection[str]) -> tuple[str, ...]:

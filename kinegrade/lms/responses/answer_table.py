@@ -22,18 +22,12 @@ from kinegrade.files.rows.cell_grid import pack_grid
 from kinegrade.files.rows.packed_rows import pack_rows
 from kinegrade.files.rows.row import Row
 from kinegrade.files.tables import Complaint, Table, drop_headers
-from kinegrade.language.message import (
-    Fault,
-    Message,
-    Quoted,
-    list_choices,
-    list_plainly,
-)
+from kinegrade.language.message import Fault, Message, Quoted, list_choices, list_plainly
 from kinegrade.lms.responses.assumptions import list_assumptions
 from kinegrade.lms.responses.detection import DIALECTS, detected, is_header
 from kinegrade.lms.responses.people import Columns, Found, People
 from kinegrade.lms.responses.pooled import Pairs, own_papers_only, pool_of, put_to
-from kinegrade.lms.responses.sheet import read_answer_file
+from kinegrade.lms.responses.sheet import pass_on, read_answer_file
 from kinegrade.lms.responses.times import DecidedOrder, read_times
 from kinegrade.lms.responses.typed_rows import Attempts, TypedRow, TypedRows, whole
 
@@ -90,6 +84,9 @@ def read_responses(
     table = read_answer_file(path, wishes.encoding, is_header(wishes.source))
     table = replace(table, file=name or table.file, rows=drop_headers(table))
     system = detected(table) if wishes.source is None else _known(wishes.source, path)
+    if system == "sheet" and (answers := pass_on(table, exam.students)) is not None:
+        assumed = list_assumptions(table, system, wishes.source)
+        return Responses(answers, system, tuple(assumed))
     typed = DIALECTS[system].read(table, exam.head, wishes.attempts)
     if typed.by_number:
         _refuse_shuffled(table.file, exam)

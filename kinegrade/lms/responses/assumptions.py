@@ -11,9 +11,16 @@ from kinegrade.lms.responses.detection import DIALECTS
 from kinegrade.lms.responses.people import Columns
 from kinegrade.lms.responses.typed_rows import TypedRows
 
+# Of a sheet that is passed on as it is
+_NOTHING, _NOBODY = TypedRows((), frozenset(), (), ()), Columns(None, None)
+
 
 def list_assumptions(
-    table: Table, name: str, source: str | None, typed: TypedRows, columns: Columns
+    table: Table,
+    name: str,
+    source: str | None,
+    typed: TypedRows = _NOTHING,
+    columns: Columns = _NOBODY,
 ) -> Iterator[Message]:
     """What was taken for granted: the system, where none was named, the encoding, whose columns
     name students, and what the answers leave open.

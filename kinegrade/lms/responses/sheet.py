@@ -4,7 +4,7 @@ unchanged. The workbook's line by which rows are found is left out as the file i
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -19,6 +19,7 @@ from kinegrade.exam.roster.known_columns import (
 from kinegrade.files.answer_file import AnswerFile
 from kinegrade.files.cell_text import make_header_key, trim
 from kinegrade.files.header_line import HeaderSign
+from kinegrade.files.rows.cell_grid import CellGrid
 from kinegrade.files.rows.row import Row, choose_cells
 from kinegrade.files.spreadsheet import read_workbook
 from kinegrade.files.tables import Complaint, Table, read_table
@@ -57,6 +58,22 @@ def read(table: Table, head: ExamHead, attempts: Attempts) -> TypedRows:
     return TypedRows(
         tuple(table.header[place] for place in others), frozenset(others), rows, (), named
     )
+
+
+def pass_on(table: Table, students: Collection[str]) -> AnswerFile | None:
+    """A sheet that needs no more than to be passed on, in which every row begins with the id of a
+    student as the exam has it, and nothing else tells who or when; None for any other.
+    """
+    grid, header = table.rows, table.header
+    if not isinstance(grid, CellGrid) or grid.width != len(header):
+        return None
+    beside = [*list_column_names("email"), SUBMITTED]
+    if _places(header, list_key_columns())[:1] != [0] or _places(header, beside):
+        return None
+    if not {*grid.column(0)} <= {*students}:
+        return None
+    complaints = tuple(each for each in table.complaints if each.column in ("", *header))
+    return AnswerFile(replace(table, header=("student", *header[1:]), complaints=complaints))
 
 
 def part_times(table: Table) -> AnswerFile:
