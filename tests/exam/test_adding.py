@@ -355,6 +355,30 @@ def test_the_bank_and_its_templates_must_be_those_of_the_exam(folder: Path) -> N
     assert refused(folder) == [f"EXAM/bank.toml: {said}", f"EXAM/templates/crank.toml: {said}"]
 
 
+def test_an_exam_whose_shipped_template_another_version_has_otherwise_takes_late_students(
+    folder: Path,
+) -> None:
+    copy = folder / "EXAM" / "templates" / "slider-crank.toml"
+    earlier = f"{copy.read_text(encoding='utf-8')}# as an earlier version had it\n"
+    copy.write_text(earlier, encoding="utf-8")
+    said = added(folder).stderr
+    assert (
+        "the exam's copies hold of templates/slider-crank.toml, which differs from that of the "
+        "installed kinegrade"
+    ) in said
+    assert copy.read_text(encoding="utf-8") == earlier
+    assert (folder / "EXAM" / "papers" / "late1.pdf").exists()
+
+
+def test_who_was_assigned_a_spare_paper_need_not_be_in_the_roster(tmp_path: Path) -> None:
+    exam = generated(write(tmp_path), *WORDS, "--spare", "1") / "EXAM"
+    code = json.loads((exam / "exam.json").read_text(encoding="utf-8"))["spares"][0]["paper"]
+    assert kinegrade("assign", exam, code, "0099").exit_code == 0
+    added(tmp_path)
+    head = json.loads((exam / "exam.json").read_text(encoding="utf-8"))
+    assert [each["student"] for each in head["students"]] == [*CLASS, "0099", *LATE]
+
+
 def test_a_bank_without_a_template_of_the_exam_is_refused(folder: Path) -> None:
     bank = folder / "bank.toml"
     text = bank.read_text(encoding="utf-8").replace('"crank.toml"', '"other.toml"')

@@ -5,7 +5,7 @@ paper changes.
 from __future__ import annotations
 
 import shutil
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import closing
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -83,7 +83,7 @@ def add_students(
     """
     exam = open_exam(path)
     kept = KeptExam(exam)
-    require_same_sources(exam, blueprint)
+    changed = require_same_sources(exam, blueprint)
     students = late_class(exam, roster, late)
     run = _run(exam, kept, late)
     old = read_replaced(exam)
@@ -107,8 +107,14 @@ def add_students(
         longer = tuple(list_longer_papers(run, newcomers, written.pages))
         require_none(longer if options.strict else ())
         typed = write_rest(exam, folder, _grown_head(exam, dealt, run, students, written.keys))
-    complaints, sharing = (*said, *longer), (*dealt.sharing(), *typed)
+    complaints, sharing = (*said, *longer), (*_list_changed(changed), *dealt.sharing(), *typed)
     return Added(len(newcomers), len(exam.students), complaints, sharing)
+
+
+def _list_changed(templates: Sequence[str]) -> Iterator[Message]:
+    """That the folder's copies of these hold, which another version of kinegrade shipped."""
+    if templates:
+        yield Message("exam.copies-hold", count=len(templates), files=list_plainly(templates))
 
 
 def _run(exam: ExamFolder, kept: KeptExam, late: Roster) -> PrintRun:

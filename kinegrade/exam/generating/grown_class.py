@@ -24,6 +24,7 @@ from kinegrade.exam.roster.student_ids import find_zero_twins
 from kinegrade.exam.roster.students import Student, choose_places, make_file_names, make_student_key
 from kinegrade.exam.setting.kept_exam import student_of
 from kinegrade.language.message import Fault, Message, Quoted
+from kinegrade.problem.template.library.library import find_shipped
 from kinegrade.problem.template.sections.stepwise_keys import STEPWISE
 
 _EXPECTED = Message("exam.same-sources")
@@ -38,15 +39,21 @@ class LateClass:
     together: tuple[Student, ...]
 
 
-def require_same_sources(exam: ExamFolder, blueprint: Blueprint) -> None:
-    """Raises BankError with every text of a bank that is not the folder's copy of it."""
+def require_same_sources(exam: ExamFolder, blueprint: Blueprint) -> tuple[str, ...]:
+    """The shipped templates that are others than when the exam was set, as another version of
+    kinegrade has them: the folder's copies hold.
+
+    Raises BankError with every other text of a bank that is not the folder's copy of it.
+    """
     bank = _same_choice(exam, blueprint)
     sources = source_files(bank) | translation_files(bank, (exam.language,))
     found = {question.template.name for question in bank.questions}
+    unlike = [name for name in sources if not _is_accepted(exam, name, sources[name])]
+    shipped = [name for name in unlike if _is_shipped(name, sources[name])]
     faults = [
         Fault(str(exam.path / name), Message("exam.differs-from-given"), _EXPECTED, _RESTORING)
-        for name, content in sources.items()
-        if not _is_accepted(exam, name, content)
+        for name in unlike
+        if name not in shipped
     ]
     faults += [
         Fault(
@@ -60,6 +67,23 @@ def require_same_sources(exam: ExamFolder, blueprint: Blueprint) -> None:
     ]
     if faults:
         raise BankError(*faults)
+    return tuple(name for name in shipped if name in map(_name_copy, found))
+
+
+def _name_copy(template: str) -> str:
+    """The folder's copy of a template."""
+    return f"{TEMPLATES}/{template}.toml"
+
+
+def _is_shipped(name: str, content: bytes) -> bool:
+    """Whether that is a text of the installed kinegrade: its templates, their translations and
+    mechanisms.
+    """
+    path = PurePosixPath(name)
+    if path.parts[0] != TEMPLATES:
+        return False
+    file = find_shipped(TEMPLATES).joinpath(*path.parts[1:])
+    return file.is_file() and file.read_bytes() == content
 
 
 def _same_choice(exam: ExamFolder, blueprint: Blueprint) -> Bank:
@@ -135,9 +159,12 @@ def late_class(exam: ExamFolder, roster: Roster, late: Roster) -> LateClass:
 def _roster_faults(
     exam: ExamFolder, known: Mapping[str, Student], roster: Roster
 ) -> Iterator[Fault]:
-    """How a roster differs from that of an exam, but for its order."""
+    """How a roster differs from that of an exam, but for its order, and for those who came
+    unannounced and were assigned a spare paper.
+    """
     given = {make_student_key(each.student): each for each in roster.students}
-    for student in (each for key, each in known.items() if key not in given):
+    unannounced = {make_student_key(each.student) for each in exam.head.students if each.was_spare}
+    for student in (each for key, each in known.items() if key not in {*given, *unannounced}):
         yield Fault(
             roster.file,
             Message("exam.no-student", student=Quoted(student.student)),
