@@ -23,7 +23,7 @@ from kinegrade.figure.marks.frames import add_axes_aside, add_frames
 from kinegrade.figure.marks.imposed import drop_still
 from kinegrade.figure.marks.lengths.dimensions import add_length
 from kinegrade.figure.marks.lengths.extension_gaps import Around
-from kinegrade.figure.marks.names import keep_from_marks, label_points
+from kinegrade.figure.marks.names import find_named_points, keep_from_marks, label_points
 from kinegrade.figure.marks.radii import add_radii
 from kinegrade.figure.marks.right_angles import add_right_angle
 from kinegrade.figure.marks.rotations import add_rotations
@@ -51,6 +51,7 @@ _SURROUND = 14.0  # millimetres that symbols take beside the mechanism, as a fir
 _WRITING = (4.0, 5.6)
 _ARROWS = 6.6, 2.2  # millimetres that straight arrows usually take beside the symbols
 _AXES = 0.0, 4.4  # millimetres that a frame of axes usually takes at the side
+_RING = 20.0, 2.0  # millimetres beside a toothed ring, which has nearly all marks inside
 # Marks that fit within WRITING, and the millimetres that each further one takes
 _USUAL, _FURTHER = (4, 1.2)
 _Stage = Literal["rotations", "motions", "lengths", "letters"]
@@ -193,16 +194,18 @@ def _place_frames_and_angles(
     layout: Layout, paper: Mechanism, hints: FigureHints, drawing: Drawing
 ) -> Layout:
     """Marks that are bound to one point, right angles first; an angle keeps clear of the sides of
-    those to come, and of where straight arrows are likely to stand.
+    those to come, of points that are seen, and of where straight arrows are likely to stand.
     """
     at = paper.points
+    vertices = {angle.at for angle in hints.angles}
+    seen = {name: at[name] for name in {*find_named_points(paper, hints, drawing), *vertices}}
     for points in hints.right_angles:
         layout = add_right_angle(layout, at, points, drawing)
     moving = [given for given in hints.arrows if isinstance(given, Moving)]
     likely = list_likely_motions(Site(paper, drawing.rails), moving)
     sides = [find_sides(at, angle, drawing) for angle in hints.angles]
     legs = [draw_least_legs(at, *each) for each in zip(hints.angles, sides, strict=True)]
-    usual = [choose_bow(at, *each) for each in zip(hints.angles, sides, strict=True)]
+    usual = [choose_bow(seen, *each) for each in zip(hints.angles, sides, strict=True)]
     sparing = [line for lines in legs for line in lines]
     layout = add_frames(layout, at, hints, drawing, sparing, likely=likely)
     around = find_neighbours(drawing)
@@ -211,9 +214,9 @@ def _place_frames_and_angles(
         to_come = [*arrows, *(line for lines in legs[number:] for line in lines)]
         drawn = tuple(part for part in layout.lines if isinstance(part, Bow) and part.pen == THIN)
         near = replace(around, arcs=(*drawn, *usual[number:]), lines=list_thin_lines(layout.lines))
-        near = replace(near, pins=tuple(pin for pin in at.values() if pin != at[angle.at]))
+        near = replace(near, pins=tuple(pin for pin in seen.values() if pin != at[angle.at]))
         shown = hide_sides(sides[number - 1], at[angle.at], likely, layout.lines)
-        for arcs in mark_angles(at, angle, shown, near):
+        for arcs in mark_angles(seen, angle, shown, near):
             layout = layout.marked(arcs, to_come, partial(list_led_arcs, arcs, layout.obstacles))
     return layout
 
@@ -225,7 +228,8 @@ def _choose_first_scale(
     them.
     """
     guess = min((WIDTH - _SURROUND) / max(span[0], 1e-9), (HEIGHT - _SURROUND) / max(span[1], 1e-9))
-    box = find_common_box(draw(scale_to_paper(mechanism, guess), hints).primitives)
+    drawing = draw(scale_to_paper(mechanism, guess), hints)
+    box = find_common_box(drawing.primitives)
     straight = any(isinstance(given, Moving) for given in hints.arrows)
     turning = sum(isinstance(given, Turning) for given in hints.arrows)
     marks = len(hints.lengths) + len(hints.angles) + len(hints.radii) + turning
@@ -234,5 +238,7 @@ def _choose_first_scale(
     for axis, (limit, drawn) in enumerate(((WIDTH, box.width), (HEIGHT, box.height))):
         beside = drawn - span[axis] * guess + _WRITING[axis] + further
         beside += straight * _ARROWS[axis] + (hints.axes == "aside") * _AXES[axis]
+        if any(rim.ring and rim.kind == "gear" for rim in drawing.rims):
+            beside = min(beside, drawn - span[axis] * guess + _RING[axis])
         factors.append(max(limit - beside, limit / 4) / max(span[axis], 1e-9))
     return min(factors)

@@ -15,10 +15,10 @@ from kinegrade.figure.marks.sides import Side
 from kinegrade.figure.mechanism.layers import Drawing
 from kinegrade.figure.mechanism.straight_parts import Bar, Part, SlottedDisc
 from kinegrade.figure.placing.layout import Layout
-from kinegrade.figure.scene import FIRM, THIN, TOOTHED, Bow, Disc, Label, Outline, Strokes
+from kinegrade.figure.scene import FIRM, THIN, TOOTHED, Bow, Disc, Label, Outline, Pen, Strokes
 from kinegrade.figure.symbols import BAR_WIDTH, SLOT_WIDTH
 from kinegrade.figure.teeth import TOOTH_ROOT, trace_gear
-from kinegrade.mechanics.mechanism import Mechanism
+from kinegrade.mechanics.mechanism import Body, Mechanism
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import Angle, FigureHints
 from tests.figure.mechanisms import polar
@@ -52,9 +52,21 @@ def test_the_name_of_a_wheel_stands_neither_in_an_angle_nor_beyond_its_side() ->
     assert moved.x < 0.0 or moved.y < -1.5
 
 
-def test_the_name_of_a_ring_stands_at_its_teeth() -> None:
+def test_the_name_of_a_ring_stands_in_a_corner_of_the_paper_else_at_its_teeth() -> None:
     ring = Rim("W", "O", CENTRE, 30.0, "gear", True, polar(30.0, 0), polar(30.0, 0))
-    assert 26.0 < hypot(*name("W", (ring,), Layout.of(()))) < 29.0
+    at = name("W", (ring,), Layout.of(()))
+    assert (hypot(*at) > 33.0, at.x > 20.0, at.y > 20.0) == (True, True, True)
+    hatched = Layout.of((Disc(CENTRE, 35.0, Pen(6.0)),))
+    assert 26.0 < hypot(*name("W", (ring,), hatched)) < 29.0
+
+
+def test_the_name_of_a_wheel_does_not_stand_at_a_point() -> None:
+    point = name("W", (WHEEL,), Layout.of(())) - Vector(3.0, 0.0)
+    hints = FigureHints(labels={"W": "1"})
+    mechanism = replace(NO_MECHANISM, points={"A": point}, bodies=(Body("B", ("A",)),))
+    drawing = Drawing((), (), (WHEEL,), (), (), ())
+    at = add_body_names(Layout.of(()), mechanism, hints, drawing).labels[-1].centre
+    assert hypot(*(at - point)) > 3.3
 
 
 def test_the_name_of_a_stepped_wheel_stands_between_its_rims() -> None:

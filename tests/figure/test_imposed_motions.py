@@ -81,9 +81,9 @@ def test_a_wheel_beside_an_arm_on_one_pivot_has_its_arrow_at_its_rim() -> None:
 
 
 def test_the_arrows_of_an_eccentric_disc_stand_within_it_where_there_is_room() -> None:
-    template = load_template("flat-faced-follower-eccentric-circle")
+    template = load_template("eccentric-cam-offset-follower")
     roomy = []
-    for draw in drawn(draw_filter(template), 12):
+    for draw in drawn(draw_filter(template), 6):
         scene = sketch(draw.solution.assembly.mechanism.map(float), mark_givens(template))
         discs = (part for part in scene.primitives if isinstance(part, Disc))
         disc = max(discs, key=lambda part: part.radius)

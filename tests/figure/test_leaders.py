@@ -51,9 +51,9 @@ def test_a_leader_crosses_only_what_its_point_lies_amid() -> None:
         assert any(isinstance(each, Strokes) and each.pen == THIN for each in layout.lines) == led
 
 
-def test_a_letter_amid_teeth_is_led_to_its_dot_from_less_far_off() -> None:
-    wish = Wish("E", np.array([[4.2, 0.0]]), names=POINT)
-    for amid, led in ((0.0, False), (2.0, True)):
+def test_a_letter_amid_teeth_is_led_to_its_dot_from_less_far_off_but_not_by_a_stub() -> None:
+    for away, amid, led in ((4.6, 0.0, False), (4.6, 2.0, True), (4.2, 2.0, False)):
+        wish = Wish("E", np.array([[away, 0.0]]), names=POINT)
         layout = Layout.of(()).written((replace(wish, amid=amid),))
         assert bool(layout.lines) == led
 

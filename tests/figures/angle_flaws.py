@@ -1,6 +1,6 @@
 """What is wrong with the angles of a printed picture: an arc without its letter, a letter outside
 its angle or beside the arc of another one, a leader that no reader tells from other lines, an arc
-that reads as a line of a wheel.
+that reads as a line of a wheel or runs through hatching, an arrowhead that a pin hides.
 """
 
 from __future__ import annotations
@@ -13,15 +13,17 @@ from math import hypot
 from shapely import LineString, Point, Polygon
 
 from kinegrade.problem.template.hints import Angle
+from tests.figures.support_flaws import is_of_support
 from tests.figures.svg_shapes import Letters, Picture
 
-AT_ARC = 4.5  # millimetres from a letter to its arc at most
+AT_ARC = 2.3  # millimetres from a letter to its arc at most
 ON_ARC = 0.15  # millimetres between the end of a leader and its arc
 AT_END = 1.6  # millimetres between a letter and the end of its leader
 OWN = 0.2  # millimetres by which a letter is nearer to its own arc than to that of another angle
 IN_WHEEL = 0.4  # share of an arc in a wheel beside its angle from which on it reads as of that
 ON_SIDE = 1.0  # millimetres between the centre of a wheel and a side of an angle that leads to it
 TAKEN = 0.8  # millimetres by which another point is nearer to a letter than its own arc
+AT_HEAD = 1.6  # millimetres from an arrowhead of an arc to a point that would hide it
 CENTRED = 0.3  # millimetres between a vertex and the centre of its arc
 GREEK = dict(
     zip(
@@ -53,7 +55,7 @@ def find_angle_flaws(
     for each in printed:
         others = [other.arc for other in printed if other is not each]
         found = [*_find_flaws_of(each, others), *_find_wheels_across(each, picture)]
-        found += _find_taken(each, points)
+        found += [*_find_taken(each, points), *_find_lost(each, picture, points)]
         flaws += [f"{each.letter.text} {flaw}" for flaw in found]
     return flaws
 
@@ -124,6 +126,19 @@ def _find_taken(angle: PrintedAngle, points: Mapping[str, Point]) -> Iterator[st
     away = angle.letter.box.distance(angle.arc)
     if angle.leader is None and any(angle.letter.box.distance(at) < away - TAKEN for at in others):
         yield "stands nearer to another point than to its arc"
+
+
+def _find_lost(angle: PrintedAngle, picture: Picture, points: Mapping[str, Point]) -> Iterator[str]:
+    """The flaws of an arc through the hatching of a support, and of an arrowhead at a point."""
+    coords = angle.arc.coords
+    inner = LineString(coords[2:-2]) if len(coords) > 6 else angle.arc
+    if any(inner.intersects(each) for each in picture.hatchings if is_of_support(each)):
+        yield "has an arc through hatching"
+    ends = [Point(coords[place]) for place in (0, -1)]
+    tips = [end for end in ends if any(end.distance(head) < ON_ARC for head in picture.heads)]
+    others = [point for point in points.values() if point.distance(angle.vertex) > CENTRED]
+    if any(tip.distance(point) < AT_HEAD for tip in tips for point in others):
+        yield "has its arrowhead at another point"
 
 
 def _find_wheels_across(angle: PrintedAngle, picture: Picture) -> Iterator[str]:

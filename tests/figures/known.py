@@ -18,10 +18,6 @@ class KnownFlaw:
 
 
 KNOWN: Mapping[str, KnownFlaw] = {
-    "flat-faced-follower-eccentric-circle": KnownFlaw(
-        "θ stands nearer to another point", "the centre of the disc is at its angle"
-    ),
-    "pose-cam-tappet": KnownFlaw("ψ stands", "the cross and e are at its angle"),
     "pose-four-bar-coupler": KnownFlaw(
         "x2 does not start at its origin", "a bold bar would hide its head"
     ),

@@ -20,12 +20,13 @@ def find_support_flaws(picture: Picture) -> list[str]:
 
 def _find_cut_rims(picture: Picture) -> Iterator[str]:
     """Supports whose hatching reaches the rim of a wheel: it belongs inside, or clearly outside."""
-    for hatching in filter(_is_of_support, picture.hatchings):
+    for hatching in filter(is_of_support, picture.hatchings):
         if any(rim.distance(hatching) < OFF_RIM for rim in picture.rims):
             x, y = hatching.centroid.coords[0]
             yield f"hatching cuts a rim at ({x:.1f}, {y:.1f})"
 
 
-def _is_of_support(hatching: BaseGeometry) -> bool:
+def is_of_support(hatching: BaseGeometry) -> bool:
+    """Whether hatching is that of a support, and not of a floor or a guide."""
     left, top, right, bottom = hatching.bounds
     return hypot(right - left, bottom - top) < WIDE

@@ -72,6 +72,9 @@ def test_an_arc_through_a_wheel_is_a_flaw_unless_a_side_leads_to_its_centre() ->
         ("bar-pushing-rolling-disc", "s1"),
         ("oscillating-flat-faced-follower", "t1"),
         ("stone-crusher", "a3"),
+        ("pin-in-disc-slot-and-rod", "bq1"),
+        ("pose-cam-tappet", "m4"),
+        ("differential-epicyclic-train", "m2"),
     ],
 )
 def test_arcs_keep_out_of_wheels_and_letters_from_arcs_to_come(template: str, seed: str) -> None:
@@ -88,6 +91,24 @@ def test_a_letter_nearer_to_another_point_than_to_its_arc_is_found() -> None:
     ):
         points = {**POINTS, "B": beside}
         assert find_angle_flaws(draw(ARC, letter), points, ANGLES) == flaws
+
+
+HEAD = '<path d="M15 15L14.4 13.2L15.3 13.1Z" fill="#000" stroke="none"/>'
+HATCHING = '<path d="M{0} 11L{1} 12M{1} 11L{2} 12M{2} 11L{3} 12" stroke-width="0.18"/>'
+
+
+def test_an_arrowhead_at_another_point_is_found() -> None:
+    letter = write("φ", 15.0, 11.0)
+    for x, flaws in ((15.9, ["φ has its arrowhead at another point"]), (18.0, [])):
+        points = {**POINTS, "B": Point(x, 15.2)}
+        assert find_angle_flaws(draw(ARC, HEAD, letter), points, ANGLES) == flaws
+
+
+def test_an_arc_through_the_hatching_of_a_support_is_found() -> None:
+    letter = write("φ", 12.2, 14.2)
+    for x, flaws in ((13.6, ["φ has an arc through hatching"]), (17.0, [])):
+        support = HATCHING.format(x, x - 0.8, x - 1.6, x - 2.4)
+        assert find_angle_flaws(draw(ARC, support, letter), POINTS, ANGLES) == flaws
 
 
 def test_symbols_are_written_as_they_are_printed() -> None:

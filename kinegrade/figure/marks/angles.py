@@ -13,11 +13,11 @@ from kinegrade.figure.marks.angle_arc import ALONE, AngleArc, Neighbours, add_le
 from kinegrade.figure.marks.sides import Side
 from kinegrade.figure.marks.sweep import SMALLEST_ANGLE, find_sweep
 from kinegrade.figure.mechanism.layers import Drawing
-from kinegrade.figure.mechanism.straight_parts import Bar, Rod
+from kinegrade.figure.mechanism.straight_parts import Bar, Rod, SlottedDisc
 from kinegrade.figure.placing.mark import Mark
 from kinegrade.figure.placing.obstacles import Obstacles
 from kinegrade.figure.placing.wedge import Wedge, measure_narrow
-from kinegrade.figure.plane import NEAR, angle_of, length, polar, unit
+from kinegrade.figure.plane import NEAR, angle_of, length, nearest_of, polar, unit
 from kinegrade.figure.scene import THIN, Bow, Disc, Primitive, Strokes
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import Angle
@@ -35,6 +35,9 @@ _HIDDEN, _SEEN = 8.0, 3.5
 # Demerits of an arc that ends within so many millimetres of a point on a side
 _ON_PIN, _ON_BLOCK = 16.0, 4.0
 _PIN_ROOM, _BLOCK_ROOM = 1.6, 3.2
+# Demerit of an arrowhead lost among other lines, millimetres about it to a pin and to the axis of a
+# bar or the edge of a slot, and from a side to what is drawn along that
+_LOST_HEAD, _HEAD_OFF_PIN, _HEAD_OFF_LINE, _ON_SIDE = 12.0, 2.6, 1.8, 0.1
 # Millimetres between an arc and a circle at two of the places along the arc by which they merge,
 # the demerit of that, and the least radius of such a circle
 _MERGES, _PROBES, _MERGED, _LEAST_CIRCLE = 1.0, (0.1, 0.3, 0.5, 0.7, 0.9), 16.0, 3.2
@@ -66,6 +69,7 @@ def mark_angles(
                 hint,
                 _rate_demerit(bow.radius, nicest.radius, legs)
                 + _rate_ends(bow.radius, reaches)
+                + _rate_head(bow, hint, neighbours)
                 + _rate_merging(bow, neighbours.circles)
                 + _rate_within(bow, neighbours.circles)
                 + _rate_enclosing(bow, neighbours.arcs),
@@ -76,11 +80,15 @@ def mark_angles(
 
 
 def find_neighbours(drawing: Drawing) -> Neighbours:
-    """The circles with which the arc of an angle might merge, and the axes of bars."""
+    """The circles with which the arc of an angle might merge, the axes of bars, and the edges of
+    slots in discs, which part a letter from its arc as well.
+    """
     round_ones = (part for part in drawing.primitives if isinstance(part, Disc | Bow))
     circles = tuple(part for part in round_ones if part.radius > _LEAST_CIRCLE)
     straight = (part for part in drawing.parts if isinstance(part, Bar | Rod))
-    return Neighbours(circles, tuple((part.start, part.end) for part in straight))
+    bars = tuple((part.start, part.end) for part in straight)
+    slotted = (part for part in drawing.parts if isinstance(part, SlottedDisc))
+    return Neighbours(circles, (*bars, *(edge for disc in slotted for edge in disc.list_edges())))
 
 
 def list_led_arcs(arcs: Iterable[AngleArc], obstacles: Obstacles, dear: float) -> Iterator[Mark]:
@@ -141,6 +149,16 @@ def _rate_ends(radius: float, reaches: Iterable[float]) -> float:
     """The demerit of an arc whose end lies on a pin, or on the block that may be there."""
     gap = min((abs(reach - radius) for reach in reaches), default=inf)
     return _ON_PIN if gap < _PIN_ROOM else _ON_BLOCK if gap < _BLOCK_ROOM else 0.0
+
+
+def _rate_head(bow: Bow, hint: Angle, near: Neighbours) -> float:
+    """The demerit of an arrowhead at a pin, or where another line crosses the side of the angle."""
+    if not (hint.sense or hint.signed):
+        return 0.0
+    tip = bow.centre + polar(bow.start + bow.sweep, bow.radius)
+    gaps = [length(nearest_of(tip, *line) - tip) for line in near.bars]
+    crossed = any(_ON_SIDE < gap < _HEAD_OFF_LINE for gap in gaps)
+    return _LOST_HEAD * (crossed or any(length(pin - tip) < _HEAD_OFF_PIN for pin in near.pins))
 
 
 def _rate_merging(bow: Bow, circles: Iterable[Disc | Bow]) -> float:

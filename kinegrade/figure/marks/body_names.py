@@ -13,8 +13,10 @@ import numpy as np
 
 from kinegrade.errors import TemplateError
 from kinegrade.figure.joints.symbol import Rim
+from kinegrade.figure.marks.circle_names import list_spots_in_circle
 from kinegrade.figure.marks.in_angles import lies_in_angle, list_arcs, rate_in_angles
 from kinegrade.figure.marks.lengths.dimension_lines import Leader, SymbolBeside
+from kinegrade.figure.marks.names import find_named_points
 from kinegrade.figure.mechanism.layers import Drawing
 from kinegrade.figure.mechanism.straight_parts import Bar, Rod, SlottedDisc
 from kinegrade.figure.placing.extent import measure_symbol
@@ -28,7 +30,7 @@ from kinegrade.figure.placing.place import (
 )
 from kinegrade.figure.plane import polar, unit
 from kinegrade.figure.symbols import BAR_WIDTH, SLOT_WIDTH
-from kinegrade.figure.teeth import TOOTH_ROOT, TOOTH_TIP
+from kinegrade.figure.teeth import TOOTH_ROOT
 from kinegrade.language.message import Fault, Message, Quoted
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
@@ -36,15 +38,13 @@ from kinegrade.problem.template.hints import FigureHints
 
 _SPACE, _ROW = 2.5, 9.0  # millimetres between words, and from a name to a length in its row
 _AT_END, _ASIDE = 6.0, 1.5  # millimetres beyond the end of a line, and beside it, that are its own
-_SHARES = (0.7, 0.55, 0.4)  # of the radius of a circle, for the name of its body
-_FINER_SHARES = (0.8, 0.7, 0.6, 0.5, 0.4, 0.3)  # the same, in more directions
 _INSIDE_RIM = 1.5  # millimetres inside a rim at which a leader to a disc ends
 _NEAR = 48  # spots around the middle of a bar before those along it
 # Millimetres of the leader of a bar's name, and where on the bar it ends
 _REACHES, _PLACES = (6.0, 9.0, 12.0), (0.5, 0.35, 0.65, 0.8, 0.9)
 _ALONG = 0.45  # sine between a slotted bar and a leader that would run into its slot
 _TAKEN, _DEAR = 10.0, 40.0  # demerit of a leader to a taken place; cost of one that is of no use
-_AT_TEETH = 0.8  # millimetres between the teeth of a ring and its name
+_AT_POINT = 2.6  # millimetres of paper between a name and a point whose letter it would seem to be
 
 
 def add_body_names(
@@ -62,7 +62,9 @@ def add_body_names(
             circles = [*drawing.rims, *_list_slotted_discs(drawing)]
             own = next((rim for rim in circles if rim.body == body), None)
             others = tuple(rim for rim in circles if rim is not own)
-            around = _Surroundings(layout, own, others)
+            named = find_named_points(mechanism, hints, drawing)
+            points = tuple(mechanism.points[name] for name in named)
+            around = _Surroundings(layout, own, others, points)
             spots = _list_spots(body, symbol, own, drawing)
             taken = around.rate(symbol, spots) + around.find_outside(spots)
             wish = Wish(symbol, spots[np.argsort(taken, kind="stable")])
@@ -86,18 +88,20 @@ def _write_name(
 
 @dataclass(frozen=True)
 class _Surroundings:
-    """What else a name might be read as that of: what is written and marked, other bodies' rims;
-    and the circle of its `own` body.
+    """What else a name might be read as that of: what is written and marked, other bodies' rims,
+    points; and the circle of its `own` body.
     """
 
     layout: Layout
     own: Rim | None
     others: tuple[Rim, ...]
+    points: tuple[Vector, ...]
 
     def rate(self, symbol: str, spots: Floats) -> Floats:
         """For each spot how many things there would seem to have the name."""
         wish = Wish(symbol, spots)
         taken = _find_beside(wish, self.layout) + _find_at_angles(wish, self.layout)
+        taken += _find_at_points(wish, self.points)
         return taken + _find_in_others(wish, self.others)
 
     def find_outside(self, spots: Floats) -> Floats:
@@ -143,6 +147,15 @@ def _find_at_angles(wish: Wish, layout: Layout) -> Floats:
     return found
 
 
+def _find_at_points(wish: Wish, points: Iterable[Vector]) -> Floats:
+    """For each spot of a wish 1 where it stands at a point, whose letter it would seem to be."""
+    found, half = np.zeros(len(wish.spots)), np.array(measure_symbol(wish.symbol)) / 2
+    for point in points:
+        away = np.hypot(*np.maximum(np.abs(wish.spots - np.array(point)) - half, 0.0).T)
+        found = np.maximum(found, away < _AT_POINT)
+    return found
+
+
 def _find_in_others(wish: Wish, others: Iterable[Rim]) -> Floats:
     """For each spot of a wish 1 in the disc of another body, or beyond a ring, else 0."""
     found = np.zeros(len(wish.spots))
@@ -163,7 +176,7 @@ def _list_slotted_discs(drawing: Drawing) -> Iterator[Rim]:
 
 def _list_spots(body: str, symbol: str, circle: Rim | None, drawing: Drawing) -> Floats:
     if circle:
-        return _list_spots_in_circle(symbol, circle)
+        return list_spots_in_circle(symbol, circle)
     parts = [part for part in drawing.parts if isinstance(part, Bar | Rod) and part.body == body]
     if not parts:
         what = Message("figure.nothing-to-label", body=Quoted(body))
@@ -224,15 +237,3 @@ def _find_depth(rim: Rim) -> float:
             return _INSIDE_RIM
         case _:
             assert_never(rim.kind)
-
-
-def _list_spots_in_circle(symbol: str, rim: Rim) -> Floats:
-    """Spots within a circle, then about it; the name of a toothed ring stands at its teeth."""
-    levels = [rim.radius * share for share in _SHARES]
-    if rim.ring and rim.kind == "gear":
-        levels = [rim.radius - TOOTH_TIP - _AT_TEETH - max(measure_symbol(symbol)) / 2]
-    inner = [rim.at + polar(pi / 4 * turn, level) for level in levels for turn in range(8)]
-    finer = [rim.radius * share for share in _FINER_SHARES] if not rim.ring else []
-    inner += [rim.at + polar(pi / 12 * turn, level) for level in finer for turn in range(24)]
-    around = list_spots_around(symbol, rim.at, rim.radius)
-    return np.concatenate((np.array(inner), around))

@@ -11,10 +11,9 @@ from typing import assert_never
 from kinegrade.errors import TemplateError, suggest
 from kinegrade.figure.joints.symbol import Rim
 from kinegrade.figure.marks.radius_arrows import FROM_OUTSIDE, RadiusFromCentre, RadiusFromOutside
-from kinegrade.figure.marks.straight.motions import gather_arrows
+from kinegrade.figure.marks.radius_crossings import rate_crossings
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.placing.obstacles import COST_BOLD, Obstacles
-from kinegrade.figure.placing.ownership import CLAIMING, widen_labels
 from kinegrade.figure.plane import NEAR, angle_of, length, nearest_of, polar, unit
 from kinegrade.figure.scene import THIN, Bow
 from kinegrade.figure.symbols import HEAD_LENGTH
@@ -38,7 +37,6 @@ _NARROW = HEAD_LENGTH + 1.0  # millimetres of a ring that a head across it would
 # Cost of an arrow with its tail at another wheel, and millimetres between the two
 _FOREIGN, _AT_ANOTHER = 15.0, 2.0
 _INWARD = 9.0  # cost of an arrow at a large circle from outside, less than one firm line
-_ACROSS_ARROW = 12.0  # cost of an arrow across that of a motion
 _AT_POINT = 3.0  # cost of a tip that hides a point on the rim
 # Millimetres beyond a rim in which a bar leaves a narrow wedge, and the cost of a tip beside one
 _WEDGE, _BESIDE_BAR = 2.2, 8.0
@@ -91,13 +89,7 @@ def _add_radius(
         large = rim.radius >= _SMALL_RADIUS
         if large and not rim.ring and rim.kind != "cam" and rim.find_arc() is None:
             marks.append(inward(leaning + _INWARD + foreign, rim.kind == "gear"))
-    arrows, claimed = gather_arrows(layout.marks), widen_labels(layout.labels)
-    crossed = [
-        _ACROSS_ARROW * (arrows.along(mark.path(), shared=False) > 0)
-        + CLAIMING * (claimed.along(mark.path(), shared=False) > 0)
-        for mark in marks
-    ]
-    rated = zip(marks, crossed, strict=True)
+    rated = zip(marks, rate_crossings(marks, layout), strict=True)
     return layout.marked([replace(mark, demerit=mark.demerit + worse) for mark, worse in rated])
 
 

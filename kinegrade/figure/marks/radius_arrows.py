@@ -22,6 +22,9 @@ _HALO, _OFF_EDGE = 0.6, FIRM.width / 2 + 0.1
 _BESIDE = 1.2  # millimetres beside another wheel within which an arrow seems to lie on its rim
 _PAST_TEETH = TOOTH_TIP + 1.0  # millimetres from a pitch circle to where an arrow is past its teeth
 FROM_OUTSIDE = 7.0  # millimetres from a rim to the tail of an arrow from outside
+# Millimetres between an arrow from a centre and its letter, and demerit of each step away from it,
+# where the letter might be that of the centre
+_GAPS, _OFF_ARROW = (0.5, 1.7, 3.1), 0.6
 _TOUCHING = 0.99  # share of a radius: nearer is within the circle
 
 
@@ -61,13 +64,18 @@ class RadiusFromCentre:
         )
 
     def wish(self) -> Wish:
-        """Beside the arrow, where it is not within another circle first."""
-        spots = list_spots_beside(self.symbol, self.centre, self._end())
+        """Beside the arrow, where it is not within another circle first, and rather close to it."""
+        gaps = [
+            list_spots_beside(self.symbol, self.centre, self._end(), gaps=(gap,)) for gap in _GAPS
+        ]
+        spots = np.concatenate(gaps)
+        off = _OFF_ARROW * np.repeat(np.arange(float(len(_GAPS))), len(gaps[0]))
         within = [
             any(length(Vector(*spot) - other.at) < other.radius for other in self.others)
             for spot in spots.tolist()
         ]
-        return Wish(self.symbol, spots[np.argsort(within, kind="stable")])
+        order = np.argsort(within, kind="stable")
+        return Wish(self.symbol, spots[order], demerits=off[order])
 
     def primitives(self) -> tuple[Primitive, ...]:
         """A thin line and its arrowhead, on white where there is hatching."""

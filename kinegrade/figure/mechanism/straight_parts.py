@@ -8,9 +8,9 @@ from typing import TypeGuard
 
 from kinegrade.figure.joints.symbol import NO_BACK, Guide, Use
 from kinegrade.figure.mechanism.plates import Plate
-from kinegrade.figure.plane import NEAR, length, nearest_of
+from kinegrade.figure.plane import NEAR, length, nearest_of, unit
 from kinegrade.figure.scene import BOLD, Fill
-from kinegrade.figure.symbols import BAR_WIDTH
+from kinegrade.figure.symbols import BAR_WIDTH, SLOT_WIDTH
 from kinegrade.mechanics.vector import Vector
 
 _SLENDER: frozenset[Use] = frozenset(("link", "bar", "face"))
@@ -47,6 +47,12 @@ class SlottedDisc:
     centre: Vector
     radius: float
     slot: tuple[Vector, Vector]
+
+    def list_edges(self) -> tuple[tuple[Vector, Vector], ...]:
+        """The two straight edges of the slot."""
+        start, end = self.slot
+        aside = unit(end - start).turned() * (SLOT_WIDTH / 2)
+        return (start + aside, end + aside), (start - aside, end - aside)
 
 
 @dataclass(frozen=True)

@@ -16,7 +16,8 @@ from kinegrade.mechanics.vector import Vector
 
 # Millimetres from which on a letter has a leader, and of paper at its two ends
 _STANDS_OFF, _BEFORE, _SHORT_OF = 3.3, 0.2, 1.3
-_STANDS_OFF_AMID, _AT_DOT = 2.2, 0.8  # the same for a point amid teeth, where it has a dot
+# The same for a point amid teeth, where it has a dot, and where a shorter leader is like a tooth
+_STANDS_OFF_AMID, _AT_DOT = 3.0, 0.8
 _BEHIND_WALL = 2.6  # the same for a letter behind a wall
 _BEHIND = 20.0  # demerit of a letter behind a wall, as of one that may be read as another's
 _RUNS_ON = 9.0  # demerit of a letter whose leader would seem to run on from another line
@@ -31,7 +32,7 @@ def place_letter(wish: Wish, obstacles: Obstacles) -> Placed:
     if wish.names is None or wish.closely is None:
         return placed
     if _measure_off(placed.label, wish.names) >= _FAR:
-        nearer = place_label(wish.closely(_FAR), obstacles)
+        nearer = place_label(wish.closely(_STANDS_OFF_AMID if wish.amid else _FAR), obstacles)
         placed = placed if nearer.faulty else nearer
     if not _lies_behind(placed.label, wish.names, wish.walls):
         return placed

@@ -13,24 +13,26 @@ from numpy.typing import NDArray
 
 from kinegrade.figure.placing.extent import measure_symbol
 from kinegrade.figure.placing.obstacles import Segment
-from kinegrade.figure.placing.place import LOST, Floats, Wish
+from kinegrade.figure.placing.place import CLEARANCE, LOST, Floats, Wish
 from kinegrade.figure.plane import length, polar
 from kinegrade.figure.scene import Bow, Disc
 from kinegrade.mechanics.vector import Vector
 
 _APART = 0.4  # millimetres kept between the letter and the edge of a side
 _FARTHEST = 27.0  # millimetres from the vertex: beyond, a letter belongs to no angle
-_AWAY = 0.8  # demerit of a millimetre between the arc and a letter that has no room at it
+# Millimetres of paper between an arc and a letter at it, and the demerit of each one more
+_AT_ARC, _AWAY = 0.8, 1.6
+_ON_ARC = 4.0  # demerit of a letter through which its own arc would run
 # Shares of the angle at which a letter may stand along its arc, the middle first
 _SHARES = np.array((0.5, 0.38, 0.62, 0.25, 0.75))
 # Millimetres between the arc and a letter outside it, or inside it (negative)
-_GAPS = np.array((0.4, -0.5, 1.2))
+_GAPS = np.array((0.4, 0.52, -0.5, 1.2))
 _ENDS = np.array((0.13, 0.87))  # of the angle, for a letter near an end of a long arc
 _ABOUT = np.array((0.0, 0.25, -0.25))  # of the angle, either side of its middle
 _FLAT = 3.0  # radians from which on an angle is as wide as a half plane
-_LATEST = 3.0  # millimetres from its arc at which a letter is lost
+_LATEST = 3.2  # millimetres of paper to its arc from which on a letter is lost
 # Millimetres beyond the narrowest place with room
-_STEPS = np.array((0.02, 0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 5.5, 7.0, 9.0, 11.0))
+_STEPS = np.array((0.02, 0.12, 0.25, 0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 5.5, 7.0, 9.0, 11.0))
 
 
 @dataclass(frozen=True)
@@ -50,17 +52,23 @@ def list_spots_in_wedge(symbol: str, wedge: Wedge) -> Wish:
     bow = wedge.bow
     spots = np.concatenate(
         [_list_spots_at(symbol, bow, _SHARES, gap) for gap in _GAPS]
-        + [_list_spots_at(symbol, bow, _ENDS, _GAPS[0])]
+        + [_list_spots_at(symbol, bow, _ENDS, gap) for gap in _GAPS[[0, 2]]]
     )
     if measure_narrow(symbol, wedge) > bow.radius / 2:
         spots = np.concatenate((spots, _list_wide_spots(symbol, wedge)))
-    steps = spots - np.array(bow.centre)
-    away = np.hypot(steps[:, 0], steps[:, 1]) - bow.radius
-    late = np.maximum(np.abs(away) - max(measure_symbol(symbol)), 0.0)
-    demerits = _AWAY * late + LOST * (late > _LATEST)
+    away = _measure_away(symbol, spots, bow)
+    demerits = _AWAY * np.maximum(away - _AT_ARC, 0.0) + LOST * (away > _LATEST)
+    demerits = demerits + _ON_ARC * (away < CLEARANCE)
     demerits = demerits + LOST * rate_outside(symbol, spots, wedge)
     order = np.argsort(demerits.round(6), kind="stable")
     return Wish(symbol, spots[order], demerits=demerits[order])
+
+
+def _measure_away(symbol: str, spots: Floats, bow: Bow) -> Floats:
+    """For each spot the millimetres of paper between a symbol there and the circle of an arc."""
+    steps, half = np.abs(spots - np.array(bow.centre)), np.array(measure_symbol(symbol)) / 2
+    nearest, farthest = np.hypot(*np.maximum(steps - half, 0.0).T), np.hypot(*(steps + half).T)
+    return np.asarray(np.maximum(np.maximum(nearest - bow.radius, bow.radius - farthest), 0.0))
 
 
 def measure_narrow(symbol: str, wedge: Wedge) -> float:
