@@ -203,6 +203,18 @@ def test_a_faulty_template_on_the_shelf_is_told(tmp_path: Path) -> None:
     assert len(blueprint(shelf, 'template = "gear-2"').slots) == 1
 
 
+def test_a_statement_that_lacks_something_is_told_where_it_may_be_drawn(tmp_path: Path) -> None:
+    shelf = write_shelf(tmp_path / "templates")
+    gear = (shelf / "gear-1.toml").read_text(encoding="utf-8")
+    unused = '[[text.place]]\nen = "above"\nzh = "上"\n\n[parameters]'
+    (shelf / "gear-1.toml").write_text(gear.replace("[parameters]", unused), encoding="utf-8")
+    assert faults(shelf, 'family = "gear"') == [
+        ": gear-1.toml: text.place: stands in no statement: write {{ place }} there"
+    ]
+    assert len(blueprint(shelf, 'family = "crank"').slots) == 1
+    assert len(blueprint(shelf, 'family = "gear"\nwithout = ["gear-1"]').slots) == 1
+
+
 NAMES = "abcd"
 WISHES = st.dictionaries(
     st.sampled_from(["q1", "q2", "q3", "q4"]),

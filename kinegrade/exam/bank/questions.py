@@ -5,7 +5,7 @@ family or tag.
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
 from pathlib import Path
@@ -201,7 +201,18 @@ class Entries:
         if set(names) <= set(without):
             what = Message(f"bank.none-of-{by}-left", name=Quoted(str(entry.value(by))))
             entry.fault("without", what, do=Message("bank.leave-out-fewer"))
-        return [template for template in pool if template.name not in without]
+        left = [template for template in pool if template.name not in without]
+        if not self.kept:
+            self._check_statements(left)
+        return left
+
+    def _check_statements(self, templates: Iterable[Template]) -> None:
+        """Notes what the statements of templates lack that may be drawn; others are not held up."""
+        for template in templates:
+            try:
+                check_statements(template)
+            except KinegradeError as error:
+                self.faults.note_error((), error)
 
     def _having(self, by: Grouping, word: object) -> tuple[Template, ...]:
         """The shipped templates of a family or with a tag."""

@@ -8,7 +8,6 @@ from pathlib import Path
 from typing import Literal, TypeAlias
 
 from kinegrade.errors import BankError, KinegradeError, Problem
-from kinegrade.problem.statement_faults import check_statements
 from kinegrade.problem.template.library.library import list_names, load_template
 from kinegrade.problem.template.tags import list_tags
 from kinegrade.problem.template.template import Template
@@ -47,8 +46,6 @@ def read_shelf(folder: Path, *, kept: bool = False) -> Shelf:
     for name in list_names(folder):
         try:
             templates[name] = load_template(name, folder, kept=kept)
-            if not kept:
-                check_statements(templates[name])
         except KinegradeError as error:
             faults += error.faults
     if faults:
