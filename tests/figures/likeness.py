@@ -25,21 +25,16 @@ ENOUGH = 0.08  # the share of strokes in which two papers differ, typically
 
 # Whose figures are alike for the reason that is given; the list only shrinks
 ALIKE: Mapping[str, str] = {
-    "belt-driven-bicycle": "it travels to the right on its wheel; the radii alone differ",
+    "belt-driven-bicycle": "wheels in a row; it travels to either side",
     "differential-epicyclic-train": "gears of one size; the arm alone turns",
     "epicyclic-train-by-tooth-counts": "gears of one size; the arm alone turns",
-    "geneva-drive": "four slots fix the shape; the crank is below or above",
-    "guided-rack-and-gear": "not widened yet",
-    "pin-in-two-rings": "not widened yet",
-    "pinion-between-two-racks": "one pinion and two racks; the senses alone differ",
+    "geneva-drive": "four slots fix the shape; the crank is at either side, below or above",
+    "pin-in-two-rings": "two equal rings; how far they overlap alone differs",
+    "pinion-between-two-racks": "one pinion and two racks; their ends alone differ",
     "ring-gear-planet-relative-spin": "a small planet has no room for its letters",
     "rolling-wheel-pole-acceleration": "one wheel on a straight track; the senses alone differ",
-    "slider-driven-gear-on-rack": "not widened yet",
-    "square-on-two-fixed-points": "not widened yet",
-    "stone-crusher": "not widened yet",
     "tangent-cam-with-roller": "the profile is tight; it is mirrored in half of the papers",
     "two-stage-belt-drive": "pulleys in a row; the layout is mirrored in half of the papers",
-    "watt-linkage": "not widened yet",
 }
 
 
