@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import radians
+from math import cos, radians
 
 import numpy as np
 import pytest
@@ -56,3 +56,10 @@ def test_the_leader_of_a_length_is_rather_not_in_an_angle_at_its_bar() -> None:
     into = [leader.worse for leader in leaders if 0.1 < leader.angle < radians(179)]
     out = [leader.worse for leader in leaders if leader.angle > radians(181)]
     assert min(into) > min(out) + 10.0
+
+
+def test_a_leader_rather_slants_than_standing_upright_as_a_line_of_reference_does() -> None:
+    leaders = list(list_leaders(Layout.of(()), (VERTEX, Vector(12.0, 0.0)), "r", 60.0))
+    upright = [leader.worse for leader in leaders if abs(cos(leader.angle)) < 0.1]
+    slanted = [leader.worse for leader in leaders if 0.1 < abs(cos(leader.angle)) < 0.6]
+    assert min(upright) > min(slanted) + 3.0

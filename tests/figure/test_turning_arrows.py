@@ -49,6 +49,7 @@ def arc(start: float, sweep: float, radius: float = 5.0) -> Bow:
         replace(ALONE, discs=(DISC,)),
         replace(ALONE, lines=(pi / 3,)),
         replace(ALONE, bars=((Vector(0.0, 4.0), Vector(5.0, 0.5)),)),
+        replace(ALONE, bars=((Vector(1.0, 7.0), Vector(7.0, 5.0)),)),
     ],
     ids=[
         "after the arc of an angle",
@@ -59,6 +60,7 @@ def arc(start: float, sweep: float, radius: float = 5.0) -> Bow:
         "in a disc",
         "on a line to come",
         "beyond a bar",
+        "at a bar",
     ],
 )
 def test_an_arrow_that_could_be_misread_is_worse(company: Company) -> None:
@@ -67,7 +69,7 @@ def test_an_arrow_that_could_be_misread_is_worse(company: Company) -> None:
 
 
 def test_a_bar_beside_an_arrow_or_at_its_pivot_does_not_part_them() -> None:
-    beside, from_pivot = (Vector(0.0, 9.0), Vector(9.0, 0.0)), (ORIGIN, Vector(9.0, 6.0))
+    beside, from_pivot = (Vector(0.0, 14.0), Vector(14.0, 0.0)), (ORIGIN, Vector(9.0, 6.0))
     assert replace(ALONE, bars=(beside, from_pivot)).rate(arc(0, 70)) == 0
 
 
@@ -83,7 +85,7 @@ def test_the_symbol_of_an_arrow_is_not_beside_another_one_first() -> None:
     assert wish.demerits is not None
     along = len(arrow.wish().spots)
     rated = list(zip(wish.spots.tolist(), wish.demerits.tolist(), strict=True))[:along]
-    assert {demerit for (x, y), demerit in rated if hypot(x, y) > 8.0} == {6.0}
+    assert {demerit for (x, y), demerit in rated if hypot(x, y) > 8.0} == {8.0}
     assert {demerit for (x, y), demerit in rated if hypot(x, y) < 5.0} == {0.0}
 
 

@@ -11,7 +11,7 @@ from kinegrade.figure.placing.mark import chords
 from kinegrade.figure.placing.obstacles import Segment
 from kinegrade.figure.placing.ownership import UNCLAIMED, Claims
 from kinegrade.figure.placing.place import Wish, list_spots_along_arc, rate_nearness, widen
-from kinegrade.figure.plane import length, polar, shorter_way
+from kinegrade.figure.plane import length, nearest_of, polar, shorter_way
 from kinegrade.figure.scene import Bow, Primitive
 from kinegrade.figure.symbols import HEADS, draw_curved_arrow
 from kinegrade.mechanics.vector import Vector
@@ -42,7 +42,12 @@ _BESIDE_LINE, _ON_LINE = 1.5, 5.0
 _ASTRAY, _BEYOND_BAR = 6.0, 12.0
 # Demerit of an arrow nearer than its pivot to another pin, by so many millimetres
 _AT_OTHER, _NEARER = 3.0, 1.0
-_MISTAKEN = 6.0  # demerit of a symbol about as near to another arrow
+# Demerits of a symbol about as near to another arrow, and of one not clearly nearer to its own, by
+# so many millimetres
+_MISTAKEN, _UNCLEAR, _CLEARLY = 6.0, 2.0, 1.2
+# Demerit of an arrow much nearer to another body's bar than to its pivot, by that share, and
+# millimetres between a pivot and the bars that lead to it
+_AT_BAR, _MUCH, _AT_PIVOT = 2.5, 0.6, 1.0
 _CLOSE = 15  # places of a symbol by which an arrow is chosen
 _STATIONS = 0.25  # radians between the points of an arrow to which its symbol should be near
 
@@ -72,6 +77,7 @@ class Company:
             + sum(_ON_LINE for angle in self.lines if _measure_gap(bow, angle) < _BESIDE_LINE)
             + sum(_ASTRAY for disc in self.discs if _stands_in(bow, disc))
             + sum(_BEYOND_BAR for bar in self.bars if _stands_beyond(bow, bar))
+            + _AT_BAR * any(_stands_at(bow, bar) for bar in self.bars)
             + (_AT_OTHER if self.pins and _stands_at_any(bow, self.pins) else 0.0)
         )
 
@@ -114,6 +120,7 @@ class TurningArrow:
         wish, own = widen(list_spots_along_arc(self.hint.symbol, self.bow)), self._list_stations()
         near = [at for other in others for at in other.bow.path(_STATIONS)]
         worse = _MISTAKEN * rate_nearness(self.hint.symbol, wish.spots, own, near)
+        worse += _UNCLEAR * rate_nearness(self.hint.symbol, wish.spots, own, near, _CLEARLY)
         return wish.worse_by(worse + self.around.rate(wish.symbol, wish.spots, own))
 
     def _list_stations(self) -> Sequence[Vector]:
@@ -142,6 +149,15 @@ def _stands_beyond(bow: Bow, bar: Segment) -> bool:
     way, along = middle - bow.centre, end - start
     apart = way.cross(start - bow.centre) * way.cross(end - bow.centre) < 0
     return bool(apart and along.cross(bow.centre - start) * along.cross(middle - start) < 0)
+
+
+def _stands_at(bow: Bow, bar: Segment) -> bool:
+    """Whether an arrow is much nearer to a bar, which does not lead to its pivot, than to that."""
+    middle = bow.centre + polar(bow.start + bow.sweep / 2, bow.radius)
+    away = length(middle - nearest_of(middle, *bar))
+    return (
+        away < _MUCH * bow.radius and length(bow.centre - nearest_of(bow.centre, *bar)) > _AT_PIVOT
+    )
 
 
 def _stands_in(bow: Bow, disc: Rim) -> bool:

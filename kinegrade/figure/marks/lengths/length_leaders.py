@@ -17,6 +17,7 @@ from kinegrade.figure.scene import THIN, Bow, Strokes
 
 _REACHES = (4.0, 6.0, 9.0)  # millimetres
 _TURNS = tuple(turn * pi / 6 for turn in range(12))
+_ALONG_PAPER = _TURNS[::3]
 # Parts of the line at which a leader may end, with their demerits
 _STATIONS = {0.5: 0.0, 0.38: 0.5, 0.62: 0.5, 0.28: 1.0, 0.72: 1.0}
 _ALONG = cos(pi / 5)  # of the angle between a leader and its line from which on they are told apart
@@ -24,6 +25,7 @@ _AROUND = 1.3  # millimetres about the end of a leader in which nothing but its 
 # Demerits of a leader across the arrow, arc or line of another mark, of one that runs on from a
 # thin line, and of one in an angle, of which it would seem to be a side
 _ACROSS, _RUNS_ON, _IN_ANGLE = 15.0, 12.0, 15.0
+_UPRIGHT = 4.0  # demerit of an upright or level leader, which would seem to be a line of reference
 _SHORTEST = 3.0  # demerit of a short leader, which is more than that of a symbol beside its line
 
 
@@ -46,8 +48,9 @@ def list_leaders(layout: Layout, bar: Segment, symbol: str, dear: float) -> Iter
         for leader in [Leader(at, turn, reach, symbol) for reach in _REACHES for turn in turns]:
             across_marks = _ACROSS * (marks.along(leader.path(), shared=False) > 0)
             run_on = _RUNS_ON * runs_on(leader.line(), lines)
+            upright = _UPRIGHT * (leader.angle in _ALONG_PAPER)
             in_angle = _IN_ANGLE * lies_in_angle(leader.line(), arcs)
-            yield replace(leader, worse=worse + across_marks + run_on + in_angle)
+            yield replace(leader, worse=worse + across_marks + run_on + in_angle + upright)
 
 
 def _gather_marks(layout: Layout, lines: tuple[Segment, ...]) -> Obstacles:
