@@ -267,7 +267,8 @@ def _write_table(row: Row, face: _Face, first: str = "right") -> str:
     lines = "".join(
         f"<mtr>{_write_cells(line, face, first)}</mtr>" for line in split_row(row, LineBreak)
     )
-    return f"<mtable>{lines}</mtable>"
+    style = ' displaystyle="true"' if first == "right" else ""  # fractions as tall as in print
+    return f"<mtable{style}>{lines}</mtable>"
 
 
 def _write_cells(line: Row, face: _Face, first: str) -> str:
