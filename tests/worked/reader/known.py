@@ -61,4 +61,19 @@ KNOWN: Mapping[Law, frozenset[str]] = {
 RARE: Mapping[Law, frozenset[str]] = {
     # one draw in 400; short arrows along others leave a symbol no place of its own
     "label": frozenset(("bent-rod-two-sleeves", "crank-slider-in-floating-link")),
+    # accelerations of which an exam asks one: its rods all slant, and what their lengths say in
+    # coordinates is longer than a check may be
+    "another": frozenset(
+        (
+            "bar-pushing-rolling-disc",
+            "bent-coupler-instant-translation",
+            "crank-rocker-towed-wheel",
+            "elliptic-trammel-crank-driven",
+            "four-bar-parallel-coupler",
+            "slider-crank-relative-rotation-driver",
+            "slider-driven-gear-on-rack",
+            "stone-crusher",
+            "two-rods-driven-ends",
+        )
+    ),
 }
