@@ -19,6 +19,7 @@ from kinegrade.proof.claims.places import find_wrong_places
 from kinegrade.proof.claims.senses import find_wrong_senses
 from kinegrade.proof.claims.states import find_wrong_states
 from kinegrade.proof.claims.swaps import find_swapped_givens
+from kinegrade.proof.claims.wheels import find_wrong_wheels
 
 
 def find_false_claims(template: Template, examples: Sequence[Solution]) -> Iterator[Fault]:
@@ -30,6 +31,7 @@ def find_false_claims(template: Template, examples: Sequence[Solution]) -> Itera
         *find_wrong_angles(template, examples),
         *find_wrong_states(template, examples),
         *find_swapped_givens(template),
+        *find_wrong_wheels(template, examples),
     )
     found = (
         *(Fault("statement", what) for what in said),
