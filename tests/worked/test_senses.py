@@ -54,21 +54,25 @@ def test_an_answer_in_the_opposite_sense_names_the_convention_of_the_question(
 
 
 @pytest.mark.parametrize(
-    ("name", "place", "told"),
+    ("name", "given", "told"),
     [
-        ("rolling-wheel-rim-points", 1, r"a_{O} &= 8\,\unit{m/s^2}\quad\text{(to the left)}"),
+        (
+            "rolling-wheel-rim-points",
+            {"a_O": "-8"},
+            r"a_{O} &= 8\,\unit{m/s^2}\quad\text{(to the left)}",
+        ),
         (
             "two-wheels-on-cylinder",
-            1,
+            {"v_A": "2"},
             r"v_{A} &= 2\,\unit{m/s}\quad\text{(clockwise about }O\text{)}",
         ),
     ],
 )
 def test_a_given_speed_is_the_size_that_the_statement_prints(
-    name: str, place: int, told: str
+    name: str, given: dict[str, str], told: str
 ) -> None:
     """One symbol was the size in the statement and a negative number in the solution."""
-    lines = displayed(kept(name, place))
+    lines = displayed(stated(name, "en", **given))
     assert told in lines
     letter = told.partition(" &=")[0]
     assert not any(rf"\left|{letter}\right|" in line for line in lines)
