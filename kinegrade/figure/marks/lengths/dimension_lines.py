@@ -5,6 +5,7 @@ symbol at the end of a leader.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 from kinegrade.figure.placing.leading import list_spots_at_leader
 from kinegrade.figure.placing.obstacles import NOTHING, Obstacles, Segment
@@ -147,6 +148,10 @@ class SymbolBeside:
 
     def wish(self) -> Wish:
         """Close beside the line."""
+        return self._wish
+
+    @cached_property
+    def _wish(self) -> Wish:
         gaps = (self.half + 0.8, self.half + 1.3, self.half + 0.5)  # the last at thin lines
         spots = list_spots_beside(self.symbol, self.start, self.end, gaps=gaps, stations=5)
         own = (self.start, self.end)
