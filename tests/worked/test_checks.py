@@ -89,15 +89,15 @@ def test_a_follower_is_checked_by_differentiating_the_coordinate_along_its_path(
     assert find_checks(stated("flat-faced-follower-eccentric-circle", **values)) == [
         Check(
             "the time derivative of $y_{C}$",
-            r"\omega_{\text{cam}}\,x_{C} = -10\,\unit{rad/s} \cdot (-0.08660\,\unit{m})"
-            r" \approx 0.8660\,\unit{m/s}",
-            r"v_{A} = 0.8660\,\unit{m/s}",
+            r"\omega_{\text{cam}}\,x_{C} = -10\,\unit{rad/s} \cdot (-0.1039\,\unit{m})"
+            r" \approx 1.039\,\unit{m/s}",
+            r"v_{A} = 1.039\,\unit{m/s}",
         ),
         Check(
             "the second time derivative of $y_{C}$",
-            r"-\omega_{\text{cam}}^{2}\,y_{C} = -(-10\,\unit{rad/s})^{2} \cdot 0.05\,\unit{m}"
-            r" = -5\,\unit{m/s^2}",
-            r"a_{A} = -5\,\unit{m/s^2}",
+            r"-\omega_{\text{cam}}^{2}\,y_{C} = -(-10\,\unit{rad/s})^{2} \cdot 0.06\,\unit{m}"
+            r" = -6\,\unit{m/s^2}",
+            r"a_{A} = -6\,\unit{m/s^2}",
         ),
     ]
 
