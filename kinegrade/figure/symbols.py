@@ -94,12 +94,15 @@ def draw_rack(
     start: Vector, end: Vector, back: Vector, gap: Vector, eyes: tuple[Vector, ...] = ()
 ) -> tuple[Primitive, ...]:
     """A toothed bar with its pitch line, on which there is a gap at that point, its material in the
-    direction `back`, and an eye about the pin at each of those ends.
+    direction `back`, and an eye about the pin at each of those ends, whose outline runs on in that
+    of the bar.
     """
-    teeth = find_teeth_of_rack(start, end, gap, eyes)
+    teeth, radius = find_teeth_of_rack(start, end, gap, eyes), BAR_WIDTH / 2
     contour = trace_rack((start, end), back, teeth, RACK_DEPTH, eyes)
-    rack = (Outline(contour, TOOTHED, "grey"), Strokes(((teeth[0], teeth[-1]),), PITCH))
-    return (*rack, *(Disc(at, BAR_WIDTH / 2, FIRM, "grey") for at in eyes))
+    edges = tuple(Disc(at, radius, TOOTHED, "grey") for at in eyes)
+    insides = tuple(Disc(at, radius - TOOTHED.width / 2, None, "grey") for at in eyes)
+    line = Strokes(((teeth[0], teeth[-1]),), PITCH)
+    return (*edges, Outline(contour, TOOTHED, "grey"), *insides, line)
 
 
 def draw_jaw(pivot: Vector, mouth: Vector, back: Vector) -> tuple[Primitive, ...]:

@@ -80,6 +80,24 @@ def test_a_rack_has_an_eye_about_its_pin_and_none_at_its_free_end() -> None:
     assert [eye.centre for eye in eyes] == [case[0].points["A"] * 100.0]
 
 
+def test_the_outline_of_a_rack_runs_on_in_that_of_its_eye() -> None:
+    drawing = drawing_of(rack_and_gear())
+    (eye,) = [part for part in drawing.primitives if isinstance(part, Disc) and part.radius == 1.75]
+    (inside,) = [
+        part
+        for part in drawing.primitives
+        if isinstance(part, Disc) and part.centre == eye.centre and part.pen is None
+    ]
+    (rack,) = [
+        part
+        for part in drawing.primitives
+        if isinstance(part, Outline) and part.pen == eye.pen == TOOTHED
+        if min(length(corner - eye.centre) for corner in part.corners) < eye.radius
+    ]
+    assert layer(drawing, eye) < layer(drawing, rack) < layer(drawing, inside)
+    assert 1.6 < inside.radius < eye.radius
+
+
 @pytest.mark.parametrize(("shapes", "blocks"), [({}, 1), ({"link": "bare"}, 0)])
 def test_a_pin_in_a_slot_has_no_block_where_the_author_says_so(
     shapes: dict[str, str], blocks: int
