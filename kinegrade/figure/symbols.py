@@ -4,9 +4,9 @@ direction.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
-from math import ceil, cos, pi, sin
+from math import ceil, pi
 
 from kinegrade.figure.plane import angle_of, length, polar, shorter_way, unit
 from kinegrade.figure.scene import (
@@ -151,23 +151,28 @@ def draw_round_ground(
     outside, which is open at an angle for the letter of a point there.
     """
     first, sweep = arc or (0.0, 2 * pi)
+    edge = Bow(centre, radius, first, sweep, FIRM) if arc else Disc(centre, radius, FIRM)
+    return (Strokes(tuple(list_round_hatching(centre, radius, outward, arc, open_at)), THIN), edge)
+
+
+def list_round_hatching(
+    centre: Vector,
+    radius: float,
+    outward: bool,
+    arc: tuple[float, float] | None = None,
+    open_at: float | None = None,
+) -> Iterator[tuple[Vector, Vector]]:
+    """The strokes of the hatching of a fixed circular surface, each from its edge."""
+    first, sweep = arc or (0.0, 2 * pi)
     count = max(12, ceil(sweep * radius / 1.5))
     depth = HATCHING if outward else -min(HATCHING, radius / 3)
-    lines = []
     for index in range(count):
-        (x, y), angle = centre, first + sweep * index / count
+        angle = first + sweep * index / count
         if open_at is not None and -_OPEN[0] < shorter_way(angle - open_at) * radius < _OPEN[1]:
             continue
-        along, upward = cos(angle), sin(angle)
-        x, y = x + along * radius, y + upward * radius
-        lines.append(
-            (
-                Vector(x, y),
-                Vector(x + (along - upward * 0.7) * depth, y + (upward + along * 0.7) * depth),
-            )
-        )
-    edge = Bow(centre, radius, first, sweep, FIRM) if arc else Disc(centre, radius, FIRM)
-    return (Strokes(tuple(lines), THIN), edge)
+        upward = polar(angle)
+        foot = centre + upward * radius
+        yield foot, foot + (upward + upward.turned() * 0.7) * depth
 
 
 def draw_block(

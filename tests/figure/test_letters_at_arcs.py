@@ -80,14 +80,14 @@ def test_the_arrow_of_a_radius_across_a_side_of_an_angle_is_worse() -> None:
     bow = Bow(Vector(-9.0, 6.0), 12.0, 0.0, -pi / 2, THIN)
     angle = AngleArc(bow, make_sides(0, -90), Angle(r"\psi", "O", "right", "down"), 0.0)
     ways = [polar(1.0, turn) for turn in (110, -20)]
-    arrows = [RadiusFromCentre(ORIGIN, 20.0, way, "R", 0.0, (), False, False) for way in ways]
+    arrows = [RadiusFromCentre(ORIGIN, 20.0, way, "R", 0.0, (), False, ()) for way in ways]
     across, clear = rate_crossings(arrows, replace(Layout.of(()), marks=(angle,)))
     assert (across > 0, clear) == (True, 0.0)
 
 
 def test_the_letter_of_a_radius_stands_at_its_arrow_however_near_that_of_the_centre() -> None:
     [start, end] = ORIGIN, Vector(0.0, 9.0)
-    arrow = RadiusFromCentre(ORIGIN, 9.0, Vector(0.0, 1.0), "r_3", 0.0, (), False, False)
+    arrow = RadiusFromCentre(ORIGIN, 9.0, Vector(0.0, 1.0), "r_3", 0.0, (), False, ())
     centre = Label("B", Vector(1.6, 3.4), 2.4, 2.5)
     layout = replace(Layout.of((centre,)), labels=(centre,)).marked([arrow])
     at = layout.labels[-1].centre

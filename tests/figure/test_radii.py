@@ -7,7 +7,7 @@ from dataclasses import replace
 from math import acos, degrees
 
 import pytest
-from shapely import LineString, Point, Polygon
+from shapely import LineString, Point, Polygon, union_all
 
 from kinegrade.figure.joints.symbol import Kind, Rim
 from kinegrade.figure.marks.radii import add_radii
@@ -15,6 +15,7 @@ from kinegrade.figure.marks.radius_arrows import RadiusFromOutside
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.plane import angle_of, length, nearest_of, shorter_way, unit
 from kinegrade.figure.scene import BOLD, FIRM, THIN, TOOTHED, Bow, Disc, Outline, Primitive, Strokes
+from kinegrade.figure.symbols import HATCHING, list_round_hatching
 from kinegrade.figure.teeth import trace_gear
 from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.vector import Vector
@@ -130,16 +131,26 @@ def test_an_arrow_comes_from_outside_where_everything_is_in_its_way_within() -> 
     assert label.centre.squared() > 20.0**2
 
 
-def test_the_head_of_an_arrow_stands_on_white_among_hatching() -> None:
-    halos = {}
-    for body in ("W", GROUND):
-        layout = mark([replace(make_rim(ORIGIN, 20.0), body=body)])
-        halos[body] = [each for each in layout.lines if isinstance(each, Outline)][:-1]
-    assert halos["W"] == []
-    [halo] = halos[GROUND]
-    assert halo.fill == "white"
-    assert Polygon(halo.corners).contains(Point(find_tip(layout) * 0.95))
-    assert Polygon(halo.corners).disjoint(Point(ORIGIN).buffer(20.0).boundary.buffer(0.2))
+@pytest.mark.parametrize("radius", [18.3, 20.0, 23.1, 27.7])
+def test_the_strokes_of_hatching_that_the_head_of_an_arrow_meets_are_left_out_whole(
+    radius: float,
+) -> None:
+    layout = mark([replace(make_rim(ORIGIN, radius), body=GROUND)])
+    head, edge = Polygon(heads(layout)[0].corners), Point(ORIGIN).buffer(radius, 64).boundary
+    whites = [each for each in layout.lines if isinstance(each, Outline) and each.fill == "white"]
+    white = union_all([Polygon(each.corners) for each in whites])
+    strokes = list_round_hatching(ORIGIN, radius, outward=False)
+    left = [LineString(stroke).difference(white.union(edge.buffer(0.4))) for stroke in strokes]
+    cut = [stroke for stroke in left if 0.0 < stroke.length < HATCHING * 0.8]
+    assert whites
+    assert cut == []
+    assert head.distance(union_all(left)) > 0.4
+    assert white.disjoint(edge.buffer(FIRM.width / 2))
+
+
+def test_the_head_of_an_arrow_at_a_moving_wheel_has_no_white() -> None:
+    layout = mark([make_rim(ORIGIN, 20.0)])
+    assert [each.fill for each in layout.lines if isinstance(each, Outline)] == ["black"]
 
 
 def test_the_head_of_an_arrow_has_no_white_where_the_hatching_is_behind_the_edge() -> None:

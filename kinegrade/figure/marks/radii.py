@@ -16,7 +16,7 @@ from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.placing.obstacles import COST_BOLD, Obstacles
 from kinegrade.figure.plane import NEAR, angle_of, length, nearest_of, polar, unit
 from kinegrade.figure.scene import THIN, Bow
-from kinegrade.figure.symbols import HEAD_LENGTH
+from kinegrade.figure.symbols import HEAD_LENGTH, list_round_hatching
 from kinegrade.figure.teeth import find_tooth_angle
 from kinegrade.language.message import Fault, Message, Quoted
 from kinegrade.mechanics.ground import GROUND
@@ -163,8 +163,10 @@ def _draw_from_centre(
     hides = any(length(point - tip) < 2 * HEAD_LENGTH for point in points)
     others = tuple(other for other in found if length(other.at - rim.at) > NEAR)
     fixed = rim.body == GROUND and rim.kind != "gear"
-    rough, hatched = rim.kind == "gear" or fixed, fixed and not rim.ring
-    arrow = RadiusFromCentre(rim.at, rim.radius, toward, symbol, demerit, others, rough, hatched)
+    rough, hatched = rim.kind == "gear" or fixed, fixed and rim.kind != "edge" and not rim.ring
+    strokes = list_round_hatching(rim.at, rim.radius, outward=False, arc=rim.find_arc())
+    hatching = tuple(strokes) if hatched else ()
+    arrow = RadiusFromCentre(rim.at, rim.radius, toward, symbol, demerit, others, rough, hatching)
     return replace(arrow, demerit=demerit + _AT_POINT * hides + arrow.rate_meetings())
 
 

@@ -17,8 +17,10 @@ from kinegrade.mechanics.vector import Vector
 
 # Cost of an arrow across another wheel, and of one towards a centre that is in its own circle
 _ACROSS, _TOWARD_CENTRE = 15.0, 1.5
-# Millimetres of white about an arrowhead among hatching, and from there to the middle of an edge
-_HALO, _OFF_EDGE = 0.6, FIRM.width / 2 + 0.1
+_HALO = 0.6  # millimetres about an arrowhead that are free of hatching
+_ALONG_STROKE = (0.0, 0.25, 0.5, 0.75, 1.0)  # shares of a stroke at which it may touch a head
+# Millimetres of white on either side of a stroke that is left out, and from its edge's middle to it
+_WHITE, _OFF_EDGE = 0.4, FIRM.width / 2 + 0.1
 _BESIDE = 1.2  # millimetres beside another wheel within which an arrow seems to lie on its rim
 _PAST_TEETH = TOOTH_TIP + 1.0  # millimetres from a pitch circle to where an arrow is past its teeth
 FROM_OUTSIDE = 7.0  # millimetres from a rim to the tail of an arrow from outside
@@ -39,7 +41,7 @@ class RadiusFromCentre:
     demerit: float
     others: tuple[Rim, ...]
     rough: bool
-    hatched: bool
+    hatching: tuple[Segment, ...]
     shared: bool = False
 
     def rate_meetings(self) -> float:
@@ -78,19 +80,20 @@ class RadiusFromCentre:
         return Wish(self.symbol, spots[order], demerits=off[order])
 
     def primitives(self) -> tuple[Primitive, ...]:
-        """A thin line and its arrowhead, on white where there is hatching."""
+        """A thin line and its arrowhead, with white over the strokes of hatching that it meets."""
         shaft = (self.centre + self.toward * 1.3, self._end() - self.toward * HEAD_LENGTH * 0.8)
-        arrow = (Strokes((shaft,), THIN), draw_arrowhead(self._end(), self.toward))
-        return (self._draw_halo(), *arrow) if self.hatched else arrow
+        met = (_hide_stroke(stroke, self.toward) for stroke in self.hatching if self._meets(stroke))
+        return (*met, Strokes((shaft,), THIN), draw_arrowhead(self._end(), self.toward))
 
-    def _draw_halo(self) -> Outline:
-        """White about the head that ends before the edge, which it would cut."""
-        back = self._end() - self.toward * (HEAD_LENGTH + _HALO)
-        across = self.toward.turned() * (HEAD_LENGTH / 4 + _HALO)
-        front = self._end() - self.toward * _OFF_EDGE
-        beside = across * ((_HALO + _OFF_EDGE) / (HEAD_LENGTH + 2 * _HALO))
-        corners = (front + beside, back + across, back - across, front - beside)
-        return Outline(corners, None, "white")
+    def _meets(self, stroke: Segment) -> bool:
+        """Whether a stroke of hatching touches the head, which is wider away from its tip."""
+        foot, end = stroke
+        for share in _ALONG_STROKE:
+            back = self._end() - foot - (end - foot) * share
+            depth, aside = back.dot(self.toward), abs(back.cross(self.toward))
+            if aside < _HALO + min(depth, HEAD_LENGTH) / 4 and depth < HEAD_LENGTH + _HALO:
+                return True
+        return False
 
     def _end(self) -> Vector:
         return self.centre + self.toward * self.radius
@@ -125,3 +128,12 @@ class RadiusFromOutside:
 
     def _out(self, gap: float) -> Vector:
         return self.centre + self.toward * (self.radius + gap)
+
+
+def _hide_stroke(stroke: Segment, outward: Vector) -> Outline:
+    """White over a whole stroke of hatching, as its cut end would be a crumb; not over the edge."""
+    foot, end = stroke
+    step = unit(end - foot)
+    near, far = foot - step * (_OFF_EDGE / step.dot(outward)), end + step * _WHITE
+    aside = outward.turned() * _WHITE
+    return Outline((near - aside, near + aside, far + aside, far - aside), None, "white")
