@@ -62,7 +62,20 @@ def assign(exam: Path, code: str, student: str, *, name: str, email: str, group:
 @click.argument("exam", type=FILE)
 @click.argument("code")
 @click.argument("student")
+@click.option(
+    "--name",
+    default="",
+)
+@click.option(
+    "--email",
+    default="",
+)
+@click.option(
+    "--group",
+    default="",
+)
 @refusing
-def exchange(exam: Path, code: str, student: str) -> None:
+def exchange(exam: Path, code: str, student: str, *, name: str, email: str, group: str) -> None:
     """Give the paper of EXAM that bears CODE to a STUDENT who wrote it in place of the own one."""
-    finish(kinegrade.exchange(kinegrade.open_exam(exam), code, student))
+    folder = kinegrade.open_exam(exam)
+    finish(kinegrade.exchange(folder, code, student, name=name, email=email, group=group))

@@ -84,6 +84,7 @@ def _list_complaints(folders: Mapping[str, MarksFolder]) -> list[Problem]:
     from kinegrade.grading.exams_beside import find_later_keys
     from kinegrade.marks_folder.open_questions import describe_unmarked
     from kinegrade.reports.term.split_students import find_split_students
+    from kinegrade.reports.unlike_names import find_unlike_names
 
     unmarked = [
         missing
@@ -91,7 +92,8 @@ def _list_complaints(folders: Mapping[str, MarksFolder]) -> list[Problem]:
         for missing in describe_unmarked(name, folder.open, folder.lacking)
     ]
     exams = {name: folder.totals for name, folder in folders.items()}
-    return [*unmarked, *find_later_keys(folders.values()), *find_split_students(exams)]
+    people = (*find_split_students(exams), *find_unlike_names(exams))
+    return [*unmarked, *find_later_keys(folders.values()), *people]
 
 
 def _choose_plan(plan: Path | None, weights: tuple[str, ...], names: tuple[str, ...]) -> Plan:

@@ -39,11 +39,14 @@ def assign(
     return Outcome(exam.path, (*done.typed, said))
 
 
-def exchange(exam: ExamFolder, code: str, student: str) -> Outcome:
+def exchange(
+    exam: ExamFolder, code: str, student: str, *, name: str = "", email: str = "", group: str = ""
+) -> Outcome:
     """Give the paper of that code, or the version of that letter, to a student who wrote it in
     place of the own one, as `kinegrade exchange` does: whoever had it gets the other.
 
-    A spare paper that was assigned to a mistyped id is passed on. Every other paper stays. Raises
+    A spare paper that was assigned to somebody else by mistake is passed on, with the name, address
+    and group that are given, or those of that person where none is. Every other paper stays. Raises
     KinegradeError.
 
     >>> exam = kinegrade.open_exam("EXAM")
@@ -54,6 +57,7 @@ def exchange(exam: ExamFolder, code: str, student: str) -> Outcome:
     kinegrade.errors.ExamError: ...
     """
     expect_opened(exam=exam)
-    done = exchange_papers(exam.path, code, student)
+    whose = Student(student, name, email, "", group=group)
+    done = exchange_papers(exam.path, code, whose)
     said = Message("terminal.of", where=str(exam.path), what=done.summary)
     return Outcome(exam.path, (*done.typed, said))

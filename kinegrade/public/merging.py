@@ -13,6 +13,7 @@ from kinegrade.marks_folder.folder import MarksFolder, open_marks
 from kinegrade.marks_folder.layout import FILES, MARKER
 from kinegrade.marks_folder.merging import Merging, Preference
 from kinegrade.public.outcome import Outcome
+from kinegrade.reports.unlike_names import find_unlike_names
 
 
 def merge_marks(
@@ -28,7 +29,8 @@ def merge_marks(
     OutputError.
     """
     merging = Merging(folders, preference)
-    complaints = tuple(merging.find_different_maxima())
+    totals = {str(each.path): each.totals for each in folders}
+    complaints = (*merging.find_different_maxima(), *find_unlike_names(totals))
     contents, edits = (*FILES, moodle.FILE), find_edits(output, marker=MARKER)
     with output_folder(output, marker=MARKER, contents=contents, force=force) as path:
         merging.write(path)

@@ -140,8 +140,8 @@ def test_marks_given_before_a_correction_of_the_key_are_not_used(exam: Path) -> 
     assert correct(exam, OTHER_ANSWER, options=("--accept-changes",)).exit_code == 1
     assert kinegrade(*mark, folder / "NEW").exit_code in (0, 1)
     said = (
-        f"error: {folder}/OLD: the key of the exam was corrected after these marks - expected marks"
-        " by the key as it is now - mark all answers again with kinegrade grade"
+        f"error: {folder}/OLD: the key of the exam was corrected, or papers changed hands, after "
+        "these marks - expected marks by the key as it is now - mark all answers again with kinegrade grade"
     )
     for command, options in (
         ("feedback", ("-o", folder / "SHEETS")),

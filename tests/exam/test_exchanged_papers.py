@@ -90,7 +90,20 @@ def test_two_students_who_wrote_each_others_papers_are_marked_by_these(exam: Pat
         assert solution.stdout_bytes == after[f"solutions/{student}.pdf"]
     back = kinegrade("exchange", exam, codes["007"], "007")
     assert back.exit_code == 0, back.stderr
-    assert contents(exam) == before
+    left = contents(exam)
+    assert {name for name in left if left[name] != before[name]} <= {"exam.json", "key.npz"}
+
+
+def test_marks_by_the_papers_as_they_were_are_no_longer_used(exam: Path) -> None:
+    read_totals(exam, "student,q1.v_B\n007,1\n")
+    code = open_exam(exam).head.candidates["0012"].paper
+    assert kinegrade("exchange", exam, code, "007").exit_code == 0
+    marks, sheets = exam.with_name("MARKS"), exam.with_name("FEEDBACK")
+    for command in (("feedback", exam, marks, "-o", sheets), ("explain", exam, marks, "007")):
+        refused = kinegrade(*command)
+        assert refused.exit_code == 2
+        said = "the key of the exam was corrected, or papers changed hands, after these marks"
+        assert said in refused.stderr
 
 
 def test_whoever_wrote_a_spare_paper_in_place_of_the_own_one_gets_it(exam: Path) -> None:
@@ -116,7 +129,10 @@ def test_a_spare_paper_that_was_assigned_to_a_mistyped_id_is_passed_on(exam: Pat
     assert "it was assigned to the wrong student, use kinegrade exchange" in refused.stderr
     done = kinegrade("exchange", exam, code, "0099")
     assert done.exit_code == 0, done.stderr
-    assert f'EXAM: paper {code} is that of "0099" now, and no longer of "0990"' in done.stderr
+    assert (
+        f'EXAM: paper {code} is that of "0099", Dora Noble, now, and no longer of "0990"'
+        in done.stderr
+    )
     folder = open_exam(exam)
     assert folder.students == ("007", "0012", "a/b", "=2", "0099")
     assert folder.head.candidates["0099"].paper == code
@@ -167,6 +183,24 @@ def test_what_cannot_be_exchanged_is_refused_and_nothing_is_written(
     (line,) = result.stderr.splitlines()
     assert said in line
     assert contents(exam) == before
+
+
+def test_a_paper_passed_on_to_somebody_else_has_that_name(exam: Path) -> None:
+    code = open_exam(exam).head.spares[0].paper
+    kinegrade("assign", exam, code, "0990", "--name", "Zoe", "--email", "zoe@example.org")
+    done = kinegrade("exchange", exam, code, "0099", "--name", "Dora Noble")
+    assert done.exit_code == 0, done.stderr
+    owner = open_exam(exam).head.candidates["0099"]
+    assert (owner.name, owner.email) == ("Dora Noble", "")
+    own = kinegrade("exchange", exam, code, "007", "--name", "Eve")
+    assert '"007" is in the exam already, with a name of the roster - leave out' in own.stderr
+
+
+def test_a_workbook_that_was_typed_into_has_the_codes_before(exam: Path) -> None:
+    (exam / "answers.xlsx").write_bytes((exam / "answers.xlsx").read_bytes() + b"typed")
+    code = open_exam(exam).head.candidates["0012"].paper
+    done = kinegrade("exchange", exam, code, "007")
+    assert "answers.xlsx stays as it was typed; the codes in its column paper are" in done.stderr
 
 
 def test_the_own_version_and_one_that_nobody_has_are_refused(versions: Path) -> None:

@@ -198,6 +198,17 @@ def test_of_differing_rows_the_last_counts_and_the_others_are_kept(exam_folder: 
     ]
 
 
+@pytest.mark.parametrize("first", [False, True])
+@pytest.mark.parametrize("blank", ["007,王伟,,,\n", "007,王伟, ,-,\n"])
+def test_a_row_that_was_never_filled_in_is_no_second_attempt(
+    exam_folder: Path, blank: str, first: bool
+) -> None:
+    filled = f"007,王伟,{RIGHT},0,-0.125\n"
+    marked(exam_folder, HEADER + (blank + filled if first else filled + blank))
+    assert verdicts(exam_folder, "007") == ["right"] * 3
+    assert not [each for each in complaints(exam_folder) if "another row" in each[3]]
+
+
 def test_a_repeated_row_with_the_same_answers_is_ignored(exam_folder: Path) -> None:
     marks = marked(
         exam_folder, HEADER + ROWS + '007,W, "1,73" ,0.002,-0.125\n'.replace(' "1,73" ', RIGHT)

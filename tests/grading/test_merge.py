@@ -52,6 +52,21 @@ def test_who_was_absent_has_the_marks_of_the_make_up_exam(both: Path) -> None:
     assert merged.elsewhere["007"] == str(both / "later" / "MARKS")
 
 
+def test_an_id_with_two_names_is_remarked_on(both: Path) -> None:
+    grades = both / "later" / "MARKS" / "grades.csv"
+    renamed = grades.read_text(encoding="utf-8-sig").replace("Student 007", "Ute Ohm")
+    grades.write_text(renamed, encoding="utf-8-sig")
+    said = (
+        f'{both / "later" / "MARKS"}: student "007" is "Ute Ohm" here, and "Student 007" in '
+        f"{both / 'first' / 'MARKS'} - put together by the id; check whose marks they are"
+    )
+    assert f"complaint: {said}\n" in merge(both).stderr
+    term = kinegrade(
+        "term", both / "first" / "MARKS", both / "later" / "MARKS", "-o", both / "t.csv"
+    )
+    assert 'student "007" is "Ute Ohm" here, and "Student 007" in' in term.stderr
+
+
 def test_exports_and_report_show_all(both: Path) -> None:
     merge(both)
     listed = both / "grades.csv"

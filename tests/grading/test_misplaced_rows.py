@@ -9,6 +9,7 @@ from random import Random
 import numpy as np
 import pytest
 
+from kinegrade.grading.fast.another_paper import group_places
 from kinegrade.grading.misplaced import rows
 from kinegrade.grading.misplaced.rows import MisplacedRows
 from tests.grading.sitting_class import WRONG
@@ -16,12 +17,15 @@ from tests.grading.typed_class import INTERVALS, KEY, SITTING, STUDENTS, TITLES,
 from tests.said import said
 
 ASKS = range(len(TITLES))
+QUESTIONS = group_places(SITTING.exam.asks)
 
 
 def find(numbers: np.ndarray) -> list[tuple[int | None, str]]:
     """The lines that are told, and the reasons."""
     students = SITTING.exam.students
-    found = MisplacedRows(INTERVALS, np.arange(len(students)), students, answer(numbers), ASKS)
+    found = MisplacedRows(
+        INTERVALS, np.arange(len(students)), students, answer(numbers), ASKS, QUESTIONS
+    )
     return [(each.line, said(each.problem)) for each in found.list_complaints()]
 
 
@@ -77,11 +81,34 @@ def test_a_student_with_another_version_is_told_though_many_have_it() -> None:
     numbers[7] = KEY[2]
     numbers[7, [0, 4]] *= 1.37
     students = SITTING.exam.students
-    found = MisplacedRows(intervals, np.arange(3), students, answer(numbers, intervals), ASKS)
+    found = MisplacedRows(
+        intervals, np.arange(3), students, answer(numbers, intervals), ASKS, QUESTIONS
+    )
     (told,) = found.list_complaints()
     right = len(TITLES) - 2
     assert told.line == 9
     assert said(told.problem).startswith(f"{right} of the {len(TITLES)} numbers are right on the")
+
+
+def test_a_student_with_another_version_who_erred_in_most_is_told_if_two_questions_fit() -> None:
+    version = np.arange(STUDENTS) % 3
+    key, intervals = KEY[version], [each.at(version) for each in INTERVALS]
+    numbers, erred = key.copy(), [ask for ask in ASKS if ask % 2]
+    numbers[7] = KEY[2]
+    numbers[7, erred] *= 1.37
+    students = SITTING.exam.students
+    found = MisplacedRows(
+        intervals, np.arange(3), students, answer(numbers, intervals), ASKS, QUESTIONS
+    )
+    (told,) = found.list_complaints()
+    right = len(TITLES) - len(erred)
+    assert said(told.problem).startswith(f"{right} of the {len(TITLES)} numbers are right on the")
+    numbers[7] = KEY[2] * 1.37
+    numbers[7, list(QUESTIONS[0])] = KEY[2, list(QUESTIONS[0])]
+    found = MisplacedRows(
+        intervals, np.arange(3), students, answer(numbers, intervals), ASKS, QUESTIONS
+    )
+    assert not list(found.list_complaints())
 
 
 def test_a_row_that_lost_its_decimal_marks_is_told() -> None:
@@ -114,7 +141,9 @@ def test_rows_of_a_large_class_are_held_against_papers_though_few_differ(
     numbers[37] = KEY[9]
     numbers[37, [0, 4]] *= 1.37
     students = SITTING.exam.students
-    found = MisplacedRows(intervals, np.arange(12), students, answer(numbers, intervals), ASKS)
+    found = MisplacedRows(
+        intervals, np.arange(12), students, answer(numbers, intervals), ASKS, QUESTIONS
+    )
     (told,) = found.list_complaints()
     assert told.line == 39
     assert f'on the paper of "{students[9]}"' in said(told.problem)

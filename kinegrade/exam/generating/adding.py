@@ -178,6 +178,8 @@ def write_rest(
         new = [Quoted(each) for each in head.candidates if each not in exam.head.candidates]
         where, students = str(exam.path / ANSWER_WORKBOOK), list_plainly(new)
         said = (Message("exam.workbook-stays", file=where, students=students),)
+        if not new:
+            said = (Message("exam.workbook-has-old-codes", file=where),)
     if lost:
         raise refuse_edited(exam.path, lost)
     write_head(head, digest_grown(exam, folder), folder)

@@ -8,7 +8,7 @@ passed on. What is printed of these papers is printed anew; all others stay.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from msgspec import structs
@@ -45,9 +45,10 @@ class _Change:
     passed_on: Mapping[Candidate, Candidate] = field(default_factory=dict)
 
 
-def exchange_papers(path: Path, code: str, student: str) -> Exchanged:
+def exchange_papers(path: Path, code: str, student: Student) -> Exchanged:
     """Give the paper of that code, or of that version, to a student of the exam who has another, or
-    an assigned spare paper to one who has none.
+    an assigned spare paper to one who has none, with the name given, by default that of the person
+    before.
 
     Raises ExamError where there is no such paper, where it is the student's already, or is that of
     somebody who would be left without; OutputError. Then nothing is written.
@@ -59,6 +60,7 @@ def exchange_papers(path: Path, code: str, student: str) -> Exchanged:
         exam.head,
         students=tuple(changed.get(each.student, each) for each in exam.head.students),
         spares=tuple(changed.get(each.student, each) for each in exam.head.spares),
+        corrections=exam.head.corrections + 1,  # marks that were given before are by another key
     )
     with open_grown_folder(exam) as folder:
         copy_exam(exam, folder)
@@ -70,12 +72,15 @@ def exchange_papers(path: Path, code: str, student: str) -> Exchanged:
     return Exchanged(change.summary, typed)
 
 
-def _find_change(exam: ExamFolder, code: str, student: str) -> _Change:
+def _find_change(exam: ExamFolder, code: str, student: Student) -> _Change:
     """What is exchanged. Raises ExamError."""
     known = {make_student_key(each.student): each for each in exam.head.students}
-    own = known.get(make_student_key(student))
+    own = known.get(make_student_key(student.student))
     if own is None:
         return _pass_on(exam, code, student)
+    if student.name or student.email or student.group:
+        what = Message("exam.has-own-name", student=Quoted(own.student))
+        raise _refuse(exam, what, Message("exam.leave-out-name"))
     letter = code.strip().upper()
     if letter in exam.head.versions:
         return _change_version(exam, own, letter)
@@ -120,19 +125,18 @@ def _change_version(exam: ExamFolder, own: Candidate, letter: str) -> _Change:
     )
 
 
-def _pass_on(exam: ExamFolder, code: str, student: str) -> _Change:
-    """A spare paper that was assigned to a mistyped id is that of another, with the name that was
-    given. Raises ExamError.
-    """
+def _pass_on(exam: ExamFolder, code: str, student: Student) -> _Change:
+    """A spare paper that was assigned to a mistyped id is that of another. Raises ExamError."""
     before = _find_paper(exam, code)
     if before in exam.head.spares:
-        what = Message("exam.nothing-to-exchange", student=Quoted(student))
+        what = Message("exam.nothing-to-exchange", student=Quoted(student.student))
         raise _refuse(exam, what, Message("exam.write-assign", code=before.paper))
     if not before.was_spare:
         what = Message("exam.spare-taken", code=Quoted(code), student=Quoted(before.student))
         raise _refuse(exam, what, Message("exam.only-spare-passed-on"))
-    named = Student(student, before.name, before.email, "", group=before.group)
-    owner = make_owner(exam, before, named)
+    stated = student.name or student.email or student.group
+    kept = replace(student, name=before.name, email=before.email, group=before.group)
+    owner = make_owner(exam, before, student if stated else kept)
     return _Change(
         {before.student: owner},
         {before.student: _with_owner(exam.line_of(before.student), owner)},
@@ -140,6 +144,7 @@ def _pass_on(exam: ExamFolder, code: str, student: str) -> _Change:
             "exam.passed-on",
             code=owner.paper,
             student=Quoted(owner.student),
+            name=owner.name or Message("exam.no-name-known"),
             before=Quoted(before.student),
         ),
         {before: owner},

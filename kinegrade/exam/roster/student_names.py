@@ -54,6 +54,16 @@ class StudentNames:
         return owners
 
 
+def are_unlike(first: str, second: str) -> bool:
+    """Whether two names are those of two people, as far as both are known.
+
+    >>> are_unlike("Ada Byron", "BYRON, Ada"), are_unlike("Ada Byron", "Ute Byron")
+    (False, True)
+    """
+    one, other = _fold(first), _fold(second)
+    return bool(one and other and one != other)
+
+
 @dataclass(frozen=True, slots=True)
 class NameColumns:
     """The places of the columns that together hold a name; none where a file has no names."""

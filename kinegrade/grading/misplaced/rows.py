@@ -18,11 +18,12 @@ from kinegrade.files.tables import Complaint
 from kinegrade.grading.fast.bounds import Flags, Numbers, Places
 from kinegrade.grading.fast.intervals import AsksBeside, Intervals
 from kinegrade.grading.misplaced.class_answers import ClassAnswers
-from kinegrade.grading.poisson import find_tail
+from kinegrade.grading.poisson import QUESTIONS_THAT_TELL, find_tail
 from kinegrade.language.message import Message, Quoted
 
 _LEAST_WRONG = 3  # answers of a row: fewer may be right elsewhere by chance
 _MOST_OF_THEM = 0.6
+_MANY_OF_THEM = 0.4  # where none is right on the own paper, and two questions are elsewhere
 _LEVEL = 0.01  # chance that any row of a class is told without reason
 _FARTHER = (3, 4, 5, 6, 7, 8)  # lines off, on whose papers numbers are right by chance
 _SHIFTS = np.array(
@@ -47,7 +48,7 @@ class _Elsewhere(NamedTuple):
 class MisplacedRows:
     """The answers of a class beside its papers, which are in the order of the rows, and of which
     those of `different` are no two alike; `students` are their ids, `asks` those that are looked
-    at.
+    at, `questions` the asks of each.
     """
 
     intervals: Sequence[Intervals]
@@ -55,6 +56,7 @@ class MisplacedRows:
     students: Sequence[str]
     answers: ClassAnswers
     asks: Sequence[int]
+    questions: Sequence[range]
 
     def list_complaints(self) -> Iterator[Complaint]:
         """A complaint for each row that is right elsewhere, which says where."""
@@ -168,15 +170,31 @@ class MisplacedRows:
             fits = self.intervals[ask].at(papers).list_fits(self.answers.numbers[rows, ask])
             counts[fits] += 1
         best, most, right = counts.argmax(axis=1), counts.max(axis=1), self._right[rows].sum(axis=1)
-        enough = (most >= np.maximum(_LEAST_WRONG, _MOST_OF_THEM * given)) & (most < given)
-        for place in np.flatnonzero(enough & (most > right)).tolist():
+        mostly = most >= np.maximum(_LEAST_WRONG, _MOST_OF_THEM * given)
+        many = (most >= np.maximum(_LEAST_WRONG, _MANY_OF_THEM * given)) & (right == 0)
+        for place in np.flatnonzero((mostly | many) & (most > right) & (most < given)).tolist():
             row, count = int(rows[place]), int(most[place])
+            if not mostly[place] and not self._fits_questions(row, int(papers[best[place]])):
+                continue
             mean = self._expect_by_chance(row, papers)
             if len(rows) * len(papers) * find_tail(count, mean) <= _LEVEL:
                 other = Quoted(self.students[papers[best[place]]])
                 kinds = {"count": count, "given": int(given[place]), "right": int(right[place])}
                 problem = Message("marking.row-mostly-of-another", **kinds, other=other)
                 yield _Elsewhere(row, problem)
+
+    def _fits_questions(self, row: int, paper: int) -> bool:
+        """Whether answers to several questions of a row are right on a paper: a number misread may
+        give all those to one question.
+        """
+        own = np.array([paper])
+        fitting = {
+            ask
+            for ask in self.asks
+            if self.intervals[ask].fit_beside(self.answers.numbers[[row], ask], own)[0]
+        }
+        touched = sum(not fitting.isdisjoint(question) for question in self.questions)
+        return touched >= QUESTIONS_THAT_TELL
 
     def _expect_by_chance(self, row: int, papers: Places) -> float:
         """How many answers of a row are right by chance on one of these papers."""

@@ -25,7 +25,9 @@ def find_typing_slips(
     yield from DisplacedColumns(papers.intervals, titles, answers).list_complaints()
     columns = MisplacedColumns(papers.intervals, titles, answers)
     yield from columns.list_complaints()
-    rows = MisplacedRows(papers.intervals, papers.different, exam.students, answers, columns.others)
+    asks, questions = columns.others, papers.questions
+    students = exam.students
+    rows = MisplacedRows(papers.intervals, papers.different, students, answers, asks, questions)
     yield from rows.list_complaints()
     yield from find_other_sheets(exam, answers)
     if exam.head.versions:

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from datetime import datetime
 
 from kinegrade.deadlines.moment import parse_moment
-from kinegrade.files.cell_text import trim
+from kinegrade.files.cell_text import is_answered, trim
 from kinegrade.files.tables import Complaint
 from kinegrade.grading.sheets.entry import Entry
 from kinegrade.language.message import Message, Quoted
@@ -21,6 +21,14 @@ def order_attempts(several: Sequence[Entry]) -> tuple[Entry, ...]:
         return tuple(several)
     order = sorted(range(len(several)), key=lambda number: moments[number])
     return tuple(several[number] for number in order)
+
+
+def leave_out_blank(several: Sequence[Entry]) -> tuple[Entry, ...]:
+    """A student's entries without rows that were never filled in, as long as any was: a list of the
+    class below the answers is no attempt. One with a time was handed in.
+    """
+    filled = [each for each in several if each.submitted or any(map(is_answered, each.responses))]
+    return tuple(filled or several[:1])
 
 
 def find_unordered(entries: Mapping[str, tuple[Entry, ...]]) -> Iterator[Complaint]:

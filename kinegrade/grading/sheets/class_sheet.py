@@ -15,7 +15,7 @@ from kinegrade.exam.folder.keys import Ask, Sitting
 from kinegrade.files.answer_file import AnswerFile, LeftOut
 from kinegrade.files.cell_text import is_answered, shorten, trim
 from kinegrade.files.tables import Complaint, Table
-from kinegrade.grading.sheets.attempts import find_unordered, order_attempts
+from kinegrade.grading.sheets.attempts import find_unordered, leave_out_blank, order_attempts
 from kinegrade.grading.sheets.entry import Entry, OtherTime, Place
 from kinegrade.grading.sheets.grid_entries import GridEntries
 from kinegrade.grading.sheets.part import read_part
@@ -68,7 +68,7 @@ def _arrange(entries: _Entries, exam: Sitting, names: str) -> _Entries:
     nothing = (Entry(None, ("",) * len(exam.asks), file=names),)
     found = ((student, entries.get(student, nothing)) for student in exam.students)
     return {
-        student: order_attempts(several) if len(several) > 1 else several
+        student: order_attempts(leave_out_blank(several)) if len(several) > 1 else several
         for student, several in found
     }
 
