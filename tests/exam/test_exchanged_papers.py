@@ -219,3 +219,14 @@ def test_a_quiz_of_versions_says_where_it_stands_who_has_which(versions: Path) -
     assert "who has which version: the letter before the code, in the column paper" in done.stderr
     pooled = ("--variants", "2", "-o", versions.with_name("pool.xml"))
     assert "who has which" not in kinegrade("quiz", versions, "--to", "moodle-xml", *pooled).stderr
+
+
+def test_papers_of_which_a_pool_was_made_are_not_exchanged(exam: Path) -> None:
+    pooled = ("--to", "moodle-xml", "--variants", "2", "-o", exam.with_name("pool.xml"))
+    assert kinegrade("quiz", exam, *pooled).exit_code in (0, 1)
+    before, code = contents(exam), open_exam(exam).head.candidates["0012"].paper
+    refused = kinegrade("exchange", exam, code, "007")
+    assert refused.exit_code == 2
+    assert "a quiz pool was made of these papers" in refused.stderr
+    assert "answers to the pool need no exchange" in refused.stderr
+    assert contents(exam) == before
