@@ -51,7 +51,8 @@ def exchange_papers(path: Path, code: str, student: Student) -> Exchanged:
     before.
 
     Raises ExamError where there is no such paper, where it is the student's already, or is that of
-    somebody who would be left without, and where a pool was made of the exam; OutputError. Then nothing is written.
+    somebody who would be left without, and where a pool was made of the exam; OutputError. Then
+    nothing is written.
     """
     exam = open_exam(path)
     if exam.has_pool:  # whose questions are known by the papers from which they were taken
