@@ -29,6 +29,7 @@ from kinegrade.mechanics.vector_equation import Level
 
 PIN = 0.85  # radius of a pin's circle
 _HALF_PIN = 1.15
+_HOLE = 0.35  # less than half a bar, which is seen to run on at both sides of it
 DOT = 0.75  # radius of the dot of a marked point
 HATCHING = 1.5  # depth of ground hatching
 _OPEN = (4.2, 3.0)  # millimetres before and after an angle without hatching, whose strokes lean
@@ -62,6 +63,13 @@ def draw_half_pin(at: Vector, side: Vector) -> tuple[Primitive, ...]:
     flat = at + side * (BOLD.width / 2)
     arc = Bow(flat, _HALF_PIN, angle_of(side) - pi / 2, pi, FIRM)
     return (Outline(arc.path(), FIRM, "white"),)
+
+
+def draw_boss(at: Vector) -> tuple[Primitive, ...]:
+    """A revolute joint of bars that all run on through it: a small hole in a black boss, which
+    interrupts none of them.
+    """
+    return (Disc(at, PIN + FIRM.width / 2, None, "black"), Disc(at, _HOLE, None, "white"))
 
 
 def draw_pivot(at: Vector, upright: Vector) -> tuple[Primitive, ...]:

@@ -5,16 +5,23 @@ other marked points.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from kinegrade.figure.joints.drivers import find_motor
 from kinegrade.figure.mechanism.anatomy import Anatomy
 from kinegrade.figure.mechanism.plates import Plate
 from kinegrade.figure.mechanism.stands import choose_upright
-from kinegrade.figure.mechanism.straight_parts import Bar, is_slender, list_ways
+from kinegrade.figure.mechanism.straight_parts import Bar, Rod, is_slender, list_ways
 from kinegrade.figure.plane import NEAR, length, unit
 from kinegrade.figure.scene import FIRM, Disc, Outline, Primitive
-from kinegrade.figure.symbols import DOT, draw_centre_mark, draw_dot, draw_half_pin, draw_pin
+from kinegrade.figure.symbols import (
+    DOT,
+    draw_boss,
+    draw_centre_mark,
+    draw_dot,
+    draw_half_pin,
+    draw_pin,
+)
 from kinegrade.mechanics.vector import Vector
 
 _LOWER = Vector(0.01, -0.1)  # where a pin sits when nothing else decides: below, or to the right
@@ -45,8 +52,20 @@ def draw_points(anatomy: Anatomy) -> Iterator[Primitive]:
     for name in sorted(owned - pins - centres - hollow - tips - _find_at_corners(anatomy)):
         yield from _draw_marked_point(anatomy, at[name])
     for name in sorted(pins - swivels):
-        side = _find_side_of_through_bar(anatomy, name)
-        yield from draw_half_pin(at[name], side) if side else draw_pin(at[name])
+        yield from _draw_joint(anatomy, name)
+
+
+def _draw_joint(anatomy: Anatomy, name: str) -> tuple[Primitive, ...]:
+    """A half circle beside a bar that runs on through a pin, a small hole in the boss of several
+    that do, else a circle.
+    """
+    at = anatomy.mechanism.points[name]
+    joined, through = _find_members(anatomy, name)
+    if not through or _is_occupied(anatomy, at):
+        return draw_pin(at)
+    if len(through) > 1:
+        return draw_boss(at)
+    return draw_half_pin(at, _find_side(anatomy, name, joined, through[0]))
 
 
 def draw_swivels(anatomy: Anatomy) -> Iterator[Primitive]:
@@ -132,24 +151,27 @@ def _find_labelled(anatomy: Anatomy) -> set[str]:
     return {name for name, symbol in labels if symbol and name in anatomy.mechanism.points}
 
 
-def _find_side_of_through_bar(anatomy: Anatomy, name: str) -> Vector | None:
-    """The unit vector from the only bar that runs on through a pin to the members pinned to it.
-
-    None where no bar or more than one does, where something slides on it, and at a wheel's centre.
+def _find_members(anatomy: Anatomy, name: str) -> tuple[list[Bar | Rod], list[Bar | Rod]]:
+    """The slender members of the bodies that are pinned to each other at a point, and those of
+    them that run on through it.
     """
     at = anatomy.mechanism.points[name]
     owners = {body.name for body in anatomy.mechanism.bodies if name in body.points}
     joined = [part for part in anatomy.parts if is_slender(part) and part.body in owners]
-    through = [bar for bar in joined if len(list_ways(bar, at)) == 2]
-    if len(through) != 1 or _is_occupied(anatomy, at):
-        return None
-    toward = _LOWER
+    return joined, [bar for bar in joined if len(list_ways(bar, at)) == 2]
+
+
+def _find_side(
+    anatomy: Anatomy, name: str, joined: Sequence[Bar | Rod], through: Bar | Rod
+) -> Vector:
+    """The unit vector from a bar that runs on through a pin to the members pinned to it."""
+    at, toward = anatomy.mechanism.points[name], _LOWER
     for bar in joined:
-        if bar is not through[0]:
+        if bar is not through:
             toward = sum((unit(way) for way in list_ways(bar, at)), toward)
     if any(symbol.fixed and symbol.point == name for symbol in anatomy.symbols):
         toward = toward + unit(choose_upright(name, anatomy))
-    across = unit(through[0].end - through[0].start).turned()
+    across = unit(through.end - through.start).turned()
     return across if across.dot(toward) > 0 else -across
 
 
