@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 import pytest
+from shapely import LineString, Polygon
 
 from kinegrade.errors import TemplateError
 from kinegrade.figure.mechanism.anatomy import Anatomy
@@ -202,6 +203,19 @@ def test_the_floor_is_open_for_a_rod_through_its_block_and_ends_there_unless_tha
     gap = [abs((corner - ORIGIN).cross(polar(1.0, angle))) for corner in white.corners]
     assert min(gap) == pytest.approx(max(gap)) == pytest.approx(1.2)
     assert min(corner.y for corner in white.corners) < level - 1.4
+
+
+@pytest.mark.parametrize("angle", [20, 45, 80, 120, 150])
+def test_a_stroke_that_the_opening_of_a_floor_would_cut_is_left_out_whole(angle: float) -> None:
+    points = {"B": ORIGIN, "A": polar(0.4, angle), "C": polar(-0.4, angle)}
+    joints = (Slide("B", "AC", Line(ORIGIN, RIGHT), GROUND),)
+    mechanism = Mechanism(points, (Body("AC", ("A", "B", "C")),), joints, ())
+    hatching, _, white, _ = draw_ground_sliders(find_rails(anatomy_of(mechanism)))
+    assert isinstance(hatching, Strokes)
+    assert isinstance(white, Outline)
+    strokes = [LineString(stroke) for stroke in hatching.lines]
+    assert strokes
+    assert all(Polygon(white.corners).disjoint(stroke) for stroke in strokes)
 
 
 @pytest.mark.parametrize(("through", "use"), [(True, "link"), (False, "slot"), (False, "link")])

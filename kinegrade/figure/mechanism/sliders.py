@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from dataclasses import replace
 
 from kinegrade.figure.mechanism.anatomy import Anatomy
 from kinegrade.figure.mechanism.rails import OPENING, Leaving, Rail
-from kinegrade.figure.scene import FIRM, Outline, Primitive
+from kinegrade.figure.scene import FIRM, Outline, Primitive, Strokes
 from kinegrade.figure.symbols import (
     BLOCK_LENGTH,
     HATCHING,
@@ -15,6 +16,7 @@ from kinegrade.figure.symbols import (
     draw_ground,
     draw_sleeve,
 )
+from kinegrade.mechanics.vector import Vector
 
 
 def draw_sleeves(anatomy: Anatomy) -> Iterator[Primitive]:
@@ -34,10 +36,30 @@ def draw_blocks(anatomy: Anatomy) -> Iterator[Primitive]:
 def draw_ground_sliders(rails: Iterable[Rail]) -> Iterator[Primitive]:
     """The blocks on ground guides; a rod needs none in its guide, nor an end that is bare."""
     for rail in rails:
-        yield from draw_ground(rail.start, rail.end, rail.side)
-        yield from (_open_ground(rail, each) for each in rail.crossed)
+        yield from _draw_rail(rail)
         if rail.block:
             yield draw_block(rail.at, rail.along, rail.block.length, rail.block.width)
+
+
+def _draw_rail(rail: Rail) -> Iterator[Primitive]:
+    """The ground with its openings; a stroke of hatching that one would cut is left out whole, as
+    its rest would be a crumb.
+    """
+    hatching, line = draw_ground(rail.start, rail.end, rail.side)
+    if isinstance(hatching, Strokes):
+        whole = (stroke for stroke in hatching.lines if not _is_cut(stroke, rail))
+        hatching = replace(hatching, lines=tuple(whole) or hatching.lines)
+    yield from (hatching, line)
+    yield from (_open_ground(rail, each) for each in rail.crossed)
+
+
+def _is_cut(stroke: tuple[Vector, Vector], rail: Rail) -> bool:
+    """Whether a stroke of hatching reaches into the white about a bar."""
+    for way, half in rail.crossed:
+        asides, reach = [(end - rail.at).cross(way) for end in stroke], half + OPENING
+        if min(asides) < reach and max(asides) > -reach:
+            return True
+    return False
 
 
 def _open_ground(rail: Rail, bar: Leaving) -> Outline:
