@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from itertools import pairwise
 
 from kinegrade.figure.mechanism.layers import Drawing
@@ -51,6 +51,16 @@ def find_edge(at: Vector, toward: Vector, drawing: Drawing) -> tuple[float, Vect
             reaches = [step.dot(toward) for step in steps if abs(step.cross(toward)) < NEAR]
             found.append((max(reaches, default=0.0), outward))
     return max(found, key=lambda edge: edge[0])
+
+
+def is_rigid(at: Vector, points: Mapping[str, Vector], drawing: Drawing) -> bool:
+    """Whether a point is the corner of a plate, at which there is no pin to keep clear of."""
+    pins = (points[symbol.point] for symbol in drawing.symbols if symbol.point)
+    plates = (part for part in drawing.parts if isinstance(part, Plate))
+    corners = (corner for plate in plates for corner in plate.corners)
+    return any(length(corner - at) < NEAR for corner in corners) and all(
+        length(pin - at) > NEAR for pin in pins
+    )
 
 
 def find_block(at: Vector, toward: Vector, drawing: Drawing) -> tuple[float, float]:

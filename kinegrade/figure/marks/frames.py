@@ -9,12 +9,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from kinegrade.figure.marks.drawn import (
-    find_block,
-    find_edge,
-    measure_drawn,
-    meets_face,
-)
+from kinegrade.figure.marks.drawn import find_block, find_edge, is_rigid, measure_drawn, meets_face
 from kinegrade.figure.mechanism.layers import Drawing
 from kinegrade.figure.mechanism.straight.broad_links import find_frame_place, measure_way
 from kinegrade.figure.mechanism.straight_parts import Bar
@@ -39,6 +34,9 @@ _BEYOND_LEG = 4.0  # millimetres of an axis beyond the point that gives the side
 _BEYOND_TIP = 5.0  # millimetres of an axis beyond the arrow of a motion that lies on it
 _BEYOND_BAR = (6.0, 7.5, 9.0)  # millimetres of an axis beyond the bar or the ground that it is on
 _ON_EDGE = 5.0  # millimetres of an edge or a bar beyond the longest axis along it
+# Millimetres from a long edge to the axis along it, which is seen beside it, and along the edge to
+# where that axis starts, at the circle of the pin
+_BESIDE_EDGE, _AT_PIN = 0.85, 0.6
 _OUTWARD = 3.0  # share of the way out of a plate, of the way from the tip on its edge to the letter
 _OTHER_SIDE = 0.25  # demerit of the side of a bar on which the frame's other axis is not
 _BEFORE_BLOCK = 18.0  # millimetres before a block that have no room for an axis and its letter
@@ -63,7 +61,7 @@ def add_frames(
 ) -> Layout:
     """The layout with the axes that stand at points: those of bodies, then x and y at the
     origin; their letters keep clear of lines that are still to come. An axis along a bar or the
-    ground runs on beyond it, as does one to a block; along the long edge of a plate it lies on
+    ground runs on beyond it, as does one to a block; along the long edge of a plate it lies beside
     that, along a long link on that, which is broad; one that is the leg of an angle reaches beyond
     its arc, one along the `likely` arrow of a motion beyond its tip.
     """
@@ -89,7 +87,8 @@ def _list_ways(
     if any(measure_way(bar, origin, toward) for bar in _list_broad_bars(drawing)):
         return _list_axes_on_bar(axis)
     if edge > max(usual) + _ON_EDGE:
-        ways = _list_axes(origin + toward * PIN, toward, symbol, usual)
+        beside = origin + outward * _BESIDE_EDGE
+        ways = _list_axes(beside + toward * _AT_PIN, toward, symbol, usual)
         return [replace(way, away=toward + outward * _OUTWARD, bare=True) for way in ways]
     begins, ends = find_block(origin, toward, drawing)
     if begins and (begins < _BEFORE_BLOCK or _has_line(at, hints, origin, origin + toward * ends)):
@@ -103,7 +102,8 @@ def _list_ways(
     sizes = (*(size for size in (*long, *usual) if size > drawn), *beyond)
     hidden = drawn if _is_point(at, origin + toward * drawn) else 0.0
     left = tuple(size - hidden for size in sizes)
-    ways = _list_axes(origin + toward * (hidden + PIN), toward, symbol, left)
+    begins = hidden + (0.0 if is_rigid(origin, at, drawing) else PIN)
+    ways = _list_axes(origin + toward * begins, toward, symbol, left)
     free = not leg and meets_face(origin, toward, drawing)
     return [replace(way, free=free) for way in ways]
 
