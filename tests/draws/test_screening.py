@@ -23,7 +23,7 @@ from tests.problem.draws import draw_filter
 DRAWS = 60
 NARROW = Tolerance(Fraction(1, 1000))
 CASES = (  # whether tolerances may be widened; where not, more is refused
-    ("rod-sliding-on-driven-wheel", True),
+    ("bent-rod-two-sleeves", True),
     ("pole-four-bar-coupler", True),
     ("crank-slider-in-floating-link", False),
     ("rod-ground-and-incline", False),

@@ -95,9 +95,16 @@ def test_papers_and_solutions_stand_in_numbered_folders(exam: Path) -> None:
     ]
 
 
-def test_the_papers_are_those_of_one_folder(exam: Path, small_class: Path) -> None:
-    here, there = exam / "papers" / "01" / "a%2Fb.pdf", small_class / "EXAM" / "papers"
-    assert len(here.read_bytes()) == len((there / "a%2Fb.pdf").read_bytes())
+def test_the_papers_are_those_of_one_folder(generated: Path, tmp_path: Path) -> None:
+    whole = generate(write_class(tmp_path), "EXAM", "--solutions", "--spare", "1", "--jobs", "1")
+    assert whole.exit_code == 0, whole.stderr
+    for name in ("papers", "solutions"):
+        here, there = generated / "EXAM" / name / "01", tmp_path / "EXAM" / name
+        assert (here / "a%2Fb.pdf").read_bytes() == (there / "a%2Fb.pdf").read_bytes()
+
+
+def test_a_paper_is_found_in_its_folder(exam: Path) -> None:
+    here = exam / "papers" / "01" / "a%2Fb.pdf"
     assert kinegrade("paper", exam, "a/b").stdout_bytes == here.read_bytes()
 
 
