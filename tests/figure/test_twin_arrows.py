@@ -52,6 +52,16 @@ def test_on_the_ground_both_keep_off_it_and_the_long_one_is_next_to_it() -> None
     assert letters["a"].x > high[1].x
 
 
+def test_on_a_rack_both_begin_at_its_end() -> None:
+    mechanism = slider(1, 1)
+    at = mechanism.points["B"]
+    rack = Rail(at, RIGHT, -UP, at - RIGHT * 12, at + RIGHT * 5, 2.8, None)
+    layout = add_motions(Layout.of(()), Site(mechanism, [rack]), BOTH)
+    for start, end in list_shafts(layout):
+        assert hypot(*(start - at)) < 1.5
+        assert start.y == end.y > at.y - 1.4
+
+
 def test_no_symbol_stands_beside_the_other_arrow_or_just_past_its_tip() -> None:
     mechanism = slider(1, 1)
     at = mechanism.points["B"]

@@ -39,6 +39,7 @@ _OFFSETS = {3.6: 1.0, -3.6: 1.3, 2.8: 1.6, -2.8: 1.9, 5.0: 2.0, -5.0: 2.3, 6.6: 
 _SHIFTS = {0.0: 0.0, 2.5: 6.0, 4.0: 9.0}
 _FREER = 3.0  # millimetres by which the mechanism lies on one side for the other to be the free one
 _FROM_END = 6.0  # demerit of an arrow from the free end of a rod
+_ROOM_BELOW = 2.0  # millimetres from a point without a block to its ground, as of a rack, for twins
 _PAIR = 2  # motions of one point that may be twins
 _SAME = 1e-3  # between two unit vectors of one direction
 
@@ -68,7 +69,7 @@ class Site:
             own = self.find_rails(first.point)
             at_end = first.point != self.mechanism.points[hints[0].point]
             stance = AT_END if at_end else IN_BLOCK if own else TWINS_AT_PIN
-            if not any(rail.bare for rail in own):
+            if not any(rail.bare and rail.level < _ROOM_BELOW for rail in own):
                 side = -own[0].side if own else self._find_open_side(first.point, first.toward)
                 twins = partial(_list_twins_of, side=side, stance=stance)
                 yield [twins(first, short=True), twins(second, short=False)]
