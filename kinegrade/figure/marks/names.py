@@ -35,6 +35,7 @@ from kinegrade.problem.template.hints import Angle, FigureHints
 # Cost of a letter that may be read as that of another point: between a thin and a firm line
 _MISTAKEN = 20.0
 _NEAR_SPOTS = 48  # spots for a letter of which those outside an angle at its point come first
+_NAMING = 3.0  # cost of a letter in an angle at its point, which it would seem to name
 _TEETH = 4.5  # millimetres of the leader to a point among teeth that may cross these
 _INSIDE = 0.95  # share of a radius: nearer to the rim a letter may stand on either side
 _WITHIN = 1.5  # millimetres inside a rim from which on a letter is rather inside it as well
@@ -178,6 +179,7 @@ def _keep_out_of_angles(wish: Wish, at: Vector, wedges: Sequence[_Wedge]) -> Wis
     long as it stands near.
     """
     within = _find_within(wish.spots, at, wedges)
+    wish = wish.worse_by(_NAMING * within)
     within[_NEAR_SPOTS:] = 2
     order = np.argsort(within, kind="stable")
     demerits = None if wish.demerits is None else wish.demerits[order]
