@@ -24,6 +24,15 @@ PRECISIONS = (
 )  # bits; the first leaves over 40 digits after the cancellation of a usual solve
 
 
+def is_ball(value: Any) -> bool:
+    """Whether a value is an enclosure.
+
+    >>> is_ball(Balls(256).turns(1)), is_ball(fmpq(1))
+    (True, False)
+    """
+    return isinstance(value, arb)
+
+
 class Undecided(ArithmeticError):
     """A ball contains zero, so that a sign or a pivot is undecided at this precision."""
 

@@ -132,3 +132,32 @@ def test_a_distance_and_a_direction_are_found_before_they_place_a_point() -> Non
     places = [said.find(part) for part in ("CM &= ", r"\tan\angle", "y_{T} &= ")]
     assert -1 not in places
     assert places == sorted(places)
+
+
+WATT = """
+joints = ["pin O: ground OA", "pin A: OA AB", "pin B: AB CBD", "pin C: ground CBD",
+    "pin D: CBD DF", "pin F: DF EF", "pin E: ground EF"]
+inputs = [{ motion = "OA turns", velocity = "omega" }]
+[points]
+O = "(0, 0)"
+C = "(4, 0)"
+E = "(8, 0)"
+A = "polar(O, 1, 5*pi/12)"
+B = "meet(circle(A, 4), circle(C, 12/5), upper)"
+D = "toward(C, B, 18/5)"
+F = "meet(circle(D, 4), circle(E, 3), left of D->E)"
+[bodies]
+OA = "O A"
+AB = "A B"
+CBD = "C B D"
+DF = "D F"
+EF = "E F"
+"""
+
+
+def test_an_angle_without_a_small_exact_form_turns_a_direction_that_has_one() -> None:
+    # The direction from D to E is exact, the angle at D is not; by hand F = (7.944, 2.999)
+    said = read_chapter("# Positions", solve_small(WATT, x_F="x(F) in m"))
+    assert r"\angle EDF &\approx 33.28^\circ" in said
+    assert r"x_{F} &= x_{D} + 4\cos(\angle(x,\overrightarrow{DE}) + \angle EDF) = " in said
+    assert r"4\cos(-8.63^\circ) \approx 7.944\,\unit{m}" in said

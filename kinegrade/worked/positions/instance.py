@@ -7,17 +7,18 @@ x_{A} &= r \\cos\\varphi = 0.25 \\cos 60^\\circ = 0.125\\,\\unit{m}
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from typing import Any
 
 from kinegrade.expressions.evaluation import evaluate, make_elementary_functions
-from kinegrade.expressions.tree import Call, Expression, Name, Number
+from kinegrade.expressions.tree import Call, Expression, Name, Number, find_names
 from kinegrade.language.math.tree import Row
 from kinegrade.language.message import Message
 from kinegrade.mechanics.geometry import make_constructions
 from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.angle import Angle
-from kinegrade.numbers.balls import PRECISIONS, Balls
+from kinegrade.numbers.balls import PRECISIONS, Balls, is_ball
 from kinegrade.numbers.refusals import Inexact
 from kinegrade.numbers.text import write_decimal
 from kinegrade.numbers.units import Unit, read_unit
@@ -86,17 +87,17 @@ class Instance:
         """The value of an expression in SI: exact where a small field holds it, otherwise a
         certified enclosure.
         """
-        try:
-            with self.arithmetic.context():
+        # No exact number is put together with an enclosure
+        mixed = self.arithmetic.exact and any(
+            _has_ball(self.values.get(name)) for name in find_names(tree)
+        )
+        if not mixed:
+            with suppress(Inexact), self.arithmetic.context():
                 return _evaluate_in(tree, self.values, self.arithmetic)
-        except Inexact:
-            balls = Balls(PRECISIONS[0])
-            with balls.context():
-                return _evaluate_in(
-                    tree,
-                    {name: _enclose(value, balls) for name, value in self.values.items()},
-                    balls,
-                )
+        balls = Balls(PRECISIONS[0])
+        with balls.context():
+            enclosed = {name: _enclose(value, balls) for name, value in self.values.items()}
+            return _evaluate_in(tree, enclosed, balls)
 
     def sign(self, tree: Expression) -> int:
         """The sign of an expression's value: -1, 0 or 1."""
@@ -220,10 +221,16 @@ def _evaluate_in(tree: Expression, values: Mapping[str, Any], arithmetic: Any) -
     return evaluate(tree, values, functions, arithmetic)
 
 
+def _has_ball(value: Any) -> bool:
+    """Whether a number is an enclosure, or a coordinate of a point is."""
+    parts = (value.x, value.y) if isinstance(value, Vector) else (value,)
+    return any(map(is_ball, parts))
+
+
 def _enclose(value: Any, balls: Balls) -> Any:
-    """An exact value as an enclosure."""
+    """An exact value as an enclosure; an enclosure as it is."""
     if isinstance(value, Vector):
-        return Vector(balls.number(value.x), balls.number(value.y))
+        return Vector(_enclose(value.x, balls), _enclose(value.y, balls))
     if isinstance(value, Angle):
         return value.ball()
-    return value if isinstance(value, str) else balls.number(value)
+    return value if isinstance(value, str) or is_ball(value) else balls.number(value)
