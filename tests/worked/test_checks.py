@@ -85,7 +85,7 @@ def test_a_rod_is_checked_by_differentiating_a_coordinate() -> None:
 
 
 def test_a_follower_is_checked_by_differentiating_the_coordinate_along_its_path() -> None:
-    values = {"R": "0.2", "e": "0.1", "theta_1": "-60", "omega": "-10", "eps": "0"}
+    values = {"R": "0.2", "e": "0.12", "theta_1": "-60", "omega": "-10", "eps": "0"}
     assert find_checks(stated("flat-faced-follower-eccentric-circle", **values)) == [
         Check(
             "the time derivative of $y_{C}$",
