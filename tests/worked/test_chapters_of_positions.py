@@ -159,5 +159,6 @@ def test_an_angle_without_a_small_exact_form_turns_a_direction_that_has_one() ->
     # The direction from D to E is exact, the angle at D is not; by hand F = (7.944, 2.999)
     said = read_chapter("# Positions", solve_small(WATT, x_F="x(F) in m"))
     assert r"\angle EDF &\approx 33.28^\circ" in said
+    assert r"+ \angle EDF &= -41.91^\circ + 33.28^\circ \approx -8.63^\circ" in said
     assert r"x_{F} &= x_{D} + 4\cos(\angle(x,\overrightarrow{DE}) + \angle EDF) = " in said
     assert r"4\cos(-8.63^\circ) \approx 7.944\,\unit{m}" in said

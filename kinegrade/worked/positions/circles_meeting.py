@@ -22,6 +22,7 @@ from kinegrade.worked.positions.algebra import (
     ZERO,
     Pair,
     cross,
+    is_negated,
     make_positive,
     minus,
     over,
@@ -114,7 +115,8 @@ def find_direction(direction: Expression, instance: Instance) -> tuple[Row, ...]
 def _work_out_sum(direction: Expression, instance: Instance) -> tuple[Row, ...]:
     """What the angle comes to whose sine and cosine follow, where it is a sum."""
     _, rest, _ = split_right_angles(direction)
-    angle = make_positive(rest, instance.sign(rest))
+    positive = make_positive(rest, instance.sign(rest))
+    angle = rest if is_negated(positive) else positive
     terms = tuple(_list_terms(angle))
     if len(terms) == 1:
         return ()
