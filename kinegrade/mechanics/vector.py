@@ -68,3 +68,7 @@ class Vector(NamedTuple):
     def map(self, number: Callable[[Number], Number]) -> Vector:
         """The vector with `number` applied to its components."""
         return _make(Vector, (number(self.x), number(self.y)))
+
+
+# An array times a vector is a vector, no array of two rows. Outside, as it is no component
+Vector.__array_ufunc__ = None  # type: ignore[attr-defined]

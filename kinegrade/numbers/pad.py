@@ -145,6 +145,8 @@ class Noted:
         return self.__neg__().__add__(other)
 
     def __mul__(self, other: Any) -> Any:
+        if isinstance(other, tuple):
+            return NotImplemented  # a vector's components are multiplied, each by itself
         value, uses, exact, _ = _take(other, self.value)
         if not uses and _is_all(value, 0):
             return 0.0

@@ -9,6 +9,7 @@ from collections.abc import Callable
 from contextlib import suppress
 from typing import Any
 
+import numpy as np
 import pytest
 from flint import arb, fmpq
 from hypothesis import given
@@ -23,8 +24,11 @@ from kinegrade.mechanics.geometry import make_constructions
 from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.angle import Angle
 from kinegrade.numbers.balls import Balls
+from kinegrade.numbers.doubles import Doubles
 from kinegrade.numbers.field import Field
 from kinegrade.numbers.floats import Floats
+from kinegrade.numbers.noting import Noting
+from kinegrade.numbers.pad import Pad
 from kinegrade.numbers.refusals import Inexact
 from kinegrade.numbers.text import write_angle, write_exact
 
@@ -288,6 +292,44 @@ def test_sums_and_products_come_to_what_python_makes_of_them(text: str) -> None:
     field = Field()
     number = evaluate(read_expression(text), KNOWN, make_elementary_functions(field), field)
     assert number == eval(text, {"__builtins__": {"abs": abs}}, dict(KNOWN))
+
+
+# r, s and the coordinates of A, an entry for each instance
+COLUMNS = ((0.3, 0.25, 0.4), (0.12, 0.15, 0.1), (0.8, -0.7, 1.1), (0.4, 0.9, -0.35))
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        *("s*(A - O)", "(A - O)*s", "(A - O)/s", "-s*(A - O)", "2*(A - O)", "(A - O)/2"),
+        *("s/r*(A - O)", "(A - O)*s/r", "s*(A - O)/r", "O + s/r*(A - O)", "1/r*A", "s**2*A"),
+        *("turned(A - O)", "s*turned(A - O)", "turned(A - O)*s", "turned(A - O)/s"),
+        *("turned(s*(A - O))", "s*turned(A - O)/r", "cos(s)*(A - O)", "(A - O)*cos(s)"),
+        *("abs(s)*(A - O)", "(r - s)*(A - O)*s", "s*(r*(A - O))", "0*s*A + A", "s*(2*O)"),
+    ],
+)
+@pytest.mark.parametrize("count", [1, 2, 3])
+def test_columns_of_numbers_come_to_what_they_do_one_by_one(text: str, count: int) -> None:
+    """Numbers times vectors in either order, and vectors divided by them: in arrays of instances,
+    in numbers on a pad, and for one instance after the other.
+    """
+    tree = read_expression(text)
+
+    def work_out(arithmetic: Any, numbers: list[Any]) -> Vector:
+        r, s, x, y = numbers
+        values = {"r": r, "s": s, "O": Vector(0.5, 0.25), "A": Vector(x, y)}
+        functions = make_elementary_functions(arithmetic) | make_constructions(arithmetic, {})
+        result = evaluate(tree, values, functions, arithmetic)
+        assert isinstance(result, Vector)
+        return result
+
+    columns = [np.array(column[:count]) for column in COLUMNS]
+    singly = [work_out(Doubles(), list(row)) for row in zip(*columns, strict=True)]
+    pad = Pad(4, count)
+    noted = work_out(Noting(pad), [pad.write(column) for column in columns])
+    for rank, coordinate in enumerate(zip(*singly, strict=True)):
+        assert work_out(Floats(), columns)[rank] == pytest.approx(coordinate, rel=1e-14)
+        assert noted[rank].value == pytest.approx(coordinate, rel=1e-14)
 
 
 def test_the_tree_of_an_expression() -> None:
