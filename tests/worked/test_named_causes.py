@@ -22,8 +22,9 @@ def test_a_normal_says_which_way_it_points() -> None:
 
 def test_a_slanting_one_is_turned_from_the_vector() -> None:
     solution = told("pin-in-disc-slot-and-rod")
-    turned = "its positive direction turned counter-clockwise"
-    assert rf"normal to $\boldsymbol{{v}}_{{\mathrm{{r}}2}}$ ({turned})" in solution
+    for vector, turned in (("v", "clockwise"), ("a", "counter-clockwise")):
+        normal = rf"normal to $\boldsymbol{{{vector}}}_{{\mathrm{{r}}2}}$"
+        assert f"{normal} (its positive direction turned {turned})" in solution
 
 
 @pytest.mark.parametrize(
