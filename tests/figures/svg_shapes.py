@@ -22,6 +22,7 @@ THIN = 0.185  # millimetres, the pen of leaders, dimensions and arcs of angles
 TOOTHED = "0.2"  # millimetres, the pen of contours with teeth
 HATCHING = 2.5  # millimetres: shorter thin lines are hatching, or the arms of crosses
 PIN = 1.5  # millimetres: smaller circles are pins and dots
+EYE = 2.0  # millimetres: smaller circles at a rack are eyes about its pins
 NUMBER = r"-?\d*\.?\d+(?:e-?\d+)?"
 
 Point2 = tuple[float, float]
@@ -83,7 +84,7 @@ def read_picture(text: str) -> Picture:
         hatchings += read_hatching(element)
         thin += read_thin_lines(element)
         fill = element.attrib.get("fill")
-        toothed += [area] if fill and element.attrib.get("stroke-width") == TOOTHED else []
+        toothed += [area] if fill and is_toothed(element) else []
         if fill is not None:
             ink = [seen for each in ink if not (seen := cover(each, area)).is_empty]
         if fill == "#000":
@@ -96,6 +97,12 @@ def read_picture(text: str) -> Picture:
     shapes = tuple(ink), tuple(heads), tuple(pins), tuple(letters)
     round_and_rough = tuple(toothed), tuple(hatchings), tuple(rims)
     return Picture(box(0, 0, width, height), *shapes, arcs, lines, *round_and_rough)
+
+
+def is_toothed(element: ElementTree.Element) -> bool:
+    """Whether an element has the pen of gears and racks; the eye of a rack is part of one."""
+    pen = element.attrib.get("stroke-width") == TOOTHED
+    return pen and not float(element.attrib.get("r", EYE)) < EYE
 
 
 def is_rim(element: ElementTree.Element) -> bool:
