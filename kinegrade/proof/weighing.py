@@ -12,12 +12,17 @@ from kinegrade.proof.report import Report
 from kinegrade.students.rounding.accuracy import USUALLY, WIDEST, find_usual_share
 
 _FEWEST = 500  # distinct instances: fewer, and a large class finds out the pattern behind the draws
+_SELDOM = 0.1  # of draws accepted: below it, exams take long to generate
 _FEW = 0.02  # a share of draws, or of all others, that chance may leave unlike the rest
 
 
 def weigh_sample(report: Report) -> None:
     """Too few instances are a fault, and answers with points that need not be worked out."""
     _weigh_number(report)
+    if 0 < report.instances < _SELDOM * report.examined:
+        report.remarks.append(
+            Message("template.seldom-accepted", accepted=report.instances, examined=report.examined)
+        )
     for name, spread in report.spreads.items():
         if spread.is_constant(vanishes=report.template.asks[name].vanishes):
             report.faults.append(Message("template.same-answer", ask=name))

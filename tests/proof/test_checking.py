@@ -376,6 +376,13 @@ def test_no_acceptable_instance_is_a_fault() -> None:
     assert "no acceptable instance was found: widen the domains or relax the conditions" in faults
 
 
+def test_a_template_that_seldom_has_an_accepted_draw_is_remarked_on() -> None:
+    remark = "draws are accepted, less than a tenth: exams take long to generate: leave out the"
+    report = check(crank(('[0, "1/2", 3]', '[0, "1/2", 3, 4, 5, 6]')), sample=200)
+    assert f"only 2 of 36 {remark} values that are refused" in all_said(report.remarks)
+    assert not any(remark in said for said in all_said(check(crank(), sample=200).remarks))
+
+
 def test_a_sample_without_an_accepted_draw_is_no_fault_and_never_sound() -> None:
     report = check(load_template("slider-crank"), sample=1, secret="c")  # its draw is refused
     assert (report.instances, report.faults) == (0, [])
