@@ -57,10 +57,10 @@ def test_lines_of_code_are_lines_without_docstrings_comments_and_blanks(tmp_path
 # did when fairness came to be bounded (mistakes, follow-through, papers alike hard) and when
 # mechanisms came to move (cycles)
 FAR = {
-    "syntax nodes": 801_000,
-    "lines of code": 82_300,
-    "syntax nodes a line": 9.85,
-    "modules of more than 250 lines": 29,
+    "syntax nodes": 801_300,
+    "lines of code": 81_800,
+    "syntax nodes a line": 9.81,
+    "modules of more than 250 lines": 24,
 }
 COPIED = """
 def total(rows, key):
