@@ -178,7 +178,8 @@ def test_the_mechanism_moves_when_it_is_played_dragged_or_moved_by_a_key(page: P
         " const box = stage.querySelectorAll('.joint')[1].getBoundingClientRect();"
         " return [box.x + box.width / 2, box.y + box.height / 2]; })()"
     )
-    page.drag((x, y), (x + 40, y + 40))
+    for across in (40, -40):  # along the crank nothing would turn
+        page.drag((x, y), (x + across, y + 40))
     assert page.run(SHOWN) != keyed
 
 
