@@ -49,10 +49,12 @@ def exchange(
     and group that are given, or those of that person where none is. Every other paper stays. Raises
     KinegradeError.
 
-    >>> exam = kinegrade.open_exam("EXAM")
-    >>> exchange(exam, exam.head.students[0].paper, "1002")
-    EXAM: "1002" has paper ... now, and "1001" has paper ... now; grade again what was graded before
-    >>> exchange(exam, "XXXX-XXXX", "1002")
+    >>> bank, roster = kinegrade.Bank.read("bank.toml"), kinegrade.Roster.read("roster.csv")
+    >>> exam = kinegrade.generate(bank, roster, "EXCHANGED").exam
+    >>> own, other, *_ = exam.students
+    >>> exchange(exam, exam.head.candidates[other].paper, own)
+    EXCHANGED: ... has paper ... now, and ... has paper ... now; grade again what was graded before
+    >>> exchange(exam, "XXXX-XXXX", own)
     Traceback (most recent call last):
     kinegrade.errors.ExamError: ...
     """

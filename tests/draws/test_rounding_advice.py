@@ -41,7 +41,7 @@ def test_more_figures_or_wider_tolerances_are_advised() -> None:
     said_of_it = refusal(strict("1/1000"))
     assert re.search(
         r"expected one for each student - state carry = 5 or tolerance = \"honest\" or wider for "
-        r"a_cor \(1 %\), alpha_AB \(1 %\), omega_AB \(1 %\) and v_O \(1 %\)$",
+        r"a_cor \(1 %\), alpha_AB \(1\.5 %\), omega_AB \(1 %\) and v_O \(1 %\)$",
         said_of_it,
     )
 
@@ -62,7 +62,7 @@ WIDER = {"a_cor": "1/100", "alpha_AB": "1/50", "omega_AB": "1/100", "v_O": "1/10
 
 def test_only_the_asks_that_rounding_leaves_are_named() -> None:
     assert refusal(strict("1/5000", "omega_AB", "alpha_AB")).endswith(
-        'state carry = 6 or tolerance = "honest" or wider for alpha_AB (1 %) and omega_AB (1 %)'
+        'state carry = 6 or tolerance = "honest" or wider for alpha_AB (1.5 %) and omega_AB (1 %)'
     )
 
 
