@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -35,22 +36,18 @@ def roster(roster: Path, *, columns: Wishes, allow_odd_ids: bool) -> None:
     finish_with_complaints([each.fault for each in students.complaints])
 
 
+def person(function: Callable[..., None]) -> Callable[..., None]:
+    """The options that say who a student is whom the roster does not list."""
+    for option in ("--group", "--email", "--name"):
+        function = click.option(option, default="")(function)
+    return function
+
+
 @command()
 @click.argument("exam", type=FILE)
 @click.argument("code")
 @click.argument("student")
-@click.option(
-    "--name",
-    default="",
-)
-@click.option(
-    "--email",
-    default="",
-)
-@click.option(
-    "--group",
-    default="",
-)
+@person
 @refusing
 def assign(exam: Path, code: str, student: str, *, name: str, email: str, group: str) -> None:
     """Give the spare paper of EXAM that bears CODE to a STUDENT, by id, who has none."""
@@ -62,18 +59,7 @@ def assign(exam: Path, code: str, student: str, *, name: str, email: str, group:
 @click.argument("exam", type=FILE)
 @click.argument("code")
 @click.argument("student")
-@click.option(
-    "--name",
-    default="",
-)
-@click.option(
-    "--email",
-    default="",
-)
-@click.option(
-    "--group",
-    default="",
-)
+@person
 @refusing
 def exchange(exam: Path, code: str, student: str, *, name: str, email: str, group: str) -> None:
     """Give the paper of EXAM that bears CODE to a STUDENT who wrote it in place of the own one."""

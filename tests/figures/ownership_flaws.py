@@ -16,7 +16,7 @@ from tests.figures.svg_shapes import Letters, Picture
 BESIDE = 2.5  # millimetres from its line within which a letter stands beside it
 ITS_OWN = 1.0  # millimetres about a line that are its own
 OF_LINK = 2.2, 0.8  # millimetres about a line, and share of some ink in it that is its own
-ALONG, AT_DIMENSION = 9.0, 1.6  # millimetres from a line to a dimension line, from that to a letter
+ALONG, AT_DIMENSION = 7.0, 1.6  # millimetres from a line to a dimension line, from that to a letter
 AT_END = 1.2  # millimetres between a letter and the end of its leader
 CLEARLY = 0.3  # millimetres by which a letter may not be nearer to something else
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import gc
+from collections.abc import Iterator
 from decimal import Decimal
 from fractions import Fraction
 from time import process_time
@@ -30,6 +32,14 @@ def test_what_stands_there_is_the_value_exactly(found: object, value: Fraction) 
     assert read_number(found) == value
 
 
+@pytest.fixture
+def uncollected() -> Iterator[None]:
+    """Nothing is timed that the collector of garbage does for other tests."""
+    gc.disable()
+    yield
+    gc.enable()
+
+
 @pytest.mark.parametrize(
     "found",
     [
@@ -37,11 +47,12 @@ def test_what_stands_there_is_the_value_exactly(found: object, value: Fraction) 
         Decimal("1e9999999999"), Decimal("NaN"), "1/0", "", ".", "e5", "x", "1 2", "１", True, None, [], {},
     ],
 )  # fmt: skip
+@pytest.mark.usefixtures("uncollected")
 def test_anything_else_is_refused_at_once_and_briefly(found: object) -> None:
     start = process_time()
     with pytest.raises(NumberError, match="expected a number between -1e300 and 1e300") as caught:
         read_number(found)
-    assert process_time() - start < 1.0
+    assert process_time() - start < 0.1
     assert len(str(caught.value)) < 120
 
 
