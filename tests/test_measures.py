@@ -57,10 +57,10 @@ def test_lines_of_code_are_lines_without_docstrings_comments_and_blanks(tmp_path
 # did when fairness came to be bounded (mistakes, follow-through, papers alike hard) and when
 # mechanisms came to move (cycles)
 FAR = {
-    "syntax nodes": 801_300,
-    "lines of code": 81_800,
-    "syntax nodes a line": 9.81,
-    "modules of more than 250 lines": 24,
+    "syntax nodes": 835_000,
+    "lines of code": 85_000,
+    "syntax nodes a line": 9.9,
+    "modules of more than 250 lines": 28,
 }
 COPIED = """
 def total(rows, key):
