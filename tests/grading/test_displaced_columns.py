@@ -87,6 +87,15 @@ def test_a_column_that_slipped_by_a_line_is_told_with_its_lines(first: int, kind
     assert 21 <= numbers[1] < numbers[2] <= 41
 
 
+def test_a_slip_in_the_last_six_lines_is_told() -> None:
+    told = 0
+    for seed in range(8):
+        rows = honest_rows(SITTING, 1000 + seed, 0.2)
+        slipped = [*rows[:-6], *rows[-5:], [rows[-1][0], *[""] * len(COLUMNS)]]
+        told += COLUMNS[2] in [column for column, _ in find(SITTING, replaced(rows, [3], slipped))]
+    assert told >= 5
+
+
 def test_the_order_is_that_of_the_lines_and_not_of_the_roster() -> None:
     rows = honest_rows(SITTING, 2, 0.0)
     Random(1).shuffle(rows)

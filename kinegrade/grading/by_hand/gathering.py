@@ -20,6 +20,7 @@ from kinegrade.grading.by_hand.reading import (
     HandRow,
     read_hand_file,
 )
+from kinegrade.grading.by_hand.sorted_points import describe_sorted
 from kinegrade.language.message import Fault, Message
 from kinegrade.marks_folder.hand_marks import ByHand, group_by_student
 from kinegrade.marks_folder.layout import FILLED_IN, LEFT_OUT, MANUAL, MARKER, OPEN
@@ -96,7 +97,7 @@ def gather_hand_marks(sources: HandSources, markable: Markable) -> Gathered:
     if faults:
         raise TableError(*faults)
     notes = (
-        *_say(sources.given, given),
+        *_say(sources.given, given, markable),
         *_say_carried(sources.carried, carried, kept, rows),
     )
     return Gathered(
@@ -143,14 +144,16 @@ def _list_kept(folder: Path) -> tuple[Path, ...]:
     return tuple(file for file in files if file.exists())
 
 
-def _say(paths: Sequence[Path], files: Sequence[HandFile]) -> Iterator[Problem]:
-    """Of the files that are given, which rows have no points yet or do not count, and which ids
-    were repaired.
+def _say(paths: Sequence[Path], files: Sequence[HandFile], markable: Markable) -> Iterator[Problem]:
+    """Of the files that are given, which rows have no points yet or do not count, which ids were
+    repaired, and which points were perhaps sorted alone.
     """
     for path, file in zip(paths, files, strict=True):
         if file.restored:
             what, done = describe_restoration(file.restored)
             yield Fault(str(path), what, do=done)
+        for each in describe_sorted(file.rows, markable.students):
+            yield Fault(str(path), each, do=Message("marking.points-count-as-they-stand"))
         if file.unmarked:
             yield Message("marking.unmarked-rows", file=str(path), count=file.unmarked)
         yield from _say_left_out(path, file)

@@ -4,7 +4,7 @@ points.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Set
+from collections.abc import Mapping, Sequence, Set
 from dataclasses import dataclass
 from fractions import Fraction
 
@@ -25,10 +25,11 @@ _SHOWN = 4  # names that a message gives as examples
 class Markable:
     """`maxima` are the points under the policy, by question and by ask; `orders` are the questions
     of each paper that has others than the exam, or in another order; the policy `dropped` some
-    questions and asks. The exam is known by its `identity`.
+    questions and asks. The exam is known by its `identity`; its `students` are as in the roster.
     """
 
     identity: str
+    students: Sequence[str]
     ids: StudentIds
     people: StudentNames
     names: AskNames
@@ -80,7 +81,7 @@ def find_markable(
     dropped = {column for column in maxima if _is_dropped(column, exam, policy)}
     dropped |= policy.dropped_by_hand
     identity = identify_exam(head)
-    return Markable(identity, ids, people, names, maxima, orders, by_hand, dropped)
+    return Markable(identity, exam.students, ids, people, names, maxima, orders, by_hand, dropped)
 
 
 def _is_dropped(column: str, exam: ExamFolder, policy: Policy) -> bool:

@@ -22,7 +22,7 @@ from kinegrade.grading.misplaced.class_answers import ClassAnswers
 from kinegrade.language.message import Message
 
 _LEAST_SORTED = 10  # numbers in order: fewer may be so by chance
-_LEAST_MOVED = 4  # wrong numbers in a run
+_LEAST_MOVED = 3  # wrong numbers in a run
 _LEVEL = 0.01  # chance that any column of a class is told without reason
 _FARTHER = (3, 4, 5, 6, 7, 8)  # lines off, on whose papers numbers are right by chance
 _STEPS = (1, -1)  # a line down, a line up
