@@ -44,7 +44,7 @@ demo-answers: $(READY)
 	$(BIN)/python -m tests.demo.type_answers demo/EXAM banks/demo-answers.csv
 
 test: tools lint types $(READY)
-	$(BIN)/python -m pytest -n auto --dist loadgroup
+	$(BIN)/python -m pytest -n auto --dist loadgroup --no-loadscope-reorder
 
 lint: $(READY)
 	$(BIN)/ruff format --check --quiet .

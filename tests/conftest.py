@@ -18,6 +18,7 @@ from tests.files_in_memory import leave_files_in_memory
 from tests.golden_files import BANK, GOLDEN, Hold, drop_tests_without_goldens
 from tests.kept_results import keep_results
 from tests.one_process import work_in_one_process
+from tests.parts import group_tests
 from tests.problem.crank import crank_text
 from tests.repeated_secrets import repeat_secrets
 from tests.sampling import drop_unsampled
@@ -53,16 +54,13 @@ def pytest_configure(config: pytest.Config) -> None:
 
 @pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    """Try a sample where there are many like cases; let one worker run the tests that share what
-    is made once for their module.
-    """
+    """Try a sample where there are many like cases; say which tests a worker runs together."""
     if not _proves(config):
         drop_unsampled(config, items)
     if config.getoption("--regenerate-golden"):
         drop_tests_without_goldens(config, items)
-    for item in items:
-        if isinstance(item, pytest.Function) and _shares(item):
-            item.add_marker(pytest.mark.xdist_group(item.module.__name__))
+    if "PYTEST_XDIST_WORKER" in os.environ:
+        group_tests(items)
 
 
 def _proves(config: pytest.Config) -> bool:
@@ -73,14 +71,6 @@ def _proves(config: pytest.Config) -> bool:
 def pytest_collection_finish() -> None:
     """Let the collector of garbage pass over what stays until the end: modules and tests."""
     gc.freeze()
-
-
-def _shares(item: pytest.Function) -> bool:
-    """Whether a test uses a fixture of its module, and is in no other group."""
-    if item.get_closest_marker("xdist_group") is not None:
-        return False
-    definitions = item._fixtureinfo.name2fixturedefs.values()
-    return any(one.scope == "module" for each in definitions for one in each)
 
 
 def pytest_runtest_setup(item: pytest.Item) -> None:
