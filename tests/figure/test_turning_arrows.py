@@ -174,6 +174,11 @@ def test_the_arrow_of_an_arm_is_not_in_the_disc_of_its_planet() -> None:
         assert arrow.radius < length(mechanism.points["D"] - mechanism.points["O"])
 
 
+def test_the_arrows_of_an_arm_in_a_fixed_ring_are_at_its_pivot() -> None:
+    for _, arrows in _draw_arrows("ring-gear-planet-relative-spin", phi_3=("60", "120", "220")):
+        assert [arrow for arrow in arrows if arrow.radius > 9.0] == []
+
+
 def test_the_arrow_of_a_cam_stands_off_its_base_circle() -> None:
     template = load_template("flat-faced-follower-curvature-radius")
     (draw,) = drawn(draw_filter(template), 1)

@@ -9,7 +9,7 @@ from math import pi
 from kinegrade.figure.joints.symbol import find_fixed_pin
 from kinegrade.figure.marks.imposed import find_imposed_sense
 from kinegrade.figure.marks.lengths.dimensions import find_extension_angles
-from kinegrade.figure.marks.tied_arrows import list_tied_arrows
+from kinegrade.figure.marks.tied_arrows import list_tied_arrows, turns_among_bodies
 from kinegrade.figure.marks.turning_arrow import Company, TurningArrow
 from kinegrade.figure.marks.turning_radii import (
     BEYOND,
@@ -42,7 +42,9 @@ _RELATIVE_ARCS = (9.0, 7.0, 5.5)
 _TWELFTHS = tuple(index * pi / 6 for index in range(12))
 # Demerit of each radian between the arrow and the body, or where the rim of a disc is nearest
 _ASTRAY, _AT_RIM = 1.2, 5.0
-_LOOSE = 40.0  # demerit of an arrow off the bar that turns, where another could show that
+# Demerit of an arrow off the bar that turns, where another could show that: about the centre of a
+# body that turns as well, and about that of a fixed one, where nothing else can turn
+_LOOSE, _ALONE = 40.0, 8.0
 # Millimetres about a pivot within which the arrow of a rotation keeps clear of letters
 _LETTERED = 12.0
 _ABOUT = 20.0  # millimetres about a pivot in which pins and lines may seem to own a symbol
@@ -180,9 +182,10 @@ def _list_absolute_arrows(
     arrows = list_turning_arrows(hint, sense, centre, radii, crank, astray=_ASTRAY)
     shaft = _ARCS[hint.level] * TURN[sense]
     tied = list_tied_arrows(hint, centre, shaft, drawing, followed=followed)
+    loose = _LOOSE if turns_among_bodies(hint, centre, drawing) else _ALONE
     return [
         *tied,
-        *(replace(arrow, demerit=arrow.demerit + _LOOSE * bool(tied)) for arrow in arrows),
+        *(replace(arrow, demerit=arrow.demerit + loose * bool(tied)) for arrow in arrows),
     ]
 
 

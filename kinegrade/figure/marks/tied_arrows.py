@@ -19,6 +19,7 @@ from kinegrade.figure.placing.obstacles import Obstacles
 from kinegrade.figure.plane import NEAR, angle_of, length, polar
 from kinegrade.figure.scene import THIN, Bow, Strokes
 from kinegrade.figure.teeth import TOOTH_TIP
+from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import Turning
 
@@ -41,6 +42,7 @@ _MEETS, _AT_TAIL = 12.0, 2.0
 _CROSSES = 2.0  # demerit of what a crossed line costs
 _STATIONS = 0.2  # radians between the points of an arrow that are looked at
 _ONWARD, _FARTHER_ON = (0.0, 0.4, 0.8, 1.2, 1.6), 5.0  # radians farther ahead, demerit of each
+_OFF_BAR = 8.0  # demerit of an arrow ahead of a disc: one on the bar is at its pivot
 
 
 def list_tied_arrows(
@@ -62,8 +64,9 @@ def list_tied_arrows(
     tied: Iterable[TurningArrow] = _list_on_bars(hint, centre, shaft, steps, roomy)
     if followed:
         tied = [replace(arrow, demerit=arrow.demerit + _rate_room(arrow)) for arrow in tied]
-    within = [rim for rim in others if rim.ring and length(rim.at - centre) < NEAR]
-    ahead = _list_ahead(hint, centre, shaft, steps, discs) if within else ()
+    within = any(rim.ring and length(rim.at - centre) < NEAR for rim in others)
+    turning = turns_among_bodies(hint, centre, drawing)
+    ahead = _list_ahead(hint, centre, shaft, steps, discs) if within and turning else ()
     lines = (part for part in drawing.primitives if isinstance(part, Strokes) and part.pen == THIN)
     thin = Obstacles.of(lines)
     return [
@@ -71,6 +74,12 @@ def list_tied_arrows(
         for arrow in (*tied, *ahead)
         if not _touches(arrow.bow, discs)
     ]
+
+
+def turns_among_bodies(hint: Turning, centre: Vector, drawing: Drawing) -> bool:
+    """Whether a circle of another body that may turn as well is about the centre of an arrow."""
+    others = (rim for rim in drawing.rims if rim.body not in (hint.body, GROUND))
+    return any(length(rim.at - centre) < NEAR for rim in others)
 
 
 def _rate_crossings(arrow: TurningArrow, thin: Obstacles) -> float:
@@ -117,7 +126,8 @@ def _list_ahead(
                 for shift in _SHIFTS:
                     radius = length(step) + shift
                     bow = Bow(centre, radius, start, shaft / radius, THIN)
-                    yield TurningArrow(bow, hint, _SHIFTED * abs(shift) + _FARTHER_ON * onward)
+                    demerit = _OFF_BAR + _SHIFTED * abs(shift) + _FARTHER_ON * onward
+                    yield TurningArrow(bow, hint, demerit)
 
 
 def _touches(bow: Bow, discs: Iterable[Rim]) -> bool:
