@@ -1,9 +1,11 @@
-"""Which of many like cases `make test` tries; `make prove` tries all of them ("whole tests").
+"""Which tests and cases `make test` tries; `make prove` tries all of them ("whole tests").
 
 @pytest.mark.sampled(4)                 every fourth value of the parameter `name`, from the first
 @pytest.mark.sampled(4, first=2)        ... from the third: tests that stand together take turns
 @pytest.mark.sampled(4, by="path")      ... of the parameter `path`
 @pytest.mark.sampled(4, also=("cam",))  ... and this value, whatever its place
+@pytest.mark.left(beside="test_it")     `make prove` alone runs this test, or this case of one; what
+                                        breaks it breaks, as a rule, that cheaper one as well
 """
 
 from __future__ import annotations
@@ -12,8 +14,10 @@ from collections.abc import Collection
 from dataclasses import dataclass
 
 import pytest
+from _pytest.mark.structures import ParameterSet
 
 MARK = "sampled"
+LEFT = "left"
 
 
 @dataclass(frozen=True)
@@ -40,6 +44,8 @@ def drop_unsampled(config: pytest.Config, items: list[pytest.Item]) -> None:
 
 
 def _is_tried(item: pytest.Item) -> bool:
+    if item.get_closest_marker(LEFT) is not None:
+        return False
     samples = [Sample(*mark.args, **mark.kwargs) for mark in item.iter_markers(MARK)]
     return all(_has(sample, item) for sample in samples)
 
@@ -56,5 +62,10 @@ def _find_place(item: pytest.Function, name: str) -> int:
     """The place of a parameter's value among all that it has: those of a test, or of a fixture."""
     for mark in item.iter_markers("parametrize"):
         if mark.args[0] == name:
-            return list(mark.args[1]).index(item.callspec.params[name])
+            return list(map(_read, mark.args[1])).index(item.callspec.params[name])
     return item.callspec.indices[name]
+
+
+def _read(case: object) -> object:
+    """The value of a case that may be a `pytest.param`."""
+    return case.values[0] if isinstance(case, ParameterSet) else case
