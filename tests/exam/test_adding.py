@@ -188,7 +188,7 @@ def test_sorted_rosters_give_the_same_papers(grown: Path, tmp_path: Path) -> Non
     assert contents(tmp_path / "EXAM" / "papers") == contents(grown / "EXAM" / "papers")
 
 
-@pytest.mark.sampled(3, by="options")
+@pytest.mark.sampled(6, by="options")
 @pytest.mark.parametrize(
     ("bank", "options"),
     [
@@ -248,6 +248,7 @@ def test_a_class_grows_twice(folder: Path) -> None:
     assert sorted(line["place"] for line in key_lines(folder / "EXAM")) == list(range(14))
 
 
+@pytest.mark.left(beside="test_a_class_grows_twice")
 def test_several_processes_print_the_same(folder: Path, tmp_path: Path, small_parts: int) -> None:
     late = {f"x{number}": "N" for number in range(2 * small_parts)}
     (folder / "late.csv").write_text(roster(late), encoding="utf-8")

@@ -76,6 +76,7 @@ def different(whole: ClassDeal) -> set[int]:
     return {len({tuple(one.values()) for one in each.values()}) for each in whole.values.values()}
 
 
+@pytest.mark.left(beside="test_versions_are_alike_and_their_students_have_the_same")
 def test_papers_of_a_shipped_bank_differ_at_most_a_third_as_much() -> None:
     assert dealt(deal_demo()).std() <= spread_by_luck() / 3
     assert different(deal_demo()) == {CLASS}

@@ -95,6 +95,7 @@ def test_papers_say_what_is_a_bonus_and_leave_it_out_of_their_total(
     assert by_hand in read_pdf(tmp_path / "EXAM" / "key.pdf")
 
 
+@pytest.mark.left(beside="test_papers_say_what_is_a_bonus_and_leave_it_out_of_their_total")
 def test_a_paper_of_latex_says_so_too(tmp_path: Path) -> None:
     assert set_exam(tmp_path, CRANK + BONUS, "--engine", "latex").exit_code == 0
     paper = read_pdf(tmp_path / "EXAM" / "papers" / "1001.pdf")

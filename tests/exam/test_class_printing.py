@@ -100,6 +100,7 @@ def test_the_parts_are_the_class_and_become_smaller(count: int, workers: int) ->
 
 
 # Of a library: copies where there are none, else processes afresh
+@pytest.mark.sampled(2, by="threads")
 @pytest.mark.parametrize("threads", ["1", "2"])
 def test_copies_of_a_process_without_threads_write_the_same_bytes(
     tmp_path: Path, one: dict[str, bytes], threads: str
@@ -138,6 +139,7 @@ def test_copies_of_a_process_without_threads_write_the_same_bytes(
     assert contents(folder / "TWO") == one
 
 
+@pytest.mark.left(beside="test_two_processes_write_the_same_bytes_as_one")
 def test_versions_are_drawn_in_every_process_and_counted_once(few: Path) -> None:
     mistaken = '[[questions]]\ntemplate = "slider-crank"\n'
     (few / "bank.toml").write_text(f"versions = 3\n{BANK}{mistaken}", encoding="utf-8")
@@ -161,6 +163,7 @@ def test_a_page_that_a_worker_cannot_typeset_is_told_as_ever(few: Path) -> None:
     assert not list(few.glob(".*"))
 
 
+@pytest.mark.left(beside="test_two_processes_write_the_same_bytes_as_one")
 def test_no_two_papers_have_the_same_numbers_however_the_class_is_divided(few: Path) -> None:
     (few / "bank.toml").write_text(FEW, encoding="utf-8")
     said = []
@@ -175,6 +178,7 @@ def test_no_two_papers_have_the_same_numbers_however_the_class_is_divided(few: P
     assert len(set(drawn)) == len(drawn) == 9
 
 
+@pytest.mark.left(beside="test_a_question_of_which_nothing_is_good_is_refused_by_any_process")
 def test_a_shortage_is_said_whoever_finds_it(few: Path) -> None:
     # 8 good ones for 9
     scarce = FEW.replace('omega = "1 .. 8 step 1"', "omega = [1, 20000000]")
@@ -200,6 +204,7 @@ def test_a_question_of_which_nothing_is_good_is_refused_by_any_process(few: Path
     assert not list(few.glob(".*"))
 
 
+@pytest.mark.sampled(2, by="how")
 @pytest.mark.skipif(
     not Path("/proc/self/task").exists(), reason="asks Linux for the children of a process"
 )

@@ -81,6 +81,7 @@ def test_spare_papers_and_booklets_of_rooms_are_printed_again(tmp_path: Path) ->
         assert "The corrected crank" in read(folder / "EXAM" / name)
 
 
+@pytest.mark.left(beside="test_spare_papers_and_booklets_of_rooms_are_printed_again")
 def test_worked_solutions_are_printed_again(exam: Path) -> None:
     assert kinegrade("solutions", exam, "--jobs", "1").exit_code == 0
     before = contents(exam)

@@ -178,6 +178,7 @@ def by_place(dealt: ClassDeal) -> dict[int, tuple[Mapping[str, str], ...]]:
     return {paper.place: paper.values for paper in papers}
 
 
+@pytest.mark.sampled(2, by="start")
 @pytest.mark.parametrize("start", ["fork", "spawn"])
 def test_other_processes_deal_the_same(bank: Bank, start: Start) -> None:
     students = roster(*(str(number) for number in range(30)))

@@ -80,6 +80,7 @@ def test_the_head_stands_on_papers_of_every_kind(
         assert [words for words in SHOWN[language] if words not in squeeze(text)] == []
 
 
+@pytest.mark.sampled(2, by="engine")
 @pytest.mark.parametrize("engine", ENGINES)
 def test_a_paper_is_printed_again_where_bank_and_logo_are_gone(tmp_path: Path, engine: str) -> None:
     folder = tmp_path / "class"

@@ -136,6 +136,7 @@ def test_a_template_is_solved_in_large_print(language: str, tmp_path: Path) -> N
     assert list_failed_rules(target.read_bytes()) == []
 
 
+@pytest.mark.sampled(2, by="name")
 @pytest.mark.parametrize(
     ("name", "language"),
     [("pin-in-two-rings", "zh"), ("planetary-gear-external-rim-velocities", "de")],

@@ -88,6 +88,7 @@ def test_all_are_those_of_generate_byte_for_byte(solved: dict[str, bytes], exam:
     assert contents(exam) == solved
 
 
+@pytest.mark.left(beside="test_all_are_those_of_generate_byte_for_byte")
 def test_several_processes_write_the_same(tmp_path: Path, small_parts: int) -> None:
     folder = write_class(tmp_path)
     rows = [f"s{number},Student {number}\n" for number in range(2 * small_parts)]
@@ -100,6 +101,7 @@ def test_several_processes_write_the_same(tmp_path: Path, small_parts: int) -> N
     assert contents(folder / "TWO") == contents(folder / "ONE")
 
 
+@pytest.mark.sampled(2, by="options")
 @pytest.mark.parametrize(
     "options", [("--lang", "zh", "--paper-size", "letter"), ("--method", "pole", "--cycle")]
 )
@@ -111,6 +113,7 @@ def test_they_are_printed_as_the_papers_were(tmp_path: Path, options: tuple[str,
     assert contents(folder / "LATER") == contents(folder / "WITH")
 
 
+@pytest.mark.left(beside="test_all_are_those_of_generate_byte_for_byte")
 @pytest.mark.needs_tex
 def test_latex_prints_them_as_it_did_the_papers(typeset: Path, tmp_path: Path) -> None:
     shutil.copytree(typeset, tmp_path, dirs_exist_ok=True)
@@ -119,6 +122,7 @@ def test_latex_prints_them_as_it_did_the_papers(typeset: Path, tmp_path: Path) -
     assert contents(tmp_path / "LATER") == contents(typeset / "EXAM")
 
 
+@pytest.mark.sampled(2, by="manner")
 @pytest.mark.parametrize("manner", [("--method", "pole"), ("--cycle",)])
 def test_a_manner_of_its_own_is_kept_for_what_is_printed_again(
     single: Path, manner: tuple[str, ...]
@@ -128,6 +132,7 @@ def test_a_manner_of_its_own_is_kept_for_what_is_printed_again(
     assert contents(single) == contents(single.parent / "WITH")
 
 
+@pytest.mark.left(beside="test_they_are_printed_as_the_papers_were")
 def test_the_bank_may_ask_for_graphs_over_the_cycle(tmp_path: Path) -> None:
     folder = write_one(tmp_path)
     bank = folder / "bank.toml"
@@ -213,6 +218,7 @@ def test_one_student_gets_no_other_method_than_the_rest(exam: Path) -> None:
     )
 
 
+@pytest.mark.left(beside="test_nothing_is_overwritten_in_silence")
 @pytest.mark.needs_tex
 def test_an_edited_source_is_not_overwritten(typeset: Path, tmp_path: Path) -> None:
     exam = Path(shutil.copytree(typeset / "EXAM", tmp_path / "EXAM"))

@@ -141,6 +141,7 @@ def test_units_are_converted_and_angles_are_angles(tmp_path: Path) -> None:
     assert "1.571m/s≈157.1cm/s" in solution
 
 
+@pytest.mark.left(beside="test_the_paper_has_no_figure_and_no_rule_of_axes")
 def test_latex_and_chinese_print_the_same_question(tmp_path: Path) -> None:
     exam = set_exam(tmp_path, CAR, "--solutions", "--engine", "latex", "--lang", "zh")
     assert "汽车起步" in read_pdf(exam / "papers" / "1001.pdf")

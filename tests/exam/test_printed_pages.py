@@ -63,6 +63,7 @@ def test_papers_of_a_shipped_bank_are_alike_long_and_filled(
     assert list_faults(tmp_path / "EXAM") == []
 
 
+@pytest.mark.left(beside="test_papers_of_a_shipped_bank_are_alike_long_and_filled")
 @pytest.mark.needs_tex
 def test_so_are_those_that_latex_sets(tmp_path: Path) -> None:
     write_uneven_class(tmp_path)
@@ -71,6 +72,7 @@ def test_so_are_those_that_latex_sets(tmp_path: Path) -> None:
     assert list_faults(tmp_path / "EXAM") == []
 
 
+@pytest.mark.sampled(2, by="engine")
 @pytest.mark.parametrize("engine", ENGINES)
 def test_a_paper_is_filled_up_with_pages_for_working(engine: Engine, tmp_path: Path) -> None:
     cases: tuple[tuple[PaperSize, Paper, str], ...] = (
@@ -86,6 +88,7 @@ def test_a_paper_is_filled_up_with_pages_for_working(engine: Engine, tmp_path: P
         assert max(measure_white(file)) <= MOST_WHITE
 
 
+@pytest.mark.sampled(2, by="engine")
 @pytest.mark.parametrize("engine", ENGINES)
 def test_a_paper_that_is_long_enough_stays_byte_for_byte(engine: Engine) -> None:
     press = PressOrder(engine, "a4").press()

@@ -87,6 +87,7 @@ def require_numbers(exam: Path, language: Language) -> None:
     assert len({tuple(line["printed"]) for line in key_lines(exam)}) == 2
 
 
+@pytest.mark.sampled(2, by="language")
 @pytest.mark.parametrize("language", ["en", "zh"])
 def test_no_page_names_a_question_by_the_name_of_its_column(
     language: Language, tmp_path: Path
@@ -100,6 +101,7 @@ def test_no_page_names_a_question_by_the_name_of_its_column(
     assert {"en": "Question3", "zh": "第3题"}[language] in squeezed(tmp_path / "report.html")
 
 
+@pytest.mark.left(beside="test_no_page_names_a_question_by_the_name_of_its_column")
 @pytest.mark.needs_tex
 def test_no_page_that_latex_sets_does_either(tmp_path: Path) -> None:
     exam = shuffled_class(tmp_path, "--engine", "latex", "--solutions")

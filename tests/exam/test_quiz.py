@@ -267,6 +267,7 @@ def test_a_version_is_put_once_and_questions_in_the_order_in_which_responses_are
         quiz_of(folder / "EXAM", variants=3)
 
 
+@pytest.mark.sampled(2, by="start")
 @pytest.mark.parametrize("start", ["fork", "spawn"])
 def test_other_processes_make_the_same_papers(
     small_class: Path, monkeypatch: pytest.MonkeyPatch, start: Start

@@ -210,6 +210,7 @@ def test_a_remark_added_to_the_bank_is_no_reason_to_refuse(folder: Path) -> None
     assert generate(folder, "--force").exit_code == 0
 
 
+@pytest.mark.left(beside="test_a_paper_edited_in_word_is_not_overwritten")
 @pytest.mark.needs_tex
 def test_edited_sources_are_not_overwritten(folder: Path) -> None:
     assert generate(folder, "--force", "--engine", "latex").exit_code == 0

@@ -90,6 +90,7 @@ def exam(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return generate(write(tmp_path_factory.mktemp("reprint")))
 
 
+@pytest.mark.sampled(4, by="options", first=1)
 @pytest.mark.parametrize(
     ("count", "bank", "options"),
     [
@@ -106,6 +107,7 @@ def test_a_paper_is_printed_again_byte_for_byte(
     require_same(generate(write(tmp_path, count, bank), *options))
 
 
+@pytest.mark.left(beside="test_a_paper_is_printed_again_byte_for_byte")
 def test_a_paper_is_printed_again_whatever_the_processes(tmp_path: Path, small_parts: int) -> None:
     folder = write(tmp_path, 2 * small_parts)
     (folder / "bank.toml").write_text(SHORT, encoding="utf-8")

@@ -94,6 +94,7 @@ def test_killed_again_and_again_it_ends_as_if_nothing_had_happened(
     assert unfinished(folder) is None
 
 
+@pytest.mark.left(beside="test_killed_again_and_again_it_ends_as_if_nothing_had_happened")
 def test_a_run_goes_on_with_the_secret_of_the_one_that_was_killed(tmp_path: Path) -> None:
     folder = write_files(tmp_path)
     assert interrupt(folder, has("papers/24.pdf"))
@@ -205,6 +206,7 @@ def test_what_another_process_may_be_writing_is_left_alone(left: Path) -> None:
     assert mine.is_dir()
 
 
+@pytest.mark.left(beside="test_killed_again_and_again_it_ends_as_if_nothing_had_happened")
 def test_a_folder_that_is_replaced_is_gone_on_with_too(
     unbroken: dict[str, bytes], tmp_path: Path
 ) -> None:
@@ -217,6 +219,7 @@ def test_a_folder_that_is_replaced_is_gone_on_with_too(
     assert contents(folder / "EXAM") == unbroken
 
 
+@pytest.mark.left(beside="test_killed_again_and_again_it_ends_as_if_nothing_had_happened")
 def test_papers_with_solutions_and_sources_are_taken_over(tmp_path: Path) -> None:
     folder, options = write_files(tmp_path, 25), ("--solutions", "--also", "html")
     assert generate(folder, "WHOLE", *options).exit_code == 0
@@ -226,6 +229,7 @@ def test_papers_with_solutions_and_sources_are_taken_over(tmp_path: Path) -> Non
     assert contents(folder / "EXAM") == contents(folder / "WHOLE")
 
 
+@pytest.mark.left(beside="test_killed_again_and_again_it_ends_as_if_nothing_had_happened")
 def test_with_resume_an_interrupted_run_leaves_what_it_has_done(
     unbroken: dict[str, bytes], tmp_path: Path
 ) -> None:

@@ -180,6 +180,7 @@ def test_the_order_of_a_pile() -> None:
     assert [each.student for each in seated.students] == ["4", "3", "2", "5", "1"]
 
 
+@pytest.mark.left(beside="test_the_head_of_a_paper_says_where_and_how_long")
 @pytest.mark.needs_tex
 def test_latex_prints_the_same_heads(tmp_path: Path) -> None:
     lines = ROSTER.splitlines(keepends=True)

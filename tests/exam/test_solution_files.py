@@ -104,6 +104,7 @@ def test_a_paper_for_word_is_a_word_file(tmp_path: Path) -> None:
         assert "王伟" in package.read("word/document.xml").decode()
 
 
+@pytest.mark.left(beside="test_every_student_has_worked_solutions_with_the_own_key")
 @pytest.mark.needs_tex
 def test_latex_typesets_papers_key_and_solutions_and_keeps_its_sources(tmp_path: Path) -> None:
     folder = write_short_class(tmp_path)
