@@ -102,21 +102,22 @@ def found(room: Path, pattern: str) -> Callable[[], bool]:
     return lambda: any(room.glob(pattern))
 
 
+LEFT = pytest.mark.left(beside="test_a_run_that_is_ended_from_outside_leaves_nothing")
 MOMENTS = [
     pytest.param(("--jobs", "1"), ".EXAM.partial-*/papers/*.pdf", id="one-process"),
-    pytest.param(("--jobs", "2"), ".EXAM.partial-*", id="workers-begin"),
+    pytest.param(("--jobs", "2"), ".EXAM.partial-*", id="workers-begin", marks=LEFT),
     pytest.param(("--jobs", "2"), ".EXAM.partial-*/papers/*.pdf", id="workers-print"),
     pytest.param(
         ("--jobs", "1", "--engine", "latex"),
         "temporary/*/pages.tex",
         id="latex",
-        marks=pytest.mark.needs_tex,
+        marks=[pytest.mark.needs_tex, LEFT],
     ),
     pytest.param(
         ("--jobs", "2", "--engine", "latex"),
         "temporary/*/pages.tex",
         id="latex-of-workers",
-        marks=pytest.mark.needs_tex,
+        marks=[pytest.mark.needs_tex, LEFT],
     ),
     pytest.param(
         ("--jobs", "1", "--also", "docx"),

@@ -121,6 +121,7 @@ def test_what_is_installed_is_all_that_is_found(elsewhere: Path, installed: Path
     assert ROOT not in {(elsewhere / entry).resolve() for entry in path}
 
 
+@pytest.mark.left(beside="test_what_is_installed_is_all_that_is_found")
 def test_the_tutorial_can_be_followed(elsewhere: Path) -> None:
     steps = read_steps(DOCS / "tutorial" / "first-exam.md")
     faults = [take(step, elsewhere, run) for step in steps if not isinstance(step, Program)]

@@ -42,6 +42,7 @@ def marked(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder
 
 
+@pytest.mark.sampled(3, by="form")
 @pytest.mark.parametrize("form", ["pdf", "html", "md"])
 def test_feedback_is_the_same_by_several_processes(marked: Path, tmp_path: Path, form: str) -> None:
     for jobs in ("1", "2"):
@@ -52,6 +53,7 @@ def test_feedback_is_the_same_by_several_processes(marked: Path, tmp_path: Path,
     assert len(list((tmp_path / "2" / "sheets").iterdir())) == COUNT
 
 
+@pytest.mark.sampled(2, by="system")
 @pytest.mark.parametrize("system", ["moodle-xml", "qti21"])
 def test_a_quiz_is_the_same_by_several_processes(marked: Path, tmp_path: Path, system: str) -> None:
     for jobs in ("1", "2"):
@@ -60,6 +62,7 @@ def test_a_quiz_is_the_same_by_several_processes(marked: Path, tmp_path: Path, s
     assert (tmp_path / "1").read_bytes() == (tmp_path / "2").read_bytes()
 
 
+@pytest.mark.left(beside="test_check_refuses_a_template_after_what_it_says_of_those_before")
 def test_check_says_the_same_by_several_processes(marked: Path) -> None:
     names = (marked / "crank.toml", "slider-crank", marked / "crank.toml")
     one, two = (
@@ -80,6 +83,7 @@ def test_check_refuses_a_template_after_what_it_says_of_those_before(marked: Pat
         assert 'no template "no-such-template"' in result.stderr
 
 
+@pytest.mark.sampled(2, by="command")
 @pytest.mark.skipif(
     not Path("/proc/self/task").exists(), reason="asks Linux for the children of a process"
 )

@@ -60,6 +60,7 @@ def leftovers(folder: Path) -> list[str]:
     return [entry.name for entry in folder.iterdir() if entry.name.startswith(".")]
 
 
+@pytest.mark.sampled(4, by="name", first=1)
 @pytest.mark.parametrize(
     ("name", "delay"),
     [
@@ -106,6 +107,7 @@ def test_a_killed_generate_leaves_the_old_exam_or_the_new(
         assert not leftovers(tmp_path)
 
 
+@pytest.mark.sampled(3, by="name")
 @pytest.mark.parametrize("name", ["papers/late.pdf", "INSTRUCTOR-ONLY.txt", REPLACED])
 def test_a_killed_addition_leaves_the_old_exam_or_the_new(
     small_class: Path, tmp_path: Path, name: str
@@ -147,6 +149,7 @@ def twice_marked(small_class: Path, tmp_path_factory: pytest.TempPathFactory) ->
     return folder
 
 
+@pytest.mark.sampled(5, by="delay", first=1)
 @pytest.mark.parametrize(
     ("name", "delay"),
     [
@@ -173,6 +176,7 @@ def test_a_killed_grade_leaves_the_old_marks_or_the_new(
     assert not leftovers(tmp_path)
 
 
+@pytest.mark.sampled(2, by="system")
 @pytest.mark.parametrize("system", ["moodle-xml", "qti21"])
 def test_a_killed_quiz_leaves_the_old_file_and_the_next_one_clears_up(
     small_class: Path, tmp_path: Path, system: str

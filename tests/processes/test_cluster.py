@@ -76,6 +76,7 @@ def course(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder
 
 
+@pytest.mark.left(beside="test_no_task_needs_the_exam_folder")
 def test_a_scheduler_without_workers_is_refused(scheduler: Cluster) -> None:
     with pytest.raises(WorkerError) as raised, open_executor(1, "check", cluster=scheduler.address):
         pass
@@ -85,6 +86,7 @@ def test_a_scheduler_without_workers_is_refused(scheduler: Cluster) -> None:
     )
 
 
+@pytest.mark.left(beside="test_no_task_needs_the_exam_folder")
 def test_an_exam_is_the_same_though_a_worker_is_killed(
     workers: Cluster, course: Path, tmp_path: Path
 ) -> None:
@@ -106,6 +108,7 @@ def test_an_exam_is_the_same_though_a_worker_is_killed(
     assert contents(tmp_path / "EXAM") == contents(course / "EXAM")
 
 
+@pytest.mark.left(beside="test_no_task_needs_the_exam_folder")
 def test_solutions_are_the_same(workers: Cluster, course: Path, tmp_path: Path) -> None:
     folders = tmp_path / "1", tmp_path / "2"
     for folder, wishes in zip(folders, ((), ("--cluster", workers.address)), strict=True):
@@ -115,6 +118,7 @@ def test_solutions_are_the_same(workers: Cluster, course: Path, tmp_path: Path) 
     assert contents(folders[0]) == contents(folders[1])
 
 
+@pytest.mark.left(beside="test_no_task_needs_the_exam_folder")
 def test_feedback_is_the_same(workers: Cluster, course: Path, tmp_path: Path) -> None:
     named = ("feedback", course / "EXAM", course / "MARKS", "--format", "pdf", "--jobs", "1")
     assert kinegrade(*named, "-o", tmp_path / "1").exit_code == 0
@@ -122,6 +126,7 @@ def test_feedback_is_the_same(workers: Cluster, course: Path, tmp_path: Path) ->
     assert contents(tmp_path / "1") == contents(tmp_path / "2")
 
 
+@pytest.mark.left(beside="test_no_task_needs_the_exam_folder")
 def test_a_quiz_is_the_same(workers: Cluster, course: Path, tmp_path: Path) -> None:
     named = ("quiz", course / "EXAM", "--to", "moodle-xml", "--solutions", "--jobs", "1")
     assert kinegrade(*named, "-o", tmp_path / "1.xml").exit_code in (0, 1)
@@ -130,6 +135,7 @@ def test_a_quiz_is_the_same(workers: Cluster, course: Path, tmp_path: Path) -> N
     assert (tmp_path / "1.xml").read_bytes() == (tmp_path / "2.xml").read_bytes()
 
 
+@pytest.mark.left(beside="test_no_task_needs_the_exam_folder")
 def test_check_refuses_what_this_machine_cannot_read(workers: Cluster, course: Path) -> None:
     names = (course / "crank.toml", course / "crank.toml", "no-such-template")
     result = kinegrade("check", *names, "--sample", "2", "--cluster", workers.address)
@@ -138,6 +144,7 @@ def test_check_refuses_what_this_machine_cannot_read(workers: Cluster, course: P
     assert 'no template "no-such-template"' in result.stderr
 
 
+@pytest.mark.left(beside="test_no_task_needs_the_exam_folder")
 def test_a_worker_of_another_version_is_refused(
     workers: Cluster, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -147,6 +154,7 @@ def test_a_worker_of_another_version_is_refused(
     assert "does not have kinegrade 0.0 - start workers where" in raised.value.problems[0]
 
 
+@pytest.mark.left(beside="test_no_task_needs_the_exam_folder")
 def test_results_are_bounded_on_the_way(workers: Cluster) -> None:
     asked: list[int] = []
 

@@ -165,6 +165,7 @@ def assert_no_acceleration(room: Path) -> None:
     assert abs(along) + abs(answers["alpha_AB"] * x - square * y) < 1e-9
 
 
+@pytest.mark.sampled(3, by="missing")
 @pytest.mark.parametrize("missing", STEPS, ids=lambda step: step.title)
 def test_an_ask_without_a_step(room: Path, missing: Step) -> None:
     assert missing.refused in missing.ask(follow_steps(room, STEPS, missing))

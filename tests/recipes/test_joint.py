@@ -327,6 +327,7 @@ def test_the_new_joint_is_proved_drawn_and_explained(room: Path) -> None:
     assert "BODY turns twice with BODY\n    One turns twice as fast." in listed
 
 
+@pytest.mark.sampled(3, by="missing")
 @pytest.mark.parametrize("missing", STEPS, ids=lambda step: step.title)
 def test_a_joint_without_a_step(room: Path, missing: Step) -> None:
     assert missing.refused in missing.ask(follow_steps(room, STEPS, missing))

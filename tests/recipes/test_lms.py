@@ -230,17 +230,20 @@ def test_grades_quizzes_and_answers_of_the_new_system(room: Path) -> None:
         assert list(find_catalogue_faults(catalogues / language, catalogues / "en")) == []
 
 
+@pytest.mark.sampled(3, by="missing")
 @pytest.mark.parametrize("missing", GRADES, ids=lambda step: step.title)
 def test_grades_without_a_step(room: Path, missing: Step) -> None:
     assert missing.refused in missing.ask(follow_steps(room, GRADES, missing))
 
 
+@pytest.mark.sampled(3, by="missing")
 @pytest.mark.parametrize("missing", QUIZ, ids=lambda step: step.title)
 def test_a_quiz_without_a_step(room: Path, missing: Step) -> None:
     assert missing.refused in missing.ask(follow_steps(room, QUIZ, missing))
     assert not (room / "quiz.txt").exists()
 
 
+@pytest.mark.sampled(3, by="missing")
 @pytest.mark.parametrize("missing", RESPONSES, ids=lambda step: step.title)
 def test_answers_without_a_step(room: Path, missing: Step) -> None:
     assert missing.refused in missing.ask(follow_steps(room, RESPONSES, missing))

@@ -210,6 +210,7 @@ def test_the_new_page_is_printed_by_every_typesetter(room: Path) -> None:
         assert "0012" in pages
 
 
+@pytest.mark.sampled(3, by="missing")
 @pytest.mark.parametrize("missing", STEPS, ids=lambda step: step.title)
 def test_a_page_without_a_step(room: Path, missing: Step) -> None:
     assert missing.refused in missing.ask(follow_steps(room, STEPS, missing))
