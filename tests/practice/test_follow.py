@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import replace
 from pathlib import Path
 
+import pytest
+
 import kinegrade
 from kinegrade.language import ENGLISH
 from kinegrade.practice.document import (
@@ -124,6 +126,7 @@ def test_a_right_answer_beside_a_wrong_one_is_known_to_matter(tmp_path: Path) ->
     assert known in question.draws[0].follows
 
 
+@pytest.mark.left(beside="test_a_right_answer_beside_a_wrong_one_is_known_to_matter")
 def test_which_right_answers_matter_depends_on_the_draw(tmp_path: Path) -> None:
     """At some draws a component vanishes or values agree: one draw does not tell of the others."""
     question = make_question("crank-slider-in-floating-link", tmp_path, draws=8)

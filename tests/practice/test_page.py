@@ -45,7 +45,9 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     params=[
         pytest.param(("chromium", "en"), marks=GROUP),
         pytest.param(("chromium", "zh"), marks=GROUP),
-        pytest.param(("chromium", "de"), marks=GROUP),
+        pytest.param(
+            ("chromium", "de"), marks=[GROUP, pytest.mark.left(beside="test_it_fits_a_telephone")]
+        ),
         pytest.param(("firefox", "en"), marks=GROUP),
     ],
     ids=" ".join,

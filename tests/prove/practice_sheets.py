@@ -4,6 +4,7 @@ template, and is as small as is promised.
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
@@ -13,12 +14,13 @@ from kinegrade.practice.making import make_practice_sheet
 from kinegrade.practice.page import write_page
 from tests.browsers.page import BrowserName, open_page
 from tests.practice.graded import Pair, mark_answers
-from tests.practice.test_files import FOUR_OF_TWENTY
 from tests.practice.test_reader import list_unlike_made_up
 from tests.practice.typed_sheet import judge_in_page
 from tests.prove.draws import seeded_template
 
 DRAWS = 12
+FOUR_OF_TWENTY, FURTHER = 300_000, 2_500  # bytes of four questions of 20 draws; of a further draw
+FEWER = 15
 BROWSERS: tuple[BrowserName, ...] = ("chromium", "chromium", "chromium", "firefox")
 BANK = """title = "Practice"
 course = "Mechanics"
@@ -38,11 +40,15 @@ def hold(seed: int, folder: Path) -> int:
 
 
 def hold_size(seed: int, _: Path) -> None:
-    """Measure the page of four questions of twenty draws."""
+    """Measure the page of four questions of twenty draws, and what the last few of them add."""
     blueprint = kinegrade.Bank.read("demo").blueprint
     sheet = make_practice_sheet(blueprint, 20, f"prove {seed}", ENGLISH).sheet
     assert [len(question.draws) for question in sheet.questions] == [20] * 4
-    assert len(write_page(sheet, ENGLISH)) <= FOUR_OF_TWENTY
+    whole = len(write_page(sheet, ENGLISH))
+    assert whole <= FOUR_OF_TWENTY
+    fewer = tuple(replace(each, draws=each.draws[:FEWER]) for each in sheet.questions)
+    small = len(write_page(replace(sheet, questions=fewer), ENGLISH))
+    assert (whole - small) / (4 * (20 - FEWER)) <= FURTHER
 
 
 def list_pairs(seed: int, folder: Path) -> list[Pair]:
