@@ -108,7 +108,7 @@ def test_a_terminal_gets_columns_that_fit_it(monkeypatch: pytest.MonkeyPatch) ->
     assert kinegrade("list", "--tag", "belt", "--difficulty", "5").stdout == ""
 
 
-@pytest.mark.sampled(4, first=2)
+@pytest.mark.sampled(8, first=2)
 @pytest.mark.parametrize("name", find_template_names())
 def test_a_template_is_shown_without_latex(name: str) -> None:
     for language, difficulty in (("en", "difficulty: "), ("zh", "难度：")):

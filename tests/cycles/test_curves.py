@@ -20,7 +20,7 @@ from tests.cycles.test_gaps import GAPS
 TEMPLATES = [name for name in find_template_names() if load_template(name).scheme.drivers]
 
 
-@pytest.mark.sampled(8)
+@pytest.mark.sampled(16)
 @pytest.mark.parametrize("name", TEMPLATES)
 def test_every_curve_is_drawn_and_goes_through_the_exact_value_at_the_instant(name: str) -> None:
     template = load_template(name)

@@ -121,7 +121,7 @@ def test_the_page_that_moves_is_whole_and_escapes_what_it_shows() -> None:
     assert "播放" in page
 
 
-@pytest.mark.sampled(3)
+@pytest.mark.sampled(6)
 @pytest.mark.parametrize("name", MANY)
 def test_every_drawing_of_a_moving_figure_lies_within_its_frame(name: str) -> None:
     template = load_template(name)
@@ -170,7 +170,7 @@ def test_a_trammels_centrodes_are_cardans_circles() -> None:
     assert np.hypot(*arm) == pytest.approx(length / 2, rel=1e-9)
 
 
-@pytest.mark.sampled(3, first=1)
+@pytest.mark.sampled(6, first=1)
 @pytest.mark.parametrize("name", MANY)
 def test_figures_with_centrodes_keep_to_their_frame(name: str) -> None:
     solution = solve_template(load_template(name), {})

@@ -17,7 +17,7 @@ from tests.description.reader.sentences import NotUnderstood
 READER = Path(__file__).parent / "reader"
 
 
-@pytest.mark.sampled(4, first=1)
+@pytest.mark.sampled(8, first=1)
 @pytest.mark.parametrize("name", find_template_names())
 def test_the_key_is_found_from_the_words_alone(name: str) -> None:
     solution = solve_template(load_template(name), {})

@@ -54,7 +54,7 @@ def list_missing(solution: Solution) -> list[str]:
     ]
 
 
-@pytest.mark.sampled(4)
+@pytest.mark.sampled(8)
 @pytest.mark.parametrize("name", find_template_names())
 def test_every_given_has_its_letter_in_the_figure(name: str) -> None:
     [draw] = drawn(draw_filter(load_template(name)), 1)

@@ -38,7 +38,7 @@ def draw_anatomy(template: Template, seed: int) -> Anatomy:
     return Anatomy.of(scale_to_paper(mechanism, scale), template.figure)
 
 
-@pytest.mark.sampled(4, first=3)
+@pytest.mark.sampled(8, first=3)
 @pytest.mark.parametrize("name", find_template_names())
 def test_a_support_is_on_one_side_in_all_draws(name: str) -> None:
     template = shipped(name)

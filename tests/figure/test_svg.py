@@ -35,7 +35,7 @@ def texts(root: ElementTree.Element) -> list[str]:
     return ["".join(text.itertext()) for text in root.iter(f"{SVG}text")]
 
 
-@pytest.mark.sampled(4, first=2)
+@pytest.mark.sampled(8, first=2)
 @pytest.mark.parametrize("name", find_template_names())
 def test_a_shipped_figure_is_whole_and_within_its_box(name: str) -> None:
     template = load_template(name)

@@ -19,7 +19,7 @@ from tests.figures.sheet import (
     write_grades,
 )
 
-EACH = 8  # so many rows, one is looked at; `make prove` looks at all of them
+EACH = 16  # so many rows, one is looked at; `make prove` looks at all of them
 
 
 def test_no_graded_figure_of_a_sample_has_changed() -> None:

@@ -307,7 +307,7 @@ def test_odd_files_are_read_or_refused_and_never_more(
         ) - 1 - content.count("\n\n")
 
 
-@pytest.mark.sampled(3, by="source")
+@pytest.mark.sampled(6, by="source")
 @pytest.mark.parametrize("source", SOURCES)
 def test_a_cell_of_ten_megabytes_is_passed_on(tmp_path: Path, source: str) -> None:
     long = "part 1: a; part 2: " * 500_000

@@ -50,7 +50,7 @@ def find_poses(placement: Placement, number: int) -> list[Any]:
     return unknowns
 
 
-@pytest.mark.sampled(4, by="path")
+@pytest.mark.sampled(8, by="path")
 def test_positions_meet_an_independent_model_of_the_joints(path: MotionPath) -> None:
     placement = spread_within_half_a_turn(path, 400)
     with mp.workdps(DIGITS):
@@ -62,12 +62,12 @@ def test_positions_meet_an_independent_model_of_the_joints(path: MotionPath) -> 
                 assert max(missed, default=0) <= 1e-12 * path.size, joint
 
 
-@pytest.mark.sampled(2, by="path")
+@pytest.mark.sampled(4, by="path")
 def test_every_position_meets_its_conditions(path: MotionPath) -> None:
     assert path.place(path.spread(721)).greatest <= 1e-12 * path.size
 
 
-@pytest.mark.sampled(2, by="path")
+@pytest.mark.sampled(4, by="path")
 def test_neighbours_on_a_path_lie_near_each_other(path: MotionPath) -> None:
     moved = path.spread(4001)
     for coordinate in path.place(moved).at.coordinates.values():
@@ -102,7 +102,7 @@ def drive_in_step(path: MotionPath) -> MotionPath:
     return follow(replace(path.motion, frames=replace(frames, relations=relations)))
 
 
-@pytest.mark.sampled(4, first=2, by="path")
+@pytest.mark.sampled(8, first=2, by="path")
 def test_rates_and_their_changes_are_the_derivatives_of_positions(path: MotionPath) -> None:
     path, moved = drive_in_step(path), choose_inside(path)
     motion = path.place(moved).motion

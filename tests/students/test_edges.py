@@ -28,7 +28,7 @@ def test_what_follows_from_what(hold: Hold) -> None:
     hold("following.txt", "\n".join(lines) + "\n")
 
 
-@pytest.mark.sampled(4)
+@pytest.mark.sampled(8)
 @pytest.mark.parametrize("name", MOVING)
 def test_every_edge_holds_for_every_wrong_value(name: str) -> None:
     """Of a reversed value what follows may be right, as a normal acceleration is; and no magnitude

@@ -56,13 +56,13 @@ def convert(value: object, unit: Unit) -> object:
     return np.degrees(plain(value)) if unit.degrees else plain(value) / Floats().scale(unit.scale)
 
 
-@pytest.mark.sampled(4)
+@pytest.mark.sampled(8)
 @pytest.mark.parametrize("name", find_template_names())
 def test_no_student_of_three_figures_is_further_off_than_the_bound(name: str) -> None:
     require_bounds(name, 3)
 
 
-@pytest.mark.sampled(4, first=1)
+@pytest.mark.sampled(8, first=1)
 @pytest.mark.parametrize("name", find_template_names())
 def test_no_student_of_four_figures_is_further_off_than_the_bound(name: str) -> None:
     require_bounds(name, 4)

@@ -265,7 +265,7 @@ def test_a_direction_cosine_is_checked_by_its_angle() -> None:
     ]
 
 
-@pytest.mark.sampled(6, first=1)
+@pytest.mark.sampled(12, first=1)
 @pytest.mark.parametrize("name", find_template_names())
 def test_every_solution_has_a_check(name: str) -> None:
     solutions = drawn(name)
@@ -288,7 +288,7 @@ def list_signed(side: str, sign: int) -> list[tuple[str, int]]:
     ]
 
 
-@pytest.mark.sampled(6, first=1)
+@pytest.mark.sampled(12, first=1)
 @pytest.mark.parametrize("name", find_template_names())
 def test_no_check_cancels_out_what_it_checks(name: str) -> None:
     for check in read_checks(name):
@@ -307,7 +307,7 @@ def test_what_a_check_alone_needs_is_found_before_it() -> None:
     assert any(r"a_{\mathrm{r}} &=" in line for line in page[said:])
 
 
-@pytest.mark.sampled(6, first=1)
+@pytest.mark.sampled(12, first=1)
 @pytest.mark.parametrize("name", find_template_names())
 def test_all_that_a_check_says_of_both_sides_agrees(name: str) -> None:
     for place in range(len(drawn(name))):
@@ -317,7 +317,7 @@ def test_all_that_a_check_says_of_both_sides_agrees(name: str) -> None:
                 assert one.value == pytest.approx(said[0].value, abs=said[0].room + one.room + 1e-9)
 
 
-@pytest.mark.sampled(6, first=1)
+@pytest.mark.sampled(12, first=1)
 @pytest.mark.parametrize("name", find_template_names())
 def test_a_check_ends_with_the_same_value_on_both_sides(name: str) -> None:
     for check in read_checks(name):
@@ -364,7 +364,7 @@ def test_a_point_in_a_wrong_place_shows() -> None:
 RATE = re.compile(r"(\d+(?:\.\d+)?)\\,\\unit\{(?:m|rad)/s(?:\^2)?\}")
 
 
-@pytest.mark.sampled(6, first=1)
+@pytest.mark.sampled(12, first=1)
 @pytest.mark.parametrize("name", find_template_names())
 def test_a_check_goes_by_rates_that_stand_on_the_page(name: str) -> None:
     for place in range(len(drawn(name))):

@@ -132,7 +132,7 @@ def flat(tree: Expression) -> Expression:
     return tree
 
 
-@pytest.mark.sampled(6, first=1)
+@pytest.mark.sampled(12, first=1)
 @pytest.mark.parametrize("name", find_template_names())
 def test_every_expression_of_every_template_is_printed_with_its_own_value(name: str) -> None:
     template = load_template(name)

@@ -33,7 +33,7 @@ def read_idea(name: str, method: Method | None = None) -> str:
     return said.text if isinstance(said, Prose) else ""
 
 
-@pytest.mark.sampled(6, first=1)
+@pytest.mark.sampled(12, first=1)
 @pytest.mark.parametrize("name", find_template_names())
 def test_every_solution_says_what_is_sought_before_all_else(name: str) -> None:
     first, said, *_ = kept(name)
@@ -99,7 +99,7 @@ def test_a_problem_of_positions_names_its_way() -> None:
     )
 
 
-@pytest.mark.sampled(6, first=1)
+@pytest.mark.sampled(12, first=1)
 @pytest.mark.parametrize("name", find_template_names())
 def test_a_method_asked_for_changes_the_solution_or_it_says_why_not(name: str) -> None:
     plain = kept(name)
@@ -109,7 +109,7 @@ def test_a_method_asked_for_changes_the_solution_or_it_says_why_not(name: str) -
         assert bool(said) == (blocks[bool(said) :] == plain), method
 
 
-@pytest.mark.sampled(6, first=1)
+@pytest.mark.sampled(12, first=1)
 @pytest.mark.parametrize("name", find_template_names())
 @pytest.mark.parametrize("method", TITLES)
 def test_a_method_asked_for_is_taken_in_some_step_or_applies_to_none(
@@ -194,7 +194,7 @@ def test_a_wheel_that_its_pole_has_solved_takes_its_accelerations_from_a_base_po
     ) in proses(kept("wheel-on-circular-track"))
 
 
-@pytest.mark.sampled(6, first=1)
+@pytest.mark.sampled(12, first=1)
 @pytest.mark.parametrize("name", find_template_names())
 def test_every_solution_of_a_mechanism_says_more_than_what_is_sought(name: str) -> None:
     # the robot arm said what is known and sought, and no way from the one to the other
@@ -225,7 +225,7 @@ def test_two_frames_one_on_the_other_have_their_reason() -> None:
     )
 
 
-@pytest.mark.sampled(6, first=1)
+@pytest.mark.sampled(12, first=1)
 @pytest.mark.parametrize("name", find_template_names())
 def test_the_base_points_of_the_idea_are_those_of_the_steps(name: str) -> None:
     said = kept(name)[1]

@@ -21,7 +21,7 @@ def every_page(name: str) -> Iterator[tuple[Block, ...]]:
     return (kept(name, place) for place in range(len(drawn(name))))
 
 
-@pytest.mark.sampled(6, first=1)
+@pytest.mark.sampled(12, first=1)
 @pytest.mark.parametrize("name", find_template_names())
 def test_a_rounded_number_has_four_digits_and_an_angle_two_decimals(name: str) -> None:
     for blocks in every_page(name):
@@ -33,7 +33,7 @@ def test_a_rounded_number_has_four_digits_and_an_angle_two_decimals(name: str) -
                     assert len(digits.replace(".", "").lstrip("0")) <= 4
 
 
-@pytest.mark.sampled(12, first=1)
+@pytest.mark.sampled(24, first=1)
 @pytest.mark.parametrize("language", ["zh", "de"])
 @pytest.mark.parametrize("name", find_template_names())
 def test_languages_differ_in_words_alone(name: str, language: Language) -> None:

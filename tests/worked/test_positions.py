@@ -97,7 +97,7 @@ def whole_chapter(solution: Solution, language: Language) -> tuple[Block, ...]:
     )
 
 
-@pytest.mark.sampled(6, first=1)
+@pytest.mark.sampled(12, first=1)
 @pytest.mark.parametrize("name", find_template_names())
 def test_every_template_is_told_in_every_language_and_its_numbers_agree(name: str) -> None:
     for solution in drawn(name):
@@ -146,7 +146,7 @@ ANSWERS = [
 ]
 
 
-@pytest.mark.sampled(6, first=1)
+@pytest.mark.sampled(12, first=1)
 @pytest.mark.parametrize(("name", "ask"), ANSWERS)
 def test_the_last_line_ends_with_the_answer_of_the_key(name: str, ask: str) -> None:
     for solution in drawn(name):
@@ -219,7 +219,7 @@ def test_a_slider_crank_is_told_as_in_a_textbook() -> None:
     )
 
 
-@pytest.mark.sampled(6, first=1)
+@pytest.mark.sampled(12, first=1)
 @pytest.mark.parametrize("name", find_template_names())
 def test_a_line_is_broken_at_a_relation_sign_where_it_grows_too_wide(name: str) -> None:
     for line in lines(whole_chapter(drawn(name)[1], "en")):

@@ -31,7 +31,7 @@ def _broken(name: str, language: Language = "en") -> dict[Law, list[str]]:
     return found
 
 
-@pytest.mark.sampled(6, first=1)
+@pytest.mark.sampled(12, first=1)
 @pytest.mark.parametrize("name", find_template_names())
 def test_a_solution_obeys_the_laws_of_print_and_is_not_excused_without_need(name: str) -> None:
     broken = _broken(name)
@@ -40,7 +40,7 @@ def test_a_solution_obeys_the_laws_of_print_and_is_not_excused_without_need(name
     assert excused - set(broken) == set()
 
 
-@pytest.mark.sampled(12, first=1)
+@pytest.mark.sampled(24, first=1)
 @pytest.mark.parametrize("language", ["zh", "de"])
 @pytest.mark.parametrize("name", find_template_names())
 def test_it_does_so_in_every_language(name: str, language: Language) -> None:

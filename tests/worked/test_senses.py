@@ -118,7 +118,7 @@ COUNTED_AGAIN = {
 }
 
 
-@pytest.mark.sampled(6, first=1)
+@pytest.mark.sampled(12, first=1)
 @pytest.mark.parametrize("name", find_template_names())
 def test_a_symbol_has_one_sense_on_a_page(name: str) -> None:
     turned = any("sign convention of the question" in line for line in lines(kept(name, 1)))

@@ -81,7 +81,7 @@ def every_telling(name: str) -> Iterator[tuple[Block, ...]]:
         yield from (kept(name, 0, method) for method in METHODS if method != "base-point")
 
 
-@pytest.mark.sampled(6, first=1)
+@pytest.mark.sampled(12, first=1)
 @pytest.mark.parametrize("name", find_template_names())
 def test_each_answer_of_the_key_stands_in_one_box(name: str) -> None:
     for place, solution in enumerate(drawn(name)):
@@ -116,7 +116,7 @@ def set_in_prose(text: str) -> None:
     write_prose(text, "worked", ENGLISH)
 
 
-@pytest.mark.sampled(6, first=1)
+@pytest.mark.sampled(12, first=1)
 @pytest.mark.parametrize("name", find_template_names())
 def test_every_formula_and_sentence_can_be_typeset(name: str) -> None:
     for blocks in every_telling(name):
@@ -126,7 +126,7 @@ def test_every_formula_and_sentence_can_be_typeset(name: str) -> None:
             set_in_prose(text)
 
 
-@pytest.mark.sampled(6, first=1)
+@pytest.mark.sampled(12, first=1)
 @pytest.mark.parametrize("name", find_template_names())
 def test_what_is_printed_between_the_signs_of_equality_is_equal(name: str) -> None:
     for blocks in every_telling(name):
@@ -134,7 +134,7 @@ def test_what_is_printed_between_the_signs_of_equality_is_equal(name: str) -> No
         assert not wrong
 
 
-@pytest.mark.sampled(6, first=1)
+@pytest.mark.sampled(12, first=1)
 @pytest.mark.parametrize("name", find_template_names())
 def test_nothing_superfluous_is_printed(name: str) -> None:
     """No product with zero, no sign before a bracketed negative number alone, no number said to be
@@ -147,7 +147,7 @@ def test_nothing_superfluous_is_printed(name: str) -> None:
             assert not re.search(r"(?:^|= )([-\d.]+) = \1(?:$|\\,)", line)
 
 
-@pytest.mark.sampled(6, first=1)
+@pytest.mark.sampled(12, first=1)
 @pytest.mark.parametrize("name", find_template_names())
 def test_no_symbol_is_its_own_opposite(name: str) -> None:
     for blocks in every_telling(name):
@@ -159,7 +159,7 @@ def test_no_symbol_is_its_own_opposite(name: str) -> None:
             )
 
 
-@pytest.mark.sampled(6, first=1)
+@pytest.mark.sampled(12, first=1)
 @pytest.mark.parametrize("name", find_template_names())
 def test_nothing_is_told_twice(name: str) -> None:
     lines = [line for line in displayed(kept(name)) if not line.startswith("&") and "/s" in line]
@@ -176,7 +176,7 @@ def test_a_centrode_is_told_at_angles_that_no_exact_field_holds() -> None:
     )
 
 
-@pytest.mark.sampled(6, first=1)
+@pytest.mark.sampled(12, first=1)
 @pytest.mark.parametrize("name", find_template_names())
 def test_both_sides_of_every_vector_equation_agree(name: str) -> None:
     for stage, _, _ in all_stages(name):
@@ -188,7 +188,7 @@ def test_both_sides_of_every_vector_equation_agree(name: str) -> None:
             assert abs(float(rest.y)) < CLOSE
 
 
-@pytest.mark.sampled(6, first=1)
+@pytest.mark.sampled(12, first=1)
 @pytest.mark.parametrize("name", find_template_names())
 def test_every_projected_equation_holds_with_the_cosines_that_are_printed(name: str) -> None:
     for stage, scalars, unknowns in all_stages(name):
@@ -217,7 +217,7 @@ def scale_of(projection: Projection) -> float:
     )
 
 
-@pytest.mark.sampled(6, first=1)
+@pytest.mark.sampled(12, first=1)
 @pytest.mark.parametrize("name", find_template_names())
 def test_the_deductions_of_a_step_determine_each_of_its_unknowns_once(name: str) -> None:
     for stage, scalars, unknowns in all_stages(name):
@@ -241,7 +241,7 @@ def test_the_deductions_of_a_step_determine_each_of_its_unknowns_once(name: str)
             solved |= set(deduction.unknowns)
 
 
-@pytest.mark.sampled(6, first=1)
+@pytest.mark.sampled(12, first=1)
 @pytest.mark.parametrize("name", find_template_names())
 def test_without_any_one_step_of_the_plan_there_is_no_solution(name: str) -> None:
     solution = drawn(name)[0]
@@ -299,7 +299,7 @@ def test_a_rod_in_instantaneous_translation_has_its_pole_at_infinity() -> None:
     assert any("at infinity" in text for text in proses(blocks))
 
 
-@pytest.mark.sampled(6, first=1)
+@pytest.mark.sampled(12, first=1)
 @pytest.mark.parametrize("name", find_template_names())
 def test_senses_in_words_agree_with_signs(name: str) -> None:
     for place in range(len(drawn(name))):

@@ -71,6 +71,7 @@ def test_a_question_with_an_answer_of_ones_own_is_none_of_another_paper() -> Non
         assert found(sitting, 0, {**given, "q4.a": own}) == ["q1", "q2", "q3"]
 
 
+@pytest.mark.sampled(2, by="students")
 @pytest.mark.parametrize(("students", "classes"), [(30, 12), (300, 1)])
 def test_who_errs_or_misreads_numbers_is_never_found(students: int, classes: int) -> None:
     for seed in range(classes):

@@ -73,6 +73,7 @@ def seen(text: str) -> str:
     return "".join(text.replace("\u202e", "").replace("\u200b", "").split())
 
 
+@pytest.mark.sampled(2, by="names", first=1)
 @pytest.mark.parametrize("names", [NAMES, FAR_NAMES], ids=["Latin", "other"])
 def test_names_are_printed_as_they_are_and_each_file_holds_one_student(names: list[str]) -> None:
     papers = {
@@ -94,11 +95,13 @@ def test_plain_text_never_becomes_a_command() -> None:
     assert page.count(seen(code.replace("\0", ""))) == 7
 
 
+@pytest.mark.left(beside="test_a_character_without_a_font_in_a_name_is_printed_as_its_code_point")
 def test_an_id_that_no_font_prints_is_printed_as_code_points() -> None:
     ((page,),) = printed({"s": replace(ENGLISH, student="0😀7")}).values()
     assert "0[U+1F600]7" in page
 
 
+@pytest.mark.sampled(2, by="paper", first=1)
 @pytest.mark.parametrize(
     ("paper", "expected"),
     [
@@ -129,7 +132,7 @@ def test_the_page_says_everything_in_the_same_bytes_every_time(
     assert LatexPress().papers({"s": paper}) == first
 
 
-@pytest.mark.sampled(5, by="names")  # an eighth in each language
+@pytest.mark.sampled(10, by="names")  # an eighth in each language
 @pytest.mark.parametrize(("language", "names"), [*zip(LANGUAGES, EIGHTHS, strict=True)])
 def test_a_sample_of_every_template_can_be_printed(
     language: Language, names: tuple[str, ...]
@@ -264,6 +267,7 @@ def test_worked_solutions() -> None:
     assert pages["long"].count("magnitude") == 2
 
 
+@pytest.mark.left(beside="test_a_paragraph_of_reasoning_leaves_no_line_alone_at_the_end_of_a_page")
 def test_what_stays_together_is_on_one_page_wherever_that_ends() -> None:
     """The glue below a table and below an equation was a place for the page to end."""
     given = (Prose("Given:"), read_display([r"x &= 1", r"y &= 2"]))
@@ -308,6 +312,7 @@ def test_an_empty_key_is_one_page() -> None:
     assert len(pages_of(LatexPress().key(key_book(0)).pdf)) == 1
 
 
+@pytest.mark.left(beside="test_the_page_says_everything_in_the_same_bytes_every_time")
 def test_kept_sources_can_be_typeset_by_hand(tmp_path: Path) -> None:
     papers = {
         "zoe": replace(ENGLISH, name="Zoë"),
