@@ -234,6 +234,25 @@ def test_an_angle_that_is_counted_the_other_way_round_is_a_fault(said: str, wron
         ("$A$ 在 $O$ 正下方", "A is vertically below O, where it is elsewhere"),
         ("Lager $A$, senkrecht über $O$", "A is vertically above O, where it is elsewhere"),
         ("$A$ lies to the right of $O$", ""),
+        ("$A$ lying to the left of $O$", "A is to the left of O, where it is not"),
+        ("$A$, which lies to the left of $O$", "A is to the left of O, where it is not"),
+        ("$A$ is on the left of the fixed pin $O$", "A is to the left of O, where it is not"),
+        ("$A$ liegt links vom festen Gelenk $O$", "A is to the left of O, where it is not"),
+        ("$A$ 在固定铰链 $O$ 的左侧", "A is to the left of O, where it is not"),
+        (
+            "the slider $A$ slides on a rail, to the left of $O$",
+            "A is to the left of O, where it is not",
+        ),
+        (
+            "$A$ turns about the pin $M$, to the left of $O$",
+            "M is to the left of O, where it is not",
+        ),
+        (
+            "$A$ liegt senkrecht über dem festen Drehpunkt $O$",
+            "A is vertically above O, where it is elsewhere",
+        ),
+        ("the rope runs from $A$ to the left of the pulley with the centre $O$", ""),
+        ("das Seil läuft von $O$ über $A$", ""),
         ("a line through $A$, to the left of $O$", ""),
     ],
 )

@@ -10,7 +10,8 @@ from kinegrade.figure.plane import angle_of
 from kinegrade.language.message import Message
 from kinegrade.problem.solution import Solution
 from kinegrade.problem.template.template import Template
-from kinegrade.proof.claims.reading import DIFFERENT, LETTER, find_points, list_words, read_claims
+from kinegrade.proof.claims.patterns import LETTER, list_words
+from kinegrade.proof.claims.reading import DIFFERENT, find_points, read_claims
 
 _LINE = re.compile(rf"\$({LETTER})({LETTER})\$")
 

@@ -11,7 +11,8 @@ from kinegrade.language.message import Fault, Message
 from kinegrade.numbers.floats import Floats
 from kinegrade.problem.solution import Solution
 from kinegrade.problem.template.template import Parameter, Template
-from kinegrade.proof.claims.reading import DIFFERENT, list_words, read_claims
+from kinegrade.proof.claims.patterns import list_words
+from kinegrade.proof.claims.reading import DIFFERENT, read_claims
 
 _OTHERS = {"diameter": "radius", "radius": "diameter"}
 _SHARES = {"diameter": 0.5, "radius": 1.0}  # of the size that is said, the radius

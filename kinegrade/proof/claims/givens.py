@@ -10,7 +10,7 @@ from kinegrade.language.message import Fault, Message
 from kinegrade.numbers.floats import Floats
 from kinegrade.problem.solution import Solution
 from kinegrade.problem.template.template import Parameter, Template
-from kinegrade.proof.claims.reading import list_words
+from kinegrade.proof.claims.patterns import list_words
 
 
 def find_wrong_givens(template: Template, examples: Sequence[Solution]) -> Iterator[Fault]:

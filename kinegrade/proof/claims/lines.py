@@ -13,9 +13,11 @@ from kinegrade.language.message import Message
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.solution import Solution
 from kinegrade.problem.template.template import Parameter, Template
-from kinegrade.proof.claims.reading import DIFFERENT, LETTER, NO_SUBJECT, find_points, read_claims
+from kinegrade.proof.claims.patterns import LETTER, NO_SUBJECT
+from kinegrade.proof.claims.reading import DIFFERENT, find_points, read_claims
 
 _Claim = Mapping[str, str]
+_Holds = Callable[[Solution], bool]
 _FACTOR = r"\\sqrt\s*\{?(?P<root>\d+)\}?|(?P<number>\d+(?:\.\d+)?)|"
 _RATIO = re.compile(
     rf"(?=[$=]\s*(?P<start>{LETTER})(?P<end>{LETTER})\s*=\s*(?:{_FACTOR})(?:\\[,;:! ])?\s*"
@@ -26,9 +28,17 @@ _PLACES: Mapping[str, Callable[..., bool]] = {
     "level-below": lambda point, other: bool(point.y < other.y),
     "line-above": lambda point, start, end: _measure_height(point, start, end) >= 0,
     "line-below": lambda point, start, end: _measure_height(point, start, end) <= 0,
+    "level-with": lambda point, other: _is_along(other - point, 0),
+    "upright-with": lambda point, other: _is_along(other - point, pi / 2),
+    "right-of-vertical": lambda start, end: bool(end.x > start.x),
+    "left-of-vertical": lambda start, end: bool(end.x < start.x),
+    "farther": lambda point, other, than: length(point - other) > length(than - other),
+    "nearer": lambda point, other, than: length(point - other) < length(than - other),
     "line-horizontal": lambda start, end: _is_along(end - start, 0),
     "line-vertical": lambda start, end: _is_along(end - start, pi / 2),
 }
+_PARTS = ("point", "other", "than", "start", "end")
+_BEYOND: Mapping[str, int] = {"farthest": 1, "nearest": -1}
 _UPRIGHT: Mapping[str, float] = {"horizontal": 0.0, "vertical": pi / 2}
 _EXTREMES: Mapping[str, float] = {"right": 0.0, "top": pi / 2, "left": pi, "bottom": -pi / 2}
 
@@ -43,25 +53,35 @@ def find_wrong_lines(template: Template, examples: Sequence[Solution]) -> Iterat
     yield from (Message("template.lies-otherwise", said=said) for said in dict.fromkeys(wrong))
 
 
-def _list_claims(template: Template) -> Iterator[tuple[_Claim, Callable[[Solution], bool]]]:
+def _list_claims(template: Template) -> Iterator[tuple[_Claim, _Holds]]:
     """The claims, each with what tells whether it holds in an instance."""
     for kind, holds in _PLACES.items():
-        for claim in read_claims(template, kind, NO_SUBJECT):
-            letters = [claim[part] for part in ("point", "other", "start", "end") if part in claim]
-            names = find_points(template, *letters)
-            if names:
-                yield claim, _hold_place(names, holds)
+        for claim, names in _read_named(template, kind):
+            yield claim, _hold_place(names, holds)
     for kind, upright in _UPRIGHT.items():
-        for claim in read_claims(template, f"angle-with-{kind}"):
-            names = find_points(template, claim["start"], claim["end"])
+        for claim, names in _read_named(template, f"angle-with-{kind}"):
             given = template.parameters.get(claim["given"])
-            if names and given is not None and given.unit.angle and not given.unit.time:
+            if given is not None and given.unit.angle and not given.unit.time:
                 yield claim, _hold_angle(names, given, upright)
     for side, direction in _EXTREMES.items():
-        for claim in read_claims(template, f"extreme-{side}", NO_SUBJECT):
-            names = find_points(template, claim["point"])
-            if names:
-                yield claim, _hold_extreme(names[0], direction)
+        for claim, names in _read_named(template, f"extreme-{side}"):
+            yield claim, _hold_extreme(names[0], direction)
+    for kind, sign in _BEYOND.items():
+        for claim, names in _read_named(template, kind):
+            yield claim, _hold_beyond(names, sign)
+    yield from _list_ratios(template)
+
+
+def _read_named(template: Template, kind: str) -> Iterator[tuple[_Claim, Sequence[str]]]:
+    """The claims of a kind whose letters are points, with these."""
+    for claim in read_claims(template, kind, NO_SUBJECT):
+        names = find_points(template, *(claim[part] for part in _PARTS if part in claim))
+        if names:
+            yield claim, names
+
+
+def _list_ratios(template: Template) -> Iterator[tuple[_Claim, _Holds]]:
+    """The claims of lines that are so many times as long as others."""
     for text in template.words.statement.texts:
         for match in _RATIO.finditer(text):
             names = find_points(template, *match.group("start", "end", "from", "to"))
@@ -70,14 +90,12 @@ def _list_claims(template: Template) -> Iterator[tuple[_Claim, Callable[[Solutio
                 yield {"said": f"${said}$"}, _hold_ratio(names, match)
 
 
-def _hold_place(names: Sequence[str], holds: Callable[..., bool]) -> Callable[[Solution], bool]:
+def _hold_place(names: Sequence[str], holds: Callable[..., bool]) -> _Holds:
     """Whether points lie in a way."""
     return lambda each: holds(*_place(each, names))
 
 
-def _hold_angle(
-    names: Sequence[str], given: Parameter, upright: float
-) -> Callable[[Solution], bool]:
+def _hold_angle(names: Sequence[str], given: Parameter, upright: float) -> _Holds:
     """Whether a line has an angle with the horizontal or vertical, on whatever side it is."""
 
     def holds(each: Solution) -> bool:
@@ -90,7 +108,7 @@ def _hold_angle(
     return holds
 
 
-def _hold_extreme(name: str, direction: float) -> Callable[[Solution], bool]:
+def _hold_extreme(name: str, direction: float) -> _Holds:
     """Whether a point lies from some other one in exactly that direction."""
 
     def holds(each: Solution) -> bool:
@@ -104,7 +122,23 @@ def _hold_extreme(name: str, direction: float) -> Callable[[Solution], bool]:
     return holds
 
 
-def _hold_ratio(names: Sequence[str], match: re.Match[str]) -> Callable[[Solution], bool]:
+def _hold_beyond(names: Sequence[str], side: int) -> _Holds:
+    """Whether a point lies right behind some third one as seen from the other, or right before."""
+
+    def holds(each: Solution) -> bool:
+        point, other = _place(each, names)
+        steps = [(at - other, point - at) for at in each.doubles.points.values()]
+        return any(
+            length(there) > 0 < length(on)
+            and abs(there.cross(on)) <= DIFFERENT * length(there) * length(on)
+            and side * there.dot(on) > 0
+            for there, on in steps
+        )
+
+    return holds
+
+
+def _hold_ratio(names: Sequence[str], match: re.Match[str]) -> _Holds:
     """Whether a line is so many times as long as another one."""
     factor = float(match["root"]) ** 0.5 if match["root"] else float(match["number"] or 1)
 

@@ -12,7 +12,8 @@ from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.floats import Floats
 from kinegrade.problem.solution import Solution
 from kinegrade.problem.template.template import Template
-from kinegrade.proof.claims.reading import DIFFERENT, NO_SUBJECT, find_points, read_claims
+from kinegrade.proof.claims.patterns import NO_SUBJECT
+from kinegrade.proof.claims.reading import DIFFERENT, find_points, read_claims
 
 _SIDES: Mapping[str, Callable[[Vector, float], bool]] = {
     "above": lambda step, room: abs(step.x) <= room < step.y,

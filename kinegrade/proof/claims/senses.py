@@ -10,12 +10,8 @@ from kinegrade.problem.solution import Solution
 from kinegrade.problem.template.driven import Driven, DrivenPart, find_driven
 from kinegrade.problem.template.template import Template
 from kinegrade.problem.template.texts import list_prose
-from kinegrade.proof.claims.reading import (
-    find_points,
-    list_words,
-    name_senses,
-    read_claims,
-)
+from kinegrade.proof.claims.patterns import list_words
+from kinegrade.proof.claims.reading import find_points, name_senses, read_claims
 from kinegrade.sign_conventions import OPPOSITE, Convention
 
 _TURNS: Mapping[Convention, int] = {"ccw": 1, "cw": -1}

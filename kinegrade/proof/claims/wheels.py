@@ -9,7 +9,8 @@ from kinegrade.mechanics.joints.touching_pair import TouchingPair
 from kinegrade.mechanics.shapes import Line
 from kinegrade.problem.solution import Solution
 from kinegrade.problem.template.template import Template
-from kinegrade.proof.claims.reading import find_points, list_words, read_claims
+from kinegrade.proof.claims.patterns import list_words
+from kinegrade.proof.claims.reading import find_points, read_claims
 
 
 def find_wrong_wheels(template: Template, examples: Sequence[Solution]) -> Iterator[Message]:

@@ -1,0 +1,107 @@
+"""The sentences of the catalogues as patterns: their capital words stand for what differs."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping
+from functools import cache
+
+from kinegrade.language.catalogue import open_catalogue
+from kinegrade.language.known import known_languages
+from kinegrade.sign_conventions import Convention
+
+LETTER = r"[A-Z](?:_\{?\d+\}?)?'*"
+# A line through a point, or what turns about it, is no place of the point itself
+NO_SUBJECT = "(?<!through )(?<!about )(?<!durch )(?<!um )(?<!过 )(?<!过)(?<!绕 )(?<!绕)"
+SENSES: Mapping[Convention, str] = {
+    "ccw": "sign-counterclockwise",
+    "cw": "sign-clockwise",
+    "+x": "sign-right",
+    "-x": "sign-left",
+    "+y": "sign-up",
+    "-y": "sign-down",
+}
+_SHAPES = {
+    "POINT": rf"\$(?P<point>{LETTER})\$",
+    "SAME": r"\$(?P=other)\$",
+    "THAN": rf"\$(?P<than>{LETTER})\$",
+    "LINE": rf"\$(?P<start>{LETTER})(?P<end>{LETTER})\$",
+    "LINEIS": rf"\$(?P<start>{LETTER})(?P<end>{LETTER})\s*=\s*\$",
+    "GIVEN": r"\{\{\s*(?P<given>\w+)(?:\s*\.\s*(?P<part>value|size))?\s*\}\}",
+    "WORD": r"\w+",
+    "REST": r"[^.;。；{}]*?",
+    "BETWEEN": r"(?P<between>[^.;。；{}]*?)",
+    "END": r"(?=\s*(?:[.,;:。，；：]|$))",
+    "ALONE": r"(?![^.;。；]*\{\{)",
+}
+_PLAIN = r"[^.,;:。，；：{}()（）]"  # within one part of a sentence
+_LATIN = r"(?u:[^\W\d_]|-)+"
+_HAN = r"[\u4e00-\u9fff]"
+
+
+def list_words(kind: str) -> Iterator[str]:
+    """The sentences or words of a kind in all languages."""
+    for language in known_languages():
+        yield from open_catalogue(language).text(f"template.says-{kind}").split("|")
+
+
+@cache
+def write_words(*kinds: str) -> str:
+    """Any word of some kinds as a pattern, the longest first."""
+    words = {word for kind in kinds for word in list_words(kind)}
+    return "|".join(map(_write_word, sorted(words, key=lambda word: (-len(word), word))))
+
+
+def _write_word(word: str) -> str:
+    """A word by itself, with room in place of its blanks; a place to the right of another one is
+    no sense.
+    """
+    room = r"\s+".join(map(re.escape, word.split()))
+    start, end = (r"(?<![\w-])" if word[0].isascii() else ""), ""
+    if word[-1].isascii():
+        end = r"(?![\w-])(?!\s+(?:of|von)(?!\w))"
+    return f"{start}{room}{end}"
+
+
+@cache
+def make_pattern(sentence: str, before: str) -> re.Pattern[str]:
+    """A sentence of the catalogue as a pattern: its capital words are shapes, a blank any room; no
+    word begins within another, as in counter-clockwise.
+    """
+    pieces = re.findall(r"[A-Z]{2,}|\s+|(?:(?![A-Z]{2,})\S)+", sentence.strip())
+    return re.compile(before + "".join(map(_write_piece, pieces)), re.ASCII)
+
+
+def _write_piece(piece: str) -> str:
+    """A piece of a sentence as a pattern."""
+    if piece.isspace():
+        return r"\s*"
+    within = r"(?<![\w-])" if piece[0].isalpha() else ""
+    return _list_shapes().get(piece) or within + re.escape(piece)
+
+
+@cache
+def _list_shapes() -> Mapping[str, str]:
+    """What the capital words of the sentences stand for."""
+    part = f"(?:(?!{write_words('another-matter')}){_PLAIN})"
+    free = f"(?:(?!{write_words('another-matter')})(?!\\$){_PLAIN})"
+    lies = f"(?:{write_words('lies')})"
+    which = rf",?\s*(?:(?:{write_words('which')})\s*)?"
+    return {
+        **_SHAPES,
+        "NEAR": f"{part}*?",
+        "FREE": f"{free}*?",
+        "SENSE": f"(?P<sense>{write_words(*SENSES.values())})",
+        "VERB": f"(?:{write_words('verb')})",
+        "SLIDES": f"(?:{write_words('slides')})",
+        "LIES": rf"{which}{lies}",
+        "BE": rf"(?:{which}{lies})?\s*,?",
+        "OTHER": rf"{_write_naming()}\$(?P<other>{LETTER})\$",
+    }
+
+
+def _write_naming() -> str:
+    """What may stand before the letter of a point: the fixed pin, dem Gelenk, 固定铰链."""
+    other = f"(?!{write_words('preposition')})"
+    latin = rf"(?:{write_words('article')})\s+(?:{other}{_LATIN}\s+){{0,3}}"
+    return rf"(?:{latin}|(?:{other}{_HAN}){{1,6}}\s*)?"
