@@ -15,6 +15,7 @@ from kinegrade.proof.claims.givens import find_wrong_givens
 from kinegrade.proof.claims.kinds import find_marks_of_other_kinds, find_wrong_signs
 from kinegrade.proof.claims.lines import find_wrong_lines
 from kinegrade.proof.claims.means import find_wrong_means
+from kinegrade.proof.claims.paces import find_wrong_paces, find_wrong_references
 from kinegrade.proof.claims.places import find_wrong_places
 from kinegrade.proof.claims.senses import find_wrong_senses
 from kinegrade.proof.claims.states import find_wrong_states
@@ -28,6 +29,8 @@ def find_false_claims(template: Template, examples: Sequence[Solution]) -> Itera
         *find_wrong_places(template, examples),
         *find_wrong_lines(template, examples),
         *find_wrong_senses(template, examples),
+        *find_wrong_paces(template, examples),
+        *find_wrong_references(template),
         *find_wrong_angles(template, examples),
         *find_wrong_states(template, examples),
         *find_swapped_givens(template),

@@ -93,6 +93,8 @@ def _list_shapes() -> Mapping[str, str]:
         "FREE": f"{free}*?",
         "SENSE": f"(?P<sense>{write_words(*SENSES.values())})",
         "VERB": f"(?:{write_words('verb')})",
+        "FASTER": f"(?:{write_words('faster')})",
+        "SLOWER": f"(?:{write_words('slower')})",
         "SLIDES": f"(?:{write_words('slides')})",
         "LIES": rf"{which}{lies}",
         "BE": rf"(?:{which}{lies})?\s*,?",

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from kinegrade.language.message import Message
 from kinegrade.problem.solution import Solution
-from kinegrade.problem.template.driven import Driven, DrivenPart, find_driven
+from kinegrade.problem.template.driven import Driven, Imposed, find_driven
 from kinegrade.problem.template.template import Template
 from kinegrade.problem.template.texts import list_prose
 from kinegrade.proof.claims.patterns import list_words
@@ -27,25 +27,42 @@ def find_wrong_senses(template: Template, examples: Sequence[Solution]) -> Itera
 
 def _find_wrong_inputs(template: Template) -> Iterator[Message]:
     """`turns clockwise with {{ n }}` where some drawable value turns it the other way."""
-    driven: dict[str, tuple[DrivenPart, str, Driven]] = {
-        each.velocity.given: (part, name, each)
+    driven = [
+        (f"{{{{ {name}.{part} }}}}", each)
         for part, named in find_driven(template.scheme.drivers, template.parameters).items()
         for name, each in named.items()
-    }
-    claims = sorted(read_claims(template, "going"), key=lambda claim: len(claim["said"]))
-    whole = {(claim["sense"], claim["given"]): claim for claim in claims}  # the longest sentence
-    for claim in whole.values():
-        (said,) = name_senses(claim["sense"])
-        part, name, found = driven.get(claim["given"], (None, "", None))
-        if found is None or found.positive not in {said, OPPOSITE[said]}:
+    ]
+    for claim in _read_senses(template, "going"):
+        yield from _judge(template, claim, [(slot, each, each.velocity) for slot, each in driven])
+    for claim in _read_senses(template, "accelerating"):
+        changes = [(slot, each, each.acceleration) for slot, each in driven if each.acceleration]
+        yield from _judge(template, claim, changes)
+
+
+def _read_senses(template: Template, kind: str) -> Iterator[Mapping[str, str]]:
+    """The claims of a kind, of each sense and given that with the longest sentence."""
+    claims = sorted(read_claims(template, kind), key=lambda claim: len(claim["said"]))
+    yield from {(claim["sense"], claim["given"]): claim for claim in claims}.values()
+
+
+def _judge(
+    template: Template,
+    claim: Mapping[str, str],
+    driven: Sequence[tuple[str, Driven, Imposed | None]],
+) -> Iterator[Message]:
+    """That a claim names the other sense than the rate that is its given."""
+    (said,) = name_senses(claim["sense"])
+    for slot, found, rate in driven:
+        if rate is None or rate.given != claim["given"]:
             continue
-        backwards = (found.positive != said) != found.velocity.turned
+        if found.positive not in {said, OPPOSITE[said]}:
+            continue
+        backwards = (found.positive != said) != rate.turned
         choices = template.parameters[claim["given"]].choices
         wrong = [each for each in choices if each.startswith("-") != backwards]
         if wrong and len(wrong) == len(choices):
             yield Message("template.other-sense", said=claim["said"])
         elif wrong:
-            slot = f"{{{{ {name}.{part} }}}}"
             value = f"{claim['given']} = {wrong[0]}"
             yield Message("template.other-sense-at", said=claim["said"], value=value, slot=slot)
 
