@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
+from kinegrade.exam.folder.exact_keys import ListedKeys
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.keys import NOT_ASKED, Ask, Key, Paper, RightAnswers, list_questions
 from kinegrade.language import ENGLISH, Language
@@ -56,7 +57,7 @@ class KeyedExam:
         """The papers of the examinees."""
         for each in self.examinees:
             keys = [each.keys.get(ask.column, NOT_ASKED) for ask in self.asks]
-            yield Paper(each.student, each.name, keys)
+            yield Paper(each.student, each.name, ListedKeys(keys))
 
     def right_answers(self) -> Iterator[RightAnswers]:
         """Nothing: keys in memory are no arrays."""

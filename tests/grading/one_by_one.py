@@ -11,6 +11,7 @@ from math import nan
 
 import numpy as np
 
+from kinegrade.exam.folder.exact_keys import ListedKeys
 from kinegrade.exam.folder.keys import Paper
 from kinegrade.exam.keyed_exam import Examinee, KeyedExam
 from kinegrade.files.cell_text import is_answered
@@ -85,7 +86,7 @@ def _withhold(
     exam: KeyedExam, examinee: Examinee, decided: Sequence[Decided], better: dict[str, Decision]
 ) -> None:
     """Takes back what follows where the answers are those to another paper."""
-    own = Paper(examinee.student, "", [examinee.keys[ask.column] for ask in exam.asks])
+    own = Paper(examinee.student, "", ListedKeys([examinee.keys[ask.column] for ask in exam.asks]))
     numbers = [
         nan if each.reading.kind != "number" else float(each.reading.value or 0) for each in decided
     ]

@@ -6,9 +6,10 @@ it.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from fractions import Fraction
-from math import isclose
+from math import isclose, nan
 
 import msgspec
 
@@ -16,7 +17,7 @@ from kinegrade.errors import FieldError
 from kinegrade.exam.choices import Choice, fits_paper
 from kinegrade.exam.folder.contents import HEAD
 from kinegrade.exam.folder.faults import describe_damage
-from kinegrade.exam.folder.keys import NOT_ASKED, Ask, Key, list_questions
+from kinegrade.exam.folder.keys import NOT_ASKED, Ask, Key, StatedKey, list_questions
 from kinegrade.exam.folder.numbers import (
     RATIONAL,
     require_double,
@@ -31,6 +32,50 @@ _AGREEMENT = 1e-9  # relative, between the ways in which a right answer is state
 _FIGURES = range(1, 16)
 _THE_SAME = Message("exam.the-same")
 _LINE = msgspec.json.Decoder(KeyLine)
+
+
+@dataclass(frozen=True, slots=True)
+class ListedKeys:
+    """Keys one by one: exact ones, or those of several papers from which one was put together."""
+
+    keys: Sequence[Key | StatedKey]
+
+    def __getitem__(self, ask: int, /) -> Key | StatedKey:
+        """The key of an ask."""
+        return self.keys[ask]
+
+    def __len__(self) -> int:
+        """How many there are."""
+        return len(self.keys)
+
+    def __iter__(self) -> Iterator[Key | StatedKey]:
+        """All of them."""
+        return iter(self.keys)
+
+    def state(self, ask: int, /) -> str:
+        """The right answer to an ask, as a fraction or a decimal."""
+        return str(self.keys[ask].value)
+
+    def list_centres(self) -> Sequence[float]:
+        """The right answers; NaN where a number of turns is right too, or nothing was asked."""
+        values = zip(self.keys, self.list_values(), strict=True)
+        return [nan if key.period else value for key, value in values]
+
+    def list_values(self) -> Sequence[float]:
+        """The right answers; NaN where nothing was asked."""
+        return [nan if key is NOT_ASKED else float(Fraction(key.value)) for key in self.keys]
+
+    def list_periods(self) -> Sequence[Fraction | None]:
+        """The full turn of each ask, where any number of turns is right too."""
+        return [key.period for key in self.keys]
+
+    def list_rules(self) -> tuple[Tolerance, ...]:
+        """The rule of each ask."""
+        return tuple(key.rule for key in self.keys)
+
+    def find_lacking(self) -> frozenset[int]:
+        """The numbers of the asks that were not asked."""
+        return frozenset(number for number, key in enumerate(self.keys) if key is NOT_ASKED)
 
 
 def read_key_line(text: bytes) -> KeyLine:

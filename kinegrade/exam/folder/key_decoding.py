@@ -23,7 +23,7 @@ import msgspec
 from msgspec.structs import astuple
 
 from kinegrade.errors import FieldError
-from kinegrade.exam.folder.exact_keys import read_exact_keys, read_key_line, read_rule
+from kinegrade.exam.folder.exact_keys import ListedKeys, read_exact_keys, read_key_line, read_rule
 from kinegrade.exam.folder.keys import Ask, Paper
 from kinegrade.exam.folder.numbers import MOST_DIGITS, require_not_negative
 from kinegrade.exam.folder.records import ExamHead, StatedTolerance
@@ -78,7 +78,7 @@ class PaperDecoder:
         for paper in self.usual([line], [place]) or ():
             return paper
         record = read_key_line(line)
-        keys = read_exact_keys(self._asks, record, self._choices)
+        keys = ListedKeys(read_exact_keys(self._asks, record, self._choices))
         return Paper(record.student, self._name(record.student), keys)
 
     def _name(self, student: str) -> str:

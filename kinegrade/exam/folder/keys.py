@@ -65,7 +65,6 @@ class Key:
         return self.rule.interval(self.value)
 
 
-_NOTHING_LACKED: frozenset[int] = frozenset()
 # In place of the key of an alternative that a paper does not hold
 NOT_ASKED = Key(Fraction(0), Tolerance())
 
@@ -93,7 +92,7 @@ class StatedKey(NamedTuple):
 
 
 class Keys(Protocol):
-    """The keys of one paper: a list, or `stated_keys`."""
+    """The keys of one paper in the order of its asks: `ListedKeys`, or as files state them."""
 
     def __getitem__(self, ask: int, /) -> Key | StatedKey:
         """The key of an ask."""
@@ -102,7 +101,25 @@ class Keys(Protocol):
         """How many there are."""
 
     def __iter__(self) -> Iterator[Key | StatedKey]:
-        """All of them, in the order of the asks."""
+        """All of them."""
+
+    def state(self, ask: int, /) -> str:
+        """The right answer to an ask, as a decimal or a fraction."""
+
+    def list_centres(self) -> Sequence[float]:
+        """The right answers in double precision; NaN where a number of turns is right too."""
+
+    def list_values(self) -> Sequence[float]:
+        """The right answers, those of cyclic angles too, nearly rounded."""
+
+    def list_periods(self) -> Sequence[Fraction | None]:
+        """The full turn of each ask, where any number of turns is right too."""
+
+    def list_rules(self) -> tuple[Tolerance, ...]:
+        """The rule of each ask; where papers share all of them, the same object."""
+
+    def find_lacking(self) -> frozenset[int]:
+        """The numbers of the asks that the paper does not hold; their keys are NOT_ASKED."""
 
 
 class Paper(NamedTuple):
@@ -119,10 +136,8 @@ class Paper(NamedTuple):
 
     @property
     def lacks(self) -> frozenset[int]:
-        """The numbers of the asks that it does not hold; their keys are NOT_ASKED."""
-        if not isinstance(self.keys, list):
-            return _NOTHING_LACKED
-        return frozenset(number for number, key in enumerate(self.keys) if key is NOT_ASKED)
+        """The numbers of the asks that it does not hold."""
+        return self.keys.find_lacking()
 
     def source(self, ask: int) -> str:
         """The student on whose line of the key this ask stands as it was asked."""

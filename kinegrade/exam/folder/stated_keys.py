@@ -84,9 +84,8 @@ class StatedKeys(msgspec.Struct, frozen=True, gc=False):
 
     def __getitem__(self, ask: int) -> StatedKey:
         """The key of an ask. Raises ExamError if its mistakes are no numbers."""
-        entry = self.entries[ask]
         return StatedKey(
-            entry.plain or entry.decimal,
+            self.state(ask),
             self.terms.rules[ask],
             self.mistakes(ask),
             self.terms.periods[ask],
@@ -97,6 +96,30 @@ class StatedKeys(msgspec.Struct, frozen=True, gc=False):
 
     def __iter__(self) -> Iterator[StatedKey]:
         return map(self.__getitem__, range(len(self)))
+
+    def state(self, ask: int, /) -> str:
+        """The right answer to an ask, as a decimal or a fraction."""
+        return self.entries[ask].plain or self.entries[ask].decimal
+
+    def list_centres(self) -> Sequence[float]:
+        """The right answers rightly rounded, NaN where a number of turns is right too."""
+        return self.centres
+
+    def list_values(self) -> Sequence[float]:
+        """The right answers in double precision, those of cyclic angles too."""
+        return [entry.value for entry in self.entries]
+
+    def list_periods(self) -> Sequence[Fraction | None]:
+        """The full turn of each ask, where any number of turns is right too."""
+        return self.terms.periods
+
+    def list_rules(self) -> tuple[Tolerance, ...]:
+        """The rule of each ask."""
+        return self.terms.rules
+
+    def find_lacking(self) -> frozenset[int]:
+        """None: a paper with alternatives is no line of the usual shape."""
+        return frozenset()
 
     def mistakes(self, ask: int) -> Mapping[str, float | Fraction]:
         """What mistakes lead to: doubles for the usual texts of a few digits, else exactly. Raises

@@ -25,7 +25,6 @@ from math import prod
 import numpy as np
 from numpy.typing import NDArray
 
-from kinegrade.exam.folder.columns.gathering import read_values
 from kinegrade.exam.folder.keys import Ask, Paper, Sitting
 from kinegrade.grading.fast.bounds import Flags, Numbers, Places
 from kinegrade.grading.fast.intervals import Intervals, SortedIntervals, list_intervals
@@ -98,7 +97,7 @@ class PapersAnswered:
 
         Raises ExamError where the papers cannot be read.
         """
-        own = np.array(read_values(paper.keys), dtype=np.float64)
+        own = np.array(paper.keys.list_values(), dtype=np.float64)
         tried = [question for question in self.questions if wrong[list(question)].any()]
         if len(tried) < QUESTIONS_THAT_TELL:
             return ()

@@ -17,7 +17,7 @@ from operator import itemgetter
 
 import numpy as np
 
-from kinegrade.exam.folder.columns.gathering import read_mistakes, read_rules
+from kinegrade.exam.folder.columns.gathering import read_mistakes
 from kinegrade.exam.folder.keys import Ask, Key, Paper
 from kinegrade.grading.fast.another_paper import PapersAnswered
 from kinegrade.grading.fast.bounds import Flags, Places, Rules, tabulate_rules
@@ -72,7 +72,7 @@ class BlockJudge:
         """Judges every answer in these rows; void asks may give points to who `handed_in`."""
         cells = CellReader(self.asks, self.styles).cells(rows.entries.cells)
         keys = [paper.keys for paper in rows.papers]
-        rules = self._rules([read_rules(each) for each in keys])
+        rules = self._rules([each.list_rules() for each in keys])
         comparison = compare_cells(cells, keys, rules)
         block = JudgedBlock.begin(rows, cells, comparison, self.language)
         for place, names in self._compared(block, rules).items():

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 
+from kinegrade.exam.folder.exact_keys import ListedKeys
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.keys import Ask, Paper, Sitting
 from kinegrade.exam.keyed_exam import Examinee, KeyedExam
@@ -34,7 +35,7 @@ class Pool:
             (self.papers[source] if source else paper).keys[number]
             for number, source in enumerate(entry.put)
         ]
-        return Paper(paper.student, paper.name, keys, entry.put)
+        return Paper(paper.student, paper.name, ListedKeys(keys), entry.put)
 
     def put_together(self, exam: Sitting, sheet: Sheet) -> Iterator[Paper]:
         """All papers that were put together for the entries of a sheet."""

@@ -45,5 +45,4 @@ class Rows(Sequence[Row]):
         """The rows whose papers do not hold every question, with the numbers of the asks that they
         lack.
         """
-        listed = [row for row, paper in enumerate(self.papers) if isinstance(paper.keys, list)]
-        return {row: lacks for row in listed if (lacks := self.papers[row].lacks)}
+        return {row: lacks for row, paper in enumerate(self.papers) if (lacks := paper.lacks)}

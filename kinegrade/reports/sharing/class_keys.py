@@ -14,12 +14,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from kinegrade.exam.folder.columns.gathering import (
-    read_mistakes,
-    read_periods,
-    read_rules,
-    read_values,
-)
+from kinegrade.exam.folder.columns.gathering import read_mistakes
 from kinegrade.exam.folder.keys import Ask, Paper, Sitting
 from kinegrade.grading.fast.bounds import Numbers, Rules, tabulate_rules
 from kinegrade.reports.sharing.fits import Windows, find_windows
@@ -90,11 +85,11 @@ def read_class_keys(exam: Sitting) -> ClassKeys:
 def _read_part(papers: Sequence[Paper], width: int) -> _Part:
     keys = [paper.keys for paper in papers]
     led_to = read_mistakes(keys, np.arange(len(keys) * width), width)
-    periods = np.array([[float(each or 0) for each in read_periods(own)] for own in keys])
+    periods = np.array([[float(each or 0) for each in own.list_periods()] for own in keys])
     return _Part(
         [Person(paper.student, paper.name) for paper in papers],
-        np.array([read_values(each) for each in keys], dtype=np.float64),
-        tabulate_rules([read_rules(each) for each in keys]).table.reshape(4, -1, width),
+        np.array([each.list_values() for each in keys], dtype=np.float64),
+        tabulate_rules([each.list_rules() for each in keys]).table.reshape(4, -1, width),
         periods.max(axis=0).tolist(),
         np.repeat(np.arange(len(keys) * width, dtype=np.int32), led_to.counts),
         led_to.values,

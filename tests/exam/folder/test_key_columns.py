@@ -19,12 +19,10 @@ from kinegrade.exam.folder.columns.gathering import (
     find_decimals,
     read_centres,
     read_mistakes,
-    read_periods,
-    read_rules,
-    read_values,
 )
 from kinegrade.exam.folder.columns.part import PartKeys
 from kinegrade.exam.folder.contents import HEAD, KEY, KEY_COLUMNS
+from kinegrade.exam.folder.exact_keys import ListedKeys
 from kinegrade.exam.folder.exam_folder import ExamFolder, open_exam
 from kinegrade.exam.folder.keys import Key, Paper
 from kinegrade.numbers.tolerance import Tolerance
@@ -78,9 +76,10 @@ def test_keys_gathered_from_columns_are_those_of_the_lines(folder: Path) -> None
     places = np.array([0, 3, 4, 100, 101, 249])
     for keys in (ours, mixed):
         assert np.array_equal(read_centres(keys), read_centres(theirs), equal_nan=True)
-        assert list(map(read_values, keys)) == list(map(read_values, theirs))
-        assert list(map(read_periods, keys)) == list(map(read_periods, theirs))
-        assert list(map(read_rules, keys)) == list(map(read_rules, theirs))
+        for own, other in zip(keys, theirs, strict=True):
+            assert list(own.list_values()) == list(other.list_values())
+            assert list(own.list_periods()) == list(other.list_periods())
+            assert own.list_rules() == other.list_rules()
         found, expected = (read_mistakes(each, places, 10) for each in (keys, theirs))
         assert found.counts.tolist() == expected.counts.tolist()
         named, meant = (
@@ -146,7 +145,7 @@ def test_a_key_that_was_changed_counts_at_once(folder: Path) -> None:
     (folder / KEY).write_text(text.replace(old, f'"value": {value!r}'), encoding="utf-8")
     papers = list(open_exam(folder).papers())
     assert not any(are_columns(papers))
-    assert read_values(papers[0].keys)[0] == value
+    assert papers[0].keys.list_values()[0] == value
 
 
 def write_later(folder: Path, seconds: float) -> None:
@@ -224,6 +223,6 @@ def test_a_line_that_is_not_as_generated_leaves_no_columns(folder: Path) -> None
 def test_few_digits_are_told_from_many_and_from_fractions_that_do_not_end() -> None:
     written = ["27/2", "-81/50", "2", "-0", "0.5", "1/3", "22/7", "1/1024", "0.1234567890123456"]
     key = Tolerance(Fraction(1, 100))
-    papers = [[Key(Fraction(each), key)] for each in written]
+    papers = [ListedKeys([Key(Fraction(each), key)]) for each in written]
     found = find_decimals(papers, np.arange(len(written)), 1)
     assert found.tolist() == [True, True, True, True, True, False, False, True, False]

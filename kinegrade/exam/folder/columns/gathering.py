@@ -8,7 +8,6 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import chain, islice
-from math import nan
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,10 +15,9 @@ from numpy.typing import NDArray
 from kinegrade.exam.folder.columns.part import KeyPart, PartKeys
 from kinegrade.exam.folder.columns.record import PART
 from kinegrade.exam.folder.columns.runs import list_runs
-from kinegrade.exam.folder.keys import NOT_ASKED, Keys, Paper, RightAnswers, Sitting
+from kinegrade.exam.folder.keys import Keys, Paper, RightAnswers, Sitting
 from kinegrade.exam.folder.stated_keys import StatedKeys, read_stated_mistakes
 from kinegrade.numbers.decimals import FEW_DIGITS
-from kinegrade.numbers.tolerance import Tolerance
 
 Numbers = NDArray[np.float64]
 Places = NDArray[np.intp]
@@ -60,21 +58,7 @@ def read_centres(papers: Sequence[Keys]) -> Numbers:
     if found is not None:
         part, rows = found
         return part.centres[rows]
-    return np.array([_list_centres(keys) for keys in papers], dtype=np.float64)
-
-
-def _list_centres(keys: Keys) -> Sequence[float]:
-    match keys:
-        case StatedKeys(centres=centres):
-            return centres
-        case PartKeys(part=part, row=row):
-            listed: list[float] = part.centres[row].tolist()
-            return listed
-        case _:
-            return [
-                nan if key.period or key is NOT_ASKED else float(Fraction(key.value))
-                for key in keys
-            ]
+    return np.array([keys.list_centres() for keys in papers], dtype=np.float64)
 
 
 def find_decimals(papers: Sequence[Keys], places: Places, width: int) -> NDArray[np.bool_]:
@@ -82,19 +66,8 @@ def find_decimals(papers: Sequence[Keys], places: Places, width: int) -> NDArray
     decimals of few digits.
     """
     asked = (divmod(place, width) for place in places.tolist())
-    found = [_is_decimal(_state(papers[row], ask)) for row, ask in asked]
+    found = [_is_decimal(papers[row].state(ask)) for row, ask in asked]
     return np.array(found, dtype=np.bool_)
-
-
-def _state(keys: Keys, ask: int) -> str:
-    """The right answer, as a decimal or a fraction."""
-    match keys:
-        case StatedKeys(entries=entries):
-            return entries[ask].plain or entries[ask].decimal
-        case PartKeys(part=part, row=row):
-            return bytes(part.exact[row, ask]).decode()
-        case _:
-            return str(keys[ask].value)
 
 
 def _is_decimal(text: str) -> bool:
@@ -123,40 +96,10 @@ def read_right_answers(exam: Sitting) -> Iterator[RightAnswers]:
 def _gather_right_answers(papers: Sequence[Paper]) -> RightAnswers:
     """What is right on these papers."""
     keys = [paper.keys for paper in papers]
-    values = np.array([*map(read_values, keys)], dtype=np.float64)
-    listed = zip(*map(read_periods, keys), strict=True)
+    values = np.array([each.list_values() for each in keys], dtype=np.float64)
+    listed = zip(*(each.list_periods() for each in keys), strict=True)
     periods = [float(max(period or 0 for period in own)) for own in listed]
-    return RightAnswers(values, [*map(read_rules, keys)], periods)
-
-
-def read_values(keys: Keys) -> Sequence[float]:
-    """The right answers in double precision, those of cyclic angles too; nearly rounded."""
-    match keys:
-        case StatedKeys(entries=entries):
-            return [entry.value for entry in entries]
-        case PartKeys(part=part, row=row):
-            values: list[float] = part.values[row].tolist()
-            return values
-        case _:
-            return [nan if key is NOT_ASKED else float(Fraction(key.value)) for key in keys]
-
-
-def read_periods(keys: Keys) -> Sequence[Fraction | None]:
-    """The full turn of each ask, where any number of turns is right too."""
-    match keys:
-        case StatedKeys(terms=terms) | PartKeys(terms=terms):
-            return terms.periods
-        case _:
-            return [key.period for key in keys]
-
-
-def read_rules(keys: Keys) -> tuple[Tolerance, ...]:
-    """The rule of each ask; where papers share all of them, the same object."""
-    match keys:
-        case StatedKeys(terms=terms) | PartKeys(terms=terms):
-            return terms.rules
-        case _:
-            return tuple(key.rule for key in keys)
+    return RightAnswers(values, [each.list_rules() for each in keys], periods)
 
 
 def read_mistakes(papers: Sequence[Keys], places: Places, width: int) -> LedTo:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 
 import msgspec
 import numpy as np
@@ -15,6 +16,7 @@ from numpy.typing import NDArray
 
 from kinegrade.exam.folder.keys import StatedKey
 from kinegrade.exam.folder.stated_keys import Terms
+from kinegrade.numbers.tolerance import Tolerance
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,3 +71,29 @@ class PartKeys(msgspec.Struct, frozen=True, gc=False):
     def terms(self) -> Terms:
         """The rule and the period of each ask."""
         return self.part.terms[self.row]
+
+    def state(self, ask: int, /) -> str:
+        """The right answer to an ask, as a decimal or a fraction."""
+        return bytes(self.part.exact[self.row, ask]).decode()
+
+    def list_centres(self) -> Sequence[float]:
+        """The right answers rightly rounded, NaN where a number of turns is right too."""
+        centres: list[float] = self.part.centres[self.row].tolist()
+        return centres
+
+    def list_values(self) -> Sequence[float]:
+        """The right answers in double precision, those of cyclic angles too."""
+        values: list[float] = self.part.values[self.row].tolist()
+        return values
+
+    def list_periods(self) -> Sequence[Fraction | None]:
+        """The full turn of each ask, where any number of turns is right too."""
+        return self.terms.periods
+
+    def list_rules(self) -> tuple[Tolerance, ...]:
+        """The rule of each ask."""
+        return self.terms.rules
+
+    def find_lacking(self) -> frozenset[int]:
+        """None: where papers have alternatives, there are no parts."""
+        return frozenset()
