@@ -35,6 +35,7 @@ HATCHING = 1.5  # depth of ground hatching
 _OPEN = (4.2, 3.0)  # millimetres before and after an angle without hatching, whose strokes lean
 BLOCK_LENGTH, BLOCK_WIDTH = 5.0, 3.0
 SLOT_WIDTH, BAR_WIDTH, SLEEVE_WIDTH = 1.9, 3.5, 3.2
+SLEEVE_LENGTH, WIDTH_ABOUT_PIN = 6.4, 4.4  # of a sleeve; its width about a pin beside its bar
 _GUIDE_GAP = BOLD.width / 2 + 0.55  # from the axis of a rod to its guide
 RACK_DEPTH = 2.6  # from the pitch line of a rack to its back
 # Millimetres: a tooth of a jaw, and the gap at the mouth; the slope between the two jaws
@@ -268,11 +269,6 @@ def draw_slotted_bar(
 def draw_broad_bar(start: Vector, end: Vector) -> tuple[Primitive, ...]:
     """A rounded bar on which something is drawn."""
     return (Outline(trace_round((start, end), BAR_WIDTH / 2), FIRM, "grey"),)
-
-
-def draw_sleeve(at: Vector, along: Vector) -> tuple[Primitive, ...]:
-    """A sleeve around a bar."""
-    return (draw_block(at, along, 6.4, SLEEVE_WIDTH),)
 
 
 def draw_centre_mark(at: Vector) -> tuple[Primitive, ...]:

@@ -127,11 +127,20 @@ def test_the_slider_of_a_bar_that_runs_on_has_its_half_circle_below_the_bar() ->
     assert max(corner.y for corner in half.corners) < 0
 
 
-@pytest.mark.parametrize(
-    ("case", "point"), [(parallelogram_with_sleeve(), "F"), (sleeve_with_arm(), "B")]
-)
-def test_the_bar_slides_over_the_pin_of_its_sleeve(case: Case, point: str) -> None:
-    drawing, at = drawing_of(case), place(case, point)
+def test_the_pin_of_a_sleeve_is_a_half_circle_in_it_beside_its_bar_towards_what_is_pinned() -> None:
+    case = parallelogram_with_sleeve()
+    drawing, at, toward = drawing_of(case), place(case, "F"), place(case, "E")
+    (half,), (sleeve,) = half_circles(drawing), blocks_about(drawing, at)
+    assert layer(drawing, sleeve) < layer(drawing, half)
+    aside = {round(corner.x - at.x, 3) for corner in half.corners}
+    assert toward.x > at.x
+    assert min(aside) == BOLD.width / 2
+    assert max(aside) < max(corner.x for corner in sleeve.corners) - at.x - FIRM.width / 2
+
+
+def test_the_bar_slides_over_the_pin_of_a_sleeve_with_an_arm() -> None:
+    case = sleeve_with_arm()
+    drawing, at = drawing_of(case), place(case, "B")
     (sleeve,), (pin,) = blocks_about(drawing, at), circles_at(drawing, at)
     (through,) = [
         part
@@ -146,7 +155,7 @@ def test_the_bar_slides_over_the_pin_of_its_sleeve(case: Case, point: str) -> No
 def test_a_bar_ends_at_the_pin_of_a_sleeve_not_at_what_slides_there() -> None:
     case = parallelogram_with_sleeve()
     drawing, at = drawing_of(case), place(case, "F")
-    (pin,) = circles_at(drawing, at)
+    (pin,) = half_circles(drawing)
     assert layer(drawing, bold_line_to(drawing, at)) < layer(drawing, pin)
 
 

@@ -53,7 +53,7 @@ def tell_radius(name: str, **given: str) -> tuple[Block, ...]:
         ),
         (  # O sees BS under a right angle, and AO = AB: AS = AB
             "guide-tube-rod-fixed-centrode",
-            {"r": "0.5"},
+            {"r": "0.5", "theta": "-118"},  # an angle of which the size alone is given
             "By Thales $O$ lies on the circle with the diameter $BS$. Its centre is $A$",
             r"\rho &= r = 0.5\,\unit{m}",
         ),

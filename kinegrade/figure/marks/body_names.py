@@ -14,6 +14,7 @@ import numpy as np
 from kinegrade.errors import TemplateError
 from kinegrade.figure.joints.symbol import Rim
 from kinegrade.figure.marks.circle_names import list_spots_in_circle
+from kinegrade.figure.marks.frames import FrameAxis
 from kinegrade.figure.marks.in_angles import lies_in_angle, list_arcs, rate_in_angles
 from kinegrade.figure.marks.lengths.dimension_lines import Leader, SymbolBeside
 from kinegrade.figure.marks.names import find_named_points
@@ -44,7 +45,9 @@ _NEAR = 48  # spots around the middle of a bar before those along it
 _REACHES, _PLACES = (6.0, 9.0, 12.0), (0.5, 0.35, 0.65, 0.8, 0.9)
 _ALONG = 0.45  # sine between a slotted bar and a leader that would run into its slot
 _TAKEN, _DEAR = 10.0, 40.0  # demerit of a leader to a taken place; cost of one that is of no use
-_AT_POINT = 2.6  # millimetres of paper between a name and a point whose letter it would seem to be
+# Millimetres of paper between a name and a point whose letter it would seem to be, or the tip of an
+# axis whose index
+_AT_POINT, _AT_TIP = 2.6, 6.0
 
 
 def add_body_names(
@@ -64,7 +67,8 @@ def add_body_names(
             others = tuple(rim for rim in circles if rim is not own)
             named = find_named_points(mechanism, hints, drawing)
             points = tuple(mechanism.points[name] for name in named)
-            around = _Surroundings(layout, own, others, points)
+            tips = tuple(mark.tip() for mark in layout.marks if isinstance(mark, FrameAxis))
+            around = _Surroundings(layout, own, others, points, tips)
             spots = _list_spots(body, symbol, own, drawing)
             taken = around.rate(symbol, spots) + around.find_outside(spots)
             wish = Wish(symbol, spots[np.argsort(taken, kind="stable")])
@@ -96,12 +100,14 @@ class _Surroundings:
     own: Rim | None
     others: tuple[Rim, ...]
     points: tuple[Vector, ...]
+    tips: tuple[Vector, ...]
 
     def rate(self, symbol: str, spots: Floats) -> Floats:
         """For each spot how many things there would seem to have the name."""
         wish = Wish(symbol, spots)
         taken = _find_beside(wish, self.layout) + _find_at_angles(wish, self.layout)
-        taken += _find_at_points(wish, self.points)
+        taken += _find_at_points(wish, self.points, _AT_POINT)
+        taken += _find_at_points(wish, self.tips, _AT_TIP)
         return taken + _find_in_others(wish, self.others)
 
     def find_outside(self, spots: Floats) -> Floats:
@@ -147,12 +153,14 @@ def _find_at_angles(wish: Wish, layout: Layout) -> Floats:
     return found
 
 
-def _find_at_points(wish: Wish, points: Iterable[Vector]) -> Floats:
-    """For each spot of a wish 1 where it stands at a point, whose letter it would seem to be."""
+def _find_at_points(wish: Wish, points: Iterable[Vector], near: float) -> Floats:
+    """For each spot of a wish 1 where it stands so near to a point, whose letter it would seem to
+    be, or to the tip of an axis, whose index.
+    """
     found, half = np.zeros(len(wish.spots)), np.array(measure_symbol(wish.symbol)) / 2
     for point in points:
         away = np.hypot(*np.maximum(np.abs(wish.spots - np.array(point)) - half, 0.0).T)
-        found = np.maximum(found, away < _AT_POINT)
+        found = np.maximum(found, away < near)
     return found
 
 

@@ -78,7 +78,7 @@ def add_frames(
 
 def _list_ways(
     at: Mapping[str, Vector], hints: FigureHints, drawing: Drawing, axis: _NamedAxis
-) -> list[_Axis]:
+) -> list[FrameAxis]:
     """An axis in the lengths that it may have; on a long edge or a broad bar, so that it is seen
     to begin at its own origin.
     """
@@ -108,10 +108,10 @@ def _list_ways(
     return [replace(way, free=free) for way in ways]
 
 
-def _list_axes_on_bar(axis: _NamedAxis) -> list[_Axis]:
+def _list_axes_on_bar(axis: _NamedAxis) -> list[FrameAxis]:
     """An axis on the broad bar along which it runs, with its letter on either side of that."""
     symbol, origin, toward, usual = axis
-    found: list[_Axis] = []
+    found: list[FrameAxis] = []
     for rank, outward in enumerate((toward.turned(), -toward.turned())):
         for way in _list_axes(origin + toward * PIN, toward, symbol, usual):
             worse = way.demerit + _OTHER_SIDE * rank
@@ -170,7 +170,7 @@ def add_axes_aside(layout: Layout, hints: FigureHints) -> Layout:
     if hints.axes == "aside":
         corner = _find_free_corner(layout)
         for symbol, toward in (("x", _RIGHT), ("y", _RIGHT.turned())):
-            layout = layout.marked([_Axis(corner, toward, _ASIDE, symbol, 0.0)])
+            layout = layout.marked([FrameAxis(corner, toward, _ASIDE, symbol, 0.0)])
     return layout
 
 
@@ -192,14 +192,14 @@ def _find_free_corner(layout: Layout) -> Vector:
 
 def _list_axes(
     start: Vector, toward: Vector, symbol: str, lengths: tuple[float, ...]
-) -> Iterator[_Axis]:
+) -> Iterator[FrameAxis]:
     """An axis in each length, the preferred one first."""
     for rank, size in enumerate(lengths):
-        yield _Axis(start, toward, size, symbol, 0.5 * rank)
+        yield FrameAxis(start, toward, size, symbol, 0.5 * rank)
 
 
 @dataclass(frozen=True)
-class _Axis:
+class FrameAxis:
     """A thin arrow with its letter at the tip, rather in the direction `away`, where that is not
     its own; `before` is the part short of a block on it; it is `bare` where it may lie on anything.
     """
@@ -215,7 +215,7 @@ class _Axis:
     away: Vector | None = None
     shared: bool = True
 
-    def past(self, arrows: Iterable[Segment]) -> _Axis:
+    def past(self, arrows: Iterable[Segment]) -> FrameAxis:
         """The axis with its tip past those of arrows that lie on it."""
         reaches = [
             (end - self.start).dot(self.toward)
@@ -232,17 +232,18 @@ class _Axis:
         if self.bare:
             return ()
         size = max(_TIP, self.size - _AT_ORIGIN) if self.free else _TIP
-        return ((self._tip() - self.toward * size, self._tip()),)
+        return ((self.tip() - self.toward * size, self.tip()),)
 
     def wish(self) -> Wish:
         """Around the tip, beyond it first."""
         away = self.away or self.toward
-        return Wish(self.symbol, list_spots_around(self.symbol, self._tip(), away=away))
+        return Wish(self.symbol, list_spots_around(self.symbol, self.tip(), away=away))
 
     def primitives(self) -> tuple[Primitive, ...]:
         """The shaft and its arrowhead."""
-        shaft = (self.start, self._tip() - self.toward * HEAD_LENGTH * 0.8)
-        return (Strokes((*self.before, shaft), THIN), draw_arrowhead(self._tip(), self.toward))
+        shaft = (self.start, self.tip() - self.toward * HEAD_LENGTH * 0.8)
+        return (Strokes((*self.before, shaft), THIN), draw_arrowhead(self.tip(), self.toward))
 
-    def _tip(self) -> Vector:
+    def tip(self) -> Vector:
+        """Where its arrow ends."""
         return self.start + self.toward * self.size

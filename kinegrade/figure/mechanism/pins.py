@@ -11,6 +11,7 @@ from kinegrade.figure.joints.drivers import find_motor
 from kinegrade.figure.mechanism.anatomy import Anatomy
 from kinegrade.figure.mechanism.plates import Plate
 from kinegrade.figure.mechanism.stands import choose_upright
+from kinegrade.figure.mechanism.straight.gussets import find_welded_arms
 from kinegrade.figure.mechanism.straight_parts import Bar, Rod, is_slender, list_ways
 from kinegrade.figure.plane import NEAR, length, unit
 from kinegrade.figure.scene import FIRM, Disc, Outline, Primitive
@@ -30,7 +31,7 @@ _DOT_IN_MESH = 0.5  # millimetres of radius: it fits on a tooth
 _DOT_ON_BAR = 0.95  # millimetres of radius among teeth on a bar that is not its body's
 # Millimetres: the radius of a motor, and half the width of its neck there
 _HOUSING, _NECK = 2.3, 1.9
-_SWIVEL = 1.25  # millimetres of radius: seen on both sides of a bar, and within a sleeve
+_SWIVEL = 1.25  # millimetres of radius: seen on both sides of a bar, and within a slim sleeve
 _WELD = 5.5  # millimetres along the bar that carries it to the tip of its weld
 
 
@@ -41,7 +42,7 @@ def draw_points(anatomy: Anatomy) -> Iterator[Primitive]:
     at = anatomy.mechanism.points
     tips = {*anatomy.knife_edges, *anatomy.heads}
     pins = _find_pins(anatomy) - tips
-    swivels = _find_swivels(anatomy)
+    swivels = find_swivels(anatomy)
     owned = {name for body in anatomy.mechanism.bodies for name in body.points}
     centres = ({rim.centre for rim in anatomy.rims} | _find_labelled(anatomy) - owned - tips) - pins
     for name in sorted(centres):
@@ -51,7 +52,7 @@ def draw_points(anatomy: Anatomy) -> Iterator[Primitive]:
         yield from draw_centre_mark(at[name])
     for name in sorted(owned - pins - centres - hollow - tips - _find_at_corners(anatomy)):
         yield from _draw_marked_point(anatomy, at[name])
-    for name in sorted(pins - swivels):
+    for name in sorted(pins - swivels.keys()):
         yield from _draw_joint(anatomy, name)
 
 
@@ -65,20 +66,43 @@ def _draw_joint(anatomy: Anatomy, name: str) -> tuple[Primitive, ...]:
         return draw_pin(at)
     if len(through) > 1:
         return draw_boss(at)
-    return draw_half_pin(at, _find_side(anatomy, name, joined, through[0]))
+    beside = [bar for bar in joined if bar is not through[0]]
+    along = through[0].end - through[0].start
+    return draw_half_pin(at, _find_side(anatomy, name, beside, along))
 
 
 def draw_swivels(anatomy: Anatomy) -> Iterator[Primitive]:
-    """The pins about which sleeves turn, which lie in these: the bars slide over them."""
-    for name in sorted(_find_swivels(anatomy)):
-        yield Disc(anatomy.mechanism.points[name], _SWIVEL, FIRM, "white")
+    """The pins about which sleeves turn: half circles beside the bars that slide through these,
+    towards the members pinned there, or circles beneath the bars where sleeves are slim.
+    """
+    slim = are_sleeves_slim(anatomy)
+    for name, along in sorted(find_swivels(anatomy).items()):
+        if slim:
+            yield Disc(anatomy.mechanism.points[name], _SWIVEL, FIRM, "white")
+            continue
+        joined, _ = _find_members(anatomy, name)
+        ways = [(bar, unit(bar.end - bar.start)) for bar in joined]
+        pinned = [bar for bar, way in ways if abs(along.cross(way)) > NEAR]
+        side = _find_side(anatomy, name, pinned, along)
+        yield from draw_half_pin(anatomy.mechanism.points[name], side)
 
 
-def _find_swivels(anatomy: Anatomy) -> set[str]:
-    """The points of pins in sleeves."""
-    at, sleeves = anatomy.mechanism.points, [sleeve.point for sleeve in anatomy.sleeves]
-    pins = _find_pins(anatomy)
-    return {name for name in pins if any(length(at[name] - each) < NEAR for each in sleeves)}
+def are_sleeves_slim(anatomy: Anatomy) -> bool:
+    """Whether an arm is welded to a sleeve, so that none of the figure is as wide as a half circle
+    beside its bar needs.
+    """
+    return any(find_welded_arms(anatomy.parts, anatomy.symbols))
+
+
+def find_swivels(anatomy: Anatomy) -> dict[str, Vector]:
+    """The points of pins in sleeves, with the direction of the bar there."""
+    at, pins = anatomy.mechanism.points, _find_pins(anatomy)
+    return {
+        name: sleeve.direction
+        for sleeve in anatomy.sleeves
+        for name in pins
+        if length(at[name] - sleeve.point) < NEAR
+    }
 
 
 def draw_motors(anatomy: Anatomy) -> Iterator[Primitive]:
@@ -161,17 +185,14 @@ def _find_members(anatomy: Anatomy, name: str) -> tuple[list[Bar | Rod], list[Ba
     return joined, [bar for bar in joined if len(list_ways(bar, at)) == 2]
 
 
-def _find_side(
-    anatomy: Anatomy, name: str, joined: Sequence[Bar | Rod], through: Bar | Rod
-) -> Vector:
+def _find_side(anatomy: Anatomy, name: str, pinned: Sequence[Bar | Rod], through: Vector) -> Vector:
     """The unit vector from a bar that runs on through a pin to the members pinned to it."""
     at, toward = anatomy.mechanism.points[name], _LOWER
-    for bar in joined:
-        if bar is not through:
-            toward = sum((unit(way) for way in list_ways(bar, at)), toward)
+    for bar in pinned:
+        toward = sum((unit(way) for way in list_ways(bar, at)), toward)
     if any(symbol.fixed and symbol.point == name for symbol in anatomy.symbols):
         toward = toward + unit(choose_upright(name, anatomy))
-    across = unit(through.end - through.start).turned()
+    across = unit(through).turned()
     return across if across.dot(toward) > 0 else -across
 
 

@@ -10,6 +10,7 @@ from dataclasses import dataclass, replace
 from kinegrade.figure.joints.symbol import Guide, Symbol, find_fixed_pins
 from kinegrade.figure.mechanism.anatomy import Anatomy
 from kinegrade.figure.mechanism.block_sizes import BlockSize, choose_block_size
+from kinegrade.figure.mechanism.straight.broad_links import find_frame_place
 from kinegrade.figure.mechanism.straight_parts import Bar, Rod, find_half_width, list_ways
 from kinegrade.figure.plane import NEAR, length, mean, meet, unit
 from kinegrade.figure.scene import BOLD, FIRM
@@ -34,7 +35,8 @@ Leaving = tuple[Vector, float]  # the unit vector of a bar that leaves a point, 
 class Rail:
     """The ground along a guide: `at` is the block or bare end on it, `start` and `end` its ends,
     `side` the side of the guide on which it is, and `level` how far from the guide; `crossed` are
-    the bars that pass through it, for which it is open.
+    the bars that pass through it, for which it is open, and `axes` the directions of axes of a
+    body's frame that leave the block across its hatching, among which they would be lost.
     """
 
     at: Vector
@@ -45,6 +47,7 @@ class Rail:
     level: float
     block: BlockSize | None
     crossed: tuple[Leaving, ...] = ()
+    axes: tuple[Vector, ...] = ()
 
     @property
     def bare(self) -> bool:
@@ -109,7 +112,16 @@ def _lay_rail(anatomy: Anatomy, name: str, along: Vector, pinned: bool) -> Rail:
         back = min(back, -opening) if opening < -half / 2 else back
         ahead = min(ahead, opening) if opening > half / 2 else ahead
     start, end = ground - along * back, ground + along * ahead
-    return Rail(at, along, side, start, end, level, block, crossed)
+    axes = tuple(axis for axis in _list_axes(anatomy, at) if axis.dot(side) > NEAR)
+    return Rail(at, along, side, start, end, level, block, crossed, axes)
+
+
+def _list_axes(anatomy: Anatomy, at: Vector) -> Iterator[Vector]:
+    """The directions of the axes of bodies' frames at a place."""
+    for frame in anatomy.hints.frames:
+        origin, along = find_frame_place(anatomy.mechanism.points, frame)
+        if length(origin - at) < NEAR:
+            yield from (along, along.turned())
 
 
 def _order_sides(mechanism: Mechanism, at: Vector, along: Vector) -> tuple[Vector, Vector]:

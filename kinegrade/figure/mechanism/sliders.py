@@ -6,23 +6,31 @@ from collections.abc import Iterable, Iterator
 from dataclasses import replace
 
 from kinegrade.figure.mechanism.anatomy import Anatomy
+from kinegrade.figure.mechanism.pins import are_sleeves_slim, find_swivels
 from kinegrade.figure.mechanism.rails import OPENING, Leaving, Rail
+from kinegrade.figure.plane import NEAR, length
 from kinegrade.figure.scene import FIRM, Outline, Primitive, Strokes
 from kinegrade.figure.symbols import (
     BLOCK_LENGTH,
     HATCHING,
+    SLEEVE_LENGTH,
+    SLEEVE_WIDTH,
     SLOT_WIDTH,
+    WIDTH_ABOUT_PIN,
     draw_block,
     draw_ground,
-    draw_sleeve,
 )
 from kinegrade.mechanics.vector import Vector
 
 
 def draw_sleeves(anatomy: Anatomy) -> Iterator[Primitive]:
-    """The sleeves about bars."""
+    """The sleeves about bars, wider about a pin, which sits in one beside the bar."""
+    at = [anatomy.mechanism.points[name] for name in find_swivels(anatomy)]
+    slim = are_sleeves_slim(anatomy)
     for sleeve in anatomy.sleeves:
-        yield from draw_sleeve(sleeve.point, sleeve.direction)
+        turns = any(length(sleeve.point - each) < NEAR for each in at)
+        width = SLEEVE_WIDTH if slim or not turns else WIDTH_ABOUT_PIN
+        yield draw_block(sleeve.point, sleeve.direction, SLEEVE_LENGTH, width)
 
 
 def draw_blocks(anatomy: Anatomy) -> Iterator[Primitive]:
@@ -43,7 +51,7 @@ def draw_ground_sliders(rails: Iterable[Rail]) -> Iterator[Primitive]:
 
 def _draw_rail(rail: Rail) -> Iterator[Primitive]:
     """The ground with its openings; a stroke of hatching that one would cut is left out whole, as
-    its rest would be a crumb.
+    its rest would be a crumb, and so is one that an axis would cross.
     """
     hatching, line = draw_ground(rail.start, rail.end, rail.side)
     if isinstance(hatching, Strokes):
@@ -54,8 +62,8 @@ def _draw_rail(rail: Rail) -> Iterator[Primitive]:
 
 
 def _is_cut(stroke: tuple[Vector, Vector], rail: Rail) -> bool:
-    """Whether a stroke of hatching reaches into the white about a bar."""
-    for way, half in rail.crossed:
+    """Whether a stroke of hatching reaches into the white about a bar or an axis."""
+    for way, half in (*rail.crossed, *((axis, 0.0) for axis in rail.axes)):
         asides, reach = [(end - rail.at).cross(way) for end in stroke], half + OPENING
         if min(asides) < reach and max(asides) > -reach:
             return True

@@ -7,7 +7,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import islice
 
-from kinegrade.expressions.tree import Name
+from kinegrade.expressions.tree import find_names
 from kinegrade.language.math.tree import Letter, Text
 from kinegrade.language.message import Message
 from kinegrade.mechanics.vector import Vector
@@ -39,7 +39,7 @@ def explain_centrode(ask: Ask, case: Case) -> Iterator[Block]:
     call = next(
         call for call in find_motion_calls(ask.quantity) if call.function == "circle_of_poles"
     )
-    body, angle = (argument.name for argument in call.arguments if isinstance(argument, Name))
+    body, angle = (next(find_names(argument)) for argument in call.arguments)
     yield from explain_pole(body, case)
     if body not in case.findings.circles:
         case.findings.circles.add(body)

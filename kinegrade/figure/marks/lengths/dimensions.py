@@ -10,6 +10,7 @@ from functools import partial
 from math import copysign, inf, pi
 from typing import assert_never
 
+from kinegrade.figure.marks.frames import FrameAxis
 from kinegrade.figure.marks.lengths.dimension_lines import DimensionLine, SymbolBeside
 from kinegrade.figure.marks.lengths.extension_gaps import Around, Gap, find_gap
 from kinegrade.figure.marks.lengths.length_leaders import list_leaders
@@ -40,6 +41,7 @@ _PART, _LEG = 20.0, 3.0
 # Demerits of a symbol alone beside the line that joins two points, if any does
 _JOINED: Mapping[Join, float] = {"whole": 0.0, "part": _PART, "none": inf}
 _ON_ARROW = 45.0  # demerit of a dimension across the arrow of a motion
+_ON_AXIS = 12.0  # demerit of a dimension line across the axis of a frame
 _ON_GROUND = 8.0  # demerit of a dimension across the hatching of the ground
 _HEAD_ON_LINE = 16.0  # demerit of a dimension whose arrowhead lies on something
 # Demerits of a dimension line close beside another, of one that is cut by an extension line, and of
@@ -93,14 +95,15 @@ def add_length(layout: Layout, at: Mapping[str, Vector], hint: Length, around: A
 @dataclass(frozen=True)
 class _Company:
     """What a dimension has to keep off as a whole: letters and what is about them, the arrows of
-    motions, and with its line, other than with its extension lines, all that is firm; with its
-    arrowheads all that is drawn; the ground; the arcs and squares of angles, earlier dimensions and
-    other points.
+    motions, and with its line, other than with its extension lines, the axes of frames and all that
+    is firm; with its arrowheads all that is drawn; the ground; the arcs and squares of angles,
+    earlier dimensions and other points.
     """
 
     written: Obstacles
     claimed: Obstacles
     arrows: Obstacles
+    axes: Obstacles
     firm: Obstacles
     drawn: Obstacles
     ground: Obstacles
@@ -115,6 +118,7 @@ class _Company:
             Obstacles.of(layout.labels),
             widen_labels(layout.labels),
             gather_arrows(layout.marks),
+            Obstacles.of(_list_axes(layout)),
             layout.obstacles.firm(),
             layout.obstacles,
             ground,
@@ -139,6 +143,7 @@ class _Company:
         worse += self.written.along(begins, mark.shared)
         worse += CLAIMING * (self.claimed.along(mark.whole(), mark.shared) > 0)
         worse += _ON_ARROW * (self.arrows.along(path, mark.shared) > 0)
+        worse += _ON_AXIS * (self.axes.along(path[:1], mark.shared) > 0)
         worse += self.firm.along(path[:1], mark.shared)
         worse += _ON_GROUND * (self.ground.along(path, mark.shared) > 0)
         worse += _HEAD_ON_LINE * (not goes_on and self.drawn.along(mark.heads(), shared=False) > 0)
@@ -157,6 +162,11 @@ def _list_beside(at: Mapping[str, Vector], hint: Length) -> tuple[Vector, ...]:
         if min(abs((point - own).dot(measured)) for own in (start, end)) < _BESIDE_POINT
         and min(length(point - own) for own in (start, end)) > NEAR
     )
+
+
+def _list_axes(layout: Layout) -> list[Primitive]:
+    axes = [mark for mark in layout.marks if isinstance(mark, FrameAxis)]
+    return [part for axis in axes for part in axis.primitives()]
 
 
 def _marks_angle(part: Primitive) -> bool:

@@ -1,0 +1,63 @@
+"""The axes of a frame whose origin is a slider, and what stands beside them."""
+
+from __future__ import annotations
+
+import pytest
+from shapely import LineString
+
+from kinegrade.figure.plane import length
+from kinegrade.figure.scene import THIN, Scene
+from kinegrade.figure.sketch import sketch
+from kinegrade.mechanics.vector import Vector
+from kinegrade.problem.printed_givens import mark_question
+from kinegrade.problem.solving import solve_template
+from kinegrade.problem.template.library.library import load_template
+from tests.figure.clear import heads, lines
+
+STROKE = 2.0  # millimetres of a stroke of hatching at most
+
+
+def draw_rod(b: str, x_b: str) -> Scene:
+    """A rod in a swivelling sleeve below the guide of its slider, at which its frame is."""
+    template = load_template("pose-sleeve-slider-rod")
+    solution = solve_template(template, {"b": b, "x_B": x_b})
+    mechanism = solution.motion.frames.mechanism.map(float)
+    return sketch(mechanism, mark_question(template, template.asked()))
+
+
+def find_tip(scene: Scene, symbol: str) -> Vector:
+    """The tip of the arrow that is nearest to its letter."""
+    (letter,) = (label.centre for label in scene.labels if label.symbol == symbol)
+    return min((head.corners[0] for head in heads(scene)), key=lambda tip: length(tip - letter))
+
+
+def find_axis(scene: Scene, symbol: str) -> LineString:
+    tip = find_tip(scene, symbol)
+    start, end = min(lines(scene, THIN), key=lambda line: length(line[1] - tip))
+    return LineString([(start.x, start.y), (end.x, end.y)])
+
+
+def list_thin(scene: Scene) -> list[LineString]:
+    return [LineString([(a.x, a.y), (b.x, b.y)]) for a, b in lines(scene, THIN)]
+
+
+@pytest.mark.parametrize("symbol", ["x_2", "y_2"])
+def test_a_guide_has_no_hatching_where_an_axis_of_its_slider_crosses_it(symbol: str) -> None:
+    scene = draw_rod("1.0", "1.0")
+    axis = find_axis(scene, symbol)
+    strokes = [line for line in list_thin(scene) if line.length < STROKE]
+    assert len(strokes) > 8
+    assert not any(stroke.intersects(axis) for stroke in strokes)
+
+
+def test_the_number_of_a_body_is_not_at_the_tip_of_an_axis() -> None:
+    scene = draw_rod("1.14", "0.78")
+    (number,) = (label.centre for label in scene.labels if label.symbol == "2")
+    assert length(number - find_tip(scene, "y")) > 6.0
+
+
+def test_a_dimension_line_does_not_cross_an_axis_of_a_frame() -> None:
+    scene = draw_rod("1.06", "-0.64")
+    height = 1.06 * scene.scale
+    (dimension,) = (line for line in list_thin(scene) if abs(line.length - height) < 0.1)
+    assert not dimension.intersects(find_axis(scene, "y_2"))
