@@ -51,6 +51,18 @@ def test_a_mark_gives_way_to_what_is_drawn() -> None:
     assert heights(Layout.of((WALL,)).marked([Rule(0.0, 0.5), Rule(6.0, 1.0)])) == [6.0]
 
 
+def test_only_those_marks_are_rated_that_may_be_the_nicest() -> None:
+    rated: list[float] = []
+
+    def rate(rule: Rule) -> Rule:
+        rated.append(rule.height)
+        return replace(rule, demerit=rule.demerit + 2.0 * (rule.height == 0.0))
+
+    ways = [*(Rule(10.0 + place, 30.0) for place in range(9)), Rule(0.0, 0.5), Rule(6.0, 1.0)]
+    assert heights(Layout.of(()).chosen(ways, rate=rate)[0]) == [6.0]
+    assert rated == [0.0, 6.0, 10.0, 11.0, 12.0]
+
+
 def test_a_mark_whose_label_has_no_room_gives_way() -> None:
     assert heights(Layout.of((WALL,)).marked([Rule(-2.0, 0.5), Rule(6.0, 1.0)])) == [6.0]
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 from math import pi
 
 from kinegrade.figure.joints.symbol import find_fixed_pin
@@ -79,12 +80,12 @@ def add_rotations(
         around = _find_claims(layout, pins, drawing, hint.body, centre)
         followed = any(later.body == hint.body for later in hints[number + 1 :])
         ways = _list_arrows(mechanism, hint, centre, drawing, followed=followed)
-        rated = [way.among(company, around) for way in ways]
         # The letter of a pivot leaves a bound arrow its place: that can go nowhere else
-        bound = next((way for way in rated if way.tied), None)
+        bound = next((way for way in ways if way.tied), None)
         before = layout.drawn(bound.primitives()) if bound else layout
         spared.append(before.written(_list_close(named, centre)).labels)
-        layout, _ = layout.chosen(rated, (*spared[-1], *likely))
+        rate = partial(TurningArrow.among, company=company, around=around)
+        layout, _ = layout.chosen(ways, (*spared[-1], *likely), rate)
         arrows += [mark for mark in layout.marks[-1:] if isinstance(mark, TurningArrow)]
     for arrow, letters in zip(arrows, spared, strict=True):
         others = [other for other in arrows if other != arrow]
@@ -182,11 +183,10 @@ def _list_absolute_arrows(
     arrows = list_turning_arrows(hint, sense, centre, radii, crank, astray=_ASTRAY)
     shaft = _ARCS[hint.level] * TURN[sense]
     tied = list_tied_arrows(hint, centre, shaft, drawing, followed=followed)
+    if not tied:
+        return arrows
     loose = _LOOSE if turns_among_bodies(hint, centre, drawing) else _ALONE
-    return [
-        *tied,
-        *(replace(arrow, demerit=arrow.demerit + loose * bool(tied)) for arrow in arrows),
-    ]
+    return [*tied, *(replace(arrow, demerit=arrow.demerit + loose) for arrow in arrows)]
 
 
 def _list_relative_arrows(

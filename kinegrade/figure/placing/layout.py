@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from kinegrade.figure.placing.aligned import list_thin_lines, runs_on
-from kinegrade.figure.placing.alternatives import choose_least_covering
+from kinegrade.figure.placing.alternatives import Way, choose_least_covering, keep_demerit
 from kinegrade.figure.placing.beside import adjoins, keep_from_labels, makes_word
 from kinegrade.figure.placing.letters import (
     is_astray,
@@ -117,8 +117,11 @@ class Layout:
         """The letter where it was placed, or where its leader does not seem to run on from a thin
         line, if there is such a place without a fault.
         """
-        leader, lines = trace_wished_leader(wish, placed.label), list_thin_lines(self.lines)
-        if leader is None or not runs_on(leader, lines):
+        leader = trace_wished_leader(wish, placed.label)
+        if leader is None:
+            return placed
+        lines = list_thin_lines(self.lines)
+        if not runs_on(leader, lines):
             return placed
         off = place_label(keep_off_lines(wish, lines), self.obstacles)
         return placed if off.faulty else off
@@ -195,16 +198,17 @@ class Layout:
 
     def chosen(
         self,
-        alternatives: Sequence[Mark],
+        alternatives: Sequence[Way],
         sparing: Sequence[Primitive] = (),
+        rate: Callable[[Way], Mark] = keep_demerit,
         *,
         beside_own_lines: bool = False,
     ) -> tuple[Layout, Wish]:
         """The layout with the alternative that covers least, and the wish of its label, which is
-        still to be written.
+        still to be written. What `rate` makes of an alternative has no smaller demerit.
         """
         crowded = self.obstacles.with_drawn(sparing) if sparing else self.obstacles
-        mark, wish, cost = choose_least_covering(alternatives, crowded, own=beside_own_lines)
+        mark, wish, cost = choose_least_covering(alternatives, crowded, rate, own=beside_own_lines)
         struck = cost >= COST_LABEL and self._strikes_label(mark)
         layout = replace(
             self.drawn(mark.primitives()),

@@ -111,19 +111,27 @@ def is_covered(label: Label, obstacles: Obstacles) -> bool:
     return obstacles.under_box(*label.centre, width, height) > 0
 
 
-def measure_crowding(wish: Wish, obstacles: Obstacles) -> float:
-    """The cost of the best of the first spots: how little room there is for the label."""
+def measure_crowding(wish: Wish, obstacles: Obstacles, enough: float = inf) -> float:
+    """The cost of the best of the first spots: how little room there is for the label. Not all is
+    counted once it is `enough`.
+    """
     demerits = None if wish.demerits is None else wish.demerits[:_AT_ONCE]
-    return _choose_best(wish.symbol, wish.spots[:_AT_ONCE], obstacles, demerits)[1]
+    return _choose_best(wish.symbol, wish.spots[:_AT_ONCE], obstacles, demerits, enough)[1]
 
 
 def _choose_best(
-    symbol: str, spots: Floats, obstacles: Obstacles, demerits: Floats | None = None
+    symbol: str,
+    spots: Floats,
+    obstacles: Obstacles,
+    demerits: Floats | None = None,
+    enough: float = inf,
 ) -> tuple[int, float]:
-    """Index and cost of the best spot; the farther ones are checked only while none is free."""
+    """Index and cost of the best spot, if that is below what is `enough`; the farther ones are
+    checked only while none is free.
+    """
     width, height = (size + 2 * CLEARANCE for size in measure_symbol(symbol))
     worse = [0.0] * len(spots) if demerits is None else demerits.tolist()
-    best, least = 0, inf
+    best, least = 0, enough
     for first in range(0, len(spots), _AT_ONCE):
         if least <= _FARTHER * first:
             break

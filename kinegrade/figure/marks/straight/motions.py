@@ -71,7 +71,7 @@ def _place(
     """The layout with an arrow for each motion, without their symbols, and these arrows."""
     arrows: list[MovingArrow] = []
     for ways in plan:
-        layout, wish = layout.chosen([around.rate(arrow) for arrow in ways(arrows)])
+        layout, wish = layout.chosen(list(ways(arrows)), rate=around.rate)
         if layout.costs[-1] >= _MISPLACED:
             layout = layout.complaining(wish.symbol)
         arrows += [mark for mark in layout.marks[-1:] if isinstance(mark, MovingArrow)]
