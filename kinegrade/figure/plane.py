@@ -60,6 +60,15 @@ def nearest_of(point: Vector, start: Vector, end: Vector) -> Vector:
     return start + step * min(1.0, max(0.0, share))
 
 
+def parts(start: Vector, end: Vector, one: Vector, other: Vector) -> bool:
+    """Whether the segment from `start` to `end` passes between two points."""
+    way = other - one
+    if way.cross(start - one) * way.cross(end - one) >= 0:
+        return False
+    along = end - start
+    return bool(along.cross(one - start) * along.cross(other - start) < 0)
+
+
 def on_line(point: Vector, line: Line) -> bool:
     """Whether the point lies on the line."""
     return length(point - foot(point, line)) < NEAR * (1 + length(point))

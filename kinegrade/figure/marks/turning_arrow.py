@@ -11,7 +11,7 @@ from kinegrade.figure.placing.mark import chords
 from kinegrade.figure.placing.obstacles import Segment
 from kinegrade.figure.placing.ownership import UNCLAIMED, Claims
 from kinegrade.figure.placing.place import Wish, list_spots_along_arc, rate_nearness, widen
-from kinegrade.figure.plane import length, nearest_of, polar, shorter_way
+from kinegrade.figure.plane import length, nearest_of, parts, polar, shorter_way
 from kinegrade.figure.scene import Bow, Primitive
 from kinegrade.figure.symbols import HEADS, draw_curved_arrow
 from kinegrade.mechanics.vector import Vector
@@ -145,10 +145,7 @@ def _rate_arc(bow: Bow, arc: Bow) -> float:
 def _stands_beyond(bow: Bow, bar: Segment) -> bool:
     """Whether a bar passes between an arrow and its pivot, as if that turned."""
     middle = bow.centre + polar(bow.start + bow.sweep / 2, bow.radius)
-    start, end = bar
-    way, along = middle - bow.centre, end - start
-    apart = way.cross(start - bow.centre) * way.cross(end - bow.centre) < 0
-    return bool(apart and along.cross(bow.centre - start) * along.cross(middle - start) < 0)
+    return parts(*bar, bow.centre, middle)
 
 
 def _stands_at(bow: Bow, bar: Segment) -> bool:

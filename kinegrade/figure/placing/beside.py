@@ -27,8 +27,8 @@ def adjoins(label: Label, others: Iterable[Label]) -> bool:
 def makes_word(label: Label, others: Iterable[Label]) -> bool:
     """Whether a label stands in one row with another one, close beside it."""
     return any(
-        measure_gap(label, other) < _SPACE
-        and abs(label.centre.y - other.centre.y) < _IN_ROW * min(label.height, other.height)
+        abs(label.centre.y - other.centre.y) < _IN_ROW * min(label.height, other.height)
+        and measure_gap(label, other) < _SPACE
         for other in others
     )
 

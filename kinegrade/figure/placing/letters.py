@@ -11,6 +11,7 @@ from kinegrade.figure.placing.aligned import runs_on
 from kinegrade.figure.placing.obstacles import Obstacles, Segment
 from kinegrade.figure.placing.place import Placed, Wish, measure_gap, place_label
 from kinegrade.figure.placing.wedge import rate_cut_off
+from kinegrade.figure.plane import parts
 from kinegrade.figure.scene import Label
 from kinegrade.mechanics.vector import Vector
 
@@ -42,7 +43,7 @@ def place_letter(wish: Wish, obstacles: Obstacles) -> Placed:
 
 def _lies_behind(label: Label, point: Vector, walls: Sequence[Segment]) -> bool:
     """Whether a wall passes between a label and a point."""
-    return bool(rate_cut_off(np.array([label.centre]), np.array([point]), walls).any())
+    return any(parts(*wall, label.centre, point) for wall in walls)
 
 
 def is_astray(label: Label, wish: Wish) -> bool:

@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
-from itertools import pairwise
+from itertools import chain, pairwise
 from math import inf
 from typing import assert_never
 
@@ -125,12 +125,15 @@ class Obstacles:
         Whatever the path meets counts once; where lines may be shared, a thin line on the axis of a
         piece does not count. Not all are counted once they are `enough`.
         """
+        if not path or not (self.lines or self.rings):
+            return 0.0
         half = _SHARED_ROOM if shared else _ROOM
-        if not path:
+        across, upward = zip(*chain.from_iterable(path), strict=True)
+        box = (min(across) - half, min(upward) - half, max(across) + half, max(upward) + half)
+        near = self.near(box)
+        if not near.lines and not near.rings:
             return 0.0
         strips = [make_boxed_strip(start, end, half) for start, end in path]
-        lefts, bottoms, rights, tops, _ = zip(*strips, strict=True)
-        near = self.near((min(lefts), min(bottoms), max(rights), max(tops)))
         total = 0.0
         for boxed in near.lines:
             cost = boxed[4][-1]
