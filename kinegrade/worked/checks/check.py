@@ -50,12 +50,15 @@ class Lacking:
 
 @dataclass(frozen=True)
 class Check:
-    """By which way, and what either side amounts to; `lacking` is what the check alone needs."""
+    """By which way, and what either side amounts to; `lacking` is what the check alone needs,
+    `sums` the terms of both sides where they stand there by a short name.
+    """
 
     way: Message
     left: Equation
     right: Equation
     lacking: tuple[Lacking, ...] = ()
+    sums: tuple[Formula, Formula] | None = None
 
     @cached_property
     def letters(self) -> float:
@@ -72,7 +75,8 @@ class Check:
         itself with the other sign.
         """
         left = list[Formula]()
-        for one in (*list_summands(self.left.left), *list_summands(-self.right.left)):
+        first, second = self.sums or (self.left.left, self.right.left)
+        for one in (*list_summands(first), *list_summands(-second)):
             if -one in left:
                 left.remove(-one)
             elif one != ZERO:
@@ -86,9 +90,8 @@ class Check:
 
     @property
     def is_short(self) -> bool:
-        """Whether the sides are read at a glance, each either in letters or in numbers."""
-        links = max(len(self.left.links), len(self.right.links))
-        return self.letters <= _AT_A_GLANCE * max(links, 1)
+        """Whether the sides are read at a glance."""
+        return self.letters <= _AT_A_GLANCE
 
     def say(self, case: Case) -> Iterator[Block]:
         """The check in one sentence, after the vectors that it needs."""
@@ -100,17 +103,26 @@ class Check:
 
 @dataclass(frozen=True)
 class Side:
-    """One side in numbers, and its value in SI; in letters first where it has such."""
+    """One side in numbers, and its value in SI; in letters first where it has such, told by the
+    `short` ones where there are.
+    """
 
     numbers: Formula
     value: Any
     letters: Formula | None = None
+    short: Formula | None = None
+
+    @property
+    def sum(self) -> Formula:
+        """Its terms, in letters where it has such."""
+        return self.letters or self.numbers
 
     def work_out(self, unit: str) -> Equation:
         """The side with its value; alone where it is nothing but a value."""
-        if self.letters is None:
+        letters = self.short or self.letters
+        if letters is None:
             return Equation(self.numbers, self._find_value(unit))
-        return Equation(self.letters, (*equate(self.numbers), *self._find_value(unit)))
+        return Equation(letters, (*equate(self.numbers), *self._find_value(unit)))
 
     def _find_value(self, unit: str) -> tuple[Link, ...]:
         if self.numbers.is_decimal:
@@ -138,4 +150,5 @@ def compare(way: Message, left: Side, right: Side, unit: str, largest: float = 0
     greatest = max(abs(double(left.value)), largest)
     same = abs(double(left.value) - double(right.value)) < _CLOSE * greatest
     other = replace(right, value=left.value) if same else right
-    return Check(way, left.work_out(unit), other.work_out(unit))
+    sides = left.work_out(unit), other.work_out(unit)
+    return Check(way, *sides, sums=(left.sum, right.sum))

@@ -5,36 +5,44 @@ angle, no triangle of vectors and no projection is used again.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
 from itertools import pairwise
-from typing import Any, assert_never
+from typing import assert_never
 
+from kinegrade.language.math.width import measure_row
 from kinegrade.language.message import Message
 from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.relations import Term
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import VectorEquation
 from kinegrade.worked.case import Case
-from kinegrade.worked.checks.check import Check, Side, compare
-from kinegrade.worked.checks.shares import (
+from kinegrade.worked.checks.amounts import (
     Amount,
     Multiplier,
-    Shares,
     add_letters,
     add_numbers,
+    find_sign,
     point_along,
-    point_from_base,
 )
-from kinegrade.worked.formulas.atoms import AXES, TWO, AxisName
+from kinegrade.worked.checks.arms import find_normal_from, point_from, point_from_base
+from kinegrade.worked.checks.check import Check, Side, compare
+from kinegrade.worked.checks.relative_shares import find_speed
+from kinegrade.worked.checks.shares import Shares
+from kinegrade.worked.formulas.atoms import AXES, TWO, ZERO, AxisName, VectorSymbol, add_terms
+from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.measures import double, is_zero, length, size
 from kinegrade.worked.formulas.numbers import measure
-from kinegrade.worked.formulas.symbols import join_letters
+from kinegrade.worked.formulas.symbols import draw_arrow, join_letters
 from kinegrade.worked.vectors.arms import name_length
-from kinegrade.worked.vectors.known_vectors import find_positive_sense
-from kinegrade.worked.vectors.relatives import find_relative, index_relative
+from kinegrade.worked.vectors.magnitudes import find_track_ends
 from kinegrade.worked.vectors.stage import Stage
-from kinegrade.worked.vectors.vectors import UNITS, name_by_role
+from kinegrade.worked.vectors.vectors import (
+    UNITS,
+    name_by_role,
+    name_point_vector,
+    number_composition,
+)
 
 
 def list_constraint_checks(stage: Stage) -> Iterator[Check]:
@@ -43,6 +51,7 @@ def list_constraint_checks(stage: Stage) -> Iterator[Check]:
         one = _Differentiated(equation, Shares(equation, stage.case), stage.case)
         yield from one.list_directions()
         yield from one.list_coordinates()
+        yield from one.list_offsets()
         yield from one.list_lengths()
 
 
@@ -73,9 +82,13 @@ class _Differentiated:
             yield from self._compare(way, _Side(left), _Side(right), point_along(axis))
 
     def list_directions(self) -> Iterator[Check]:
-        """The direction of a line through the axis of a body, along which a point slides."""
+        """The direction of a line through the axis of a body, along which a point slides; where it
+        is that of an axis, a coordinate says the same.
+        """
         for before, other in (self._chains, self._chains[::-1]):
             for turn, slide in pairwise(before):
+                if other and 0 in map(double, slide.vector):
+                    continue
                 own = self._state_turning(turn, slide) if _turns_slot(turn, slide) else None
                 if own is not None:
                     by = point_from_base(turn, self.case).turned()
@@ -83,6 +96,34 @@ class _Differentiated:
                     moment = self.shares.measure((turn, slide), by)
                     sides = _Side((), tuple(own), moment), _Side(other, without=rest)
                     yield from self._compare(self._name("direction", turn), *sides, by)
+
+    def list_offsets(self) -> Iterator[Check]:
+        """The distance of the axis of a body from a line of it along which a point slides."""
+        for before, other in (self._chains, self._chains[::-1]):
+            for turn, slide in pairwise(before):
+                if not _is_own(turn, slide) or not double(turn.vector.cross(slide.vector)):
+                    continue
+                by = self._find_normal(turn, slide)
+                if by is not None:
+                    way = self._name_offset(turn.base, slide.point)
+                    yield from self._compare(way, _Side(other), _Side(before), by)
+
+    def _find_normal(self, turn: Term, slide: Term) -> Multiplier | None:
+        """A normal to the line, None where no two points give one."""
+        for axis in map(point_along, AXES):
+            if not double(axis.vector.dot(slide.vector)):
+                return axis
+        if not double(turn.vector.dot(slide.vector)):
+            return point_from_base(turn, self.case)
+        ends = find_track_ends(slide, self.case)
+        along = point_from(*ends, self.case).turned() if ends else None
+        return find_normal_from(turn.base, slide.vector, self.case) or along
+
+    def _name_offset(self, axis: str, slider: str) -> Message:
+        """The constant distance of an axis from a line."""
+        point, slides = map(self.case.naming.point, (axis, slider))
+        kind = f"solution.distance-derivative-{self.equation.level}"
+        return Message(kind, point=point, slider=slides)
 
     def _state_turning(self, turn: Term, slide: Term) -> list[Amount] | None:
         """OA^2 omega, or OA^2 alpha + 2 OA v_r omega."""
@@ -99,20 +140,12 @@ class _Differentiated:
             found.append(Amount(arm, far).squared().times(Amount(letters, numbers)))
         away = slide.velocity(case.motion.rates)
         if level == "acceleration" and double(omega) and not is_zero(away):
-            speed, positive = self._find_speed(slide)
+            speed, positive = find_speed(slide, case)
             turning = self._name_turning(turn.rate.body)
             twice = Amount(TWO * arm, TWO.dot(far))
-            sense = _find_sign(positive.dot(turn.vector))
+            sense = find_sign(positive.dot(turn.vector))
             found.append(twice.times(speed).times(turning).signed(sense))
         return found
-
-    def _find_speed(self, term: Term) -> tuple[Amount, Vector]:
-        """A relative velocity as it has been stated, and its positive sense."""
-        positive = find_positive_sense(term, self.case, "velocity")
-        away = term.velocity(self.case.motion.rates)
-        number = index_relative(find_relative(term), self.case)
-        stated = length(away, self.case.arithmetic) * _find_sign(away.dot(positive))
-        return Amount(name_by_role("r", "velocity", number), measure(stated, "m/s")), positive
 
     def list_lengths(self) -> Iterator[Check]:
         """The distance of two points of a body, or of a point from the centre of the circle on
@@ -125,7 +158,8 @@ class _Differentiated:
             by, shares = point_from_base(own, self.case), self._list_normal(own)
             held = own.remainder(self.case.motion.rates) if shares else Vector(0, 0)
             value = double(by.vector.dot(held))
-            sides = _Side(other), _Side(tuple(rest), tuple(shares), value)
+            line = draw_arrow(map(self.case.naming.letter, (own.base, own.point)))
+            sides = _Side(other, line=line), _Side(tuple(rest), tuple(shares), value, line=line)
             yield from self._compare(self._name("length", own), *sides, by)
 
     def _list_normal(self, own: Term) -> list[Amount]:
@@ -148,11 +182,11 @@ class _Differentiated:
             case "rotation":
                 yield self._name_turning(own.rate.body).squared().times(arm.squared()).signed(-1)
             case "arc":
-                speed, positive = self._find_speed(own)
+                speed, positive = find_speed(own, case)
                 yield speed.squared().signed(-1)
                 if double(case.motion.omega(own.frame)):
                     twice = Amount(TWO * arm.letters, TWO.dot(arm.numbers)).times(speed)
-                    sense = _find_sign(positive.turned().dot(own.vector))
+                    sense = find_sign(positive.turned().dot(own.vector))
                     yield twice.times(self._name_turning(own.frame)).signed(sense)
             case "sliding":
                 return
@@ -181,6 +215,10 @@ class _Differentiated:
         left, right = (self._state(side, by) for side in (one, other))
         if left is None or right is None or not (left.letters or right.letters):
             return
+        if left.numbers == right.numbers == ZERO:
+            return
+        if not _are_shorter(left, right):
+            left, right = (replace(side, short=None) for side in (left, right))
         terms = (*one.terms, *other.terms, *other.without)
         largest = size(by.vector) * max(size(self.shares.find_vector(term)) for term in terms)
         yield compare(way, left, right, by.name_unit(self.equation.level), largest)
@@ -192,23 +230,62 @@ class _Differentiated:
         every = (*side.own, *added, *(one.signed(-1) for one in taken))
         value = self.shares.measure(side.terms, by) - self.shares.measure(side.without, by)
         letters = add_letters(every) if every else None
-        return Side(add_numbers(every), value + side.value, letters)
+        short = self._shorten(side) if side.line is not None and every else None
+        return Side(add_numbers(every), value + side.value, letters, short)
+
+    def _shorten(self, side: _Side) -> Formula:
+        """The same as the product of a line and the vector of a point, and what stands besides."""
+        own = [one.letters.signed(one.sign) for one in side.own]
+        if not side.terms or side.line is None:
+            return add_terms(own)
+        return add_terms((side.line.dot(self._name_vector(side.terms)), *own))
+
+    def _name_vector(self, terms: Sequence[Term]) -> VectorSymbol:
+        """The vector of the point to which terms lead, of a frame's point that of the transport."""
+        level, case, last = self.equation.level, self.case, terms[-1]
+        beyond = next((one for one in self.equation.compositions if one.point == last.point), None)
+        if beyond is None or beyond.term is last or beyond.term not in self._follow(terms):
+            return replace(name_point_vector(last.point, level, case), bold=True)
+        number = number_composition(self.equation, beyond, case)
+        return name_by_role("e", level, number, bold=True)
+
+    def _follow(self, terms: Sequence[Term]) -> Sequence[Term]:
+        """The terms that follow in the same chain."""
+        chains = [chain for chain in self._chains if chain[: len(terms)] == tuple(terms)]
+        return [one for chain in chains for one in chain[len(terms) :]]
 
 
 @dataclass(frozen=True)
 class _Side:
-    """The terms of a side, what stands there besides, with its value, and terms taken from it."""
+    """The terms of a side, what stands there besides, with its value, and terms taken from it;
+    the line by which the vector of their point is multiplied, where that says the same.
+    """
 
     terms: tuple[Term, ...]
     own: tuple[Amount, ...] = ()
     value: float = 0.0
     without: tuple[Term, ...] = ()
+    line: Formula | None = None
+
+
+def _are_shorter(left: Side, right: Side) -> bool:
+    """Whether the short names of both sides are shorter than their letters."""
+    short = [side.short or side.letters for side in (left, right)]
+    return _measure(short) < _measure([left.letters, right.letters])
+
+
+def _measure(formulas: Iterable[Formula | None]) -> float:
+    return sum(measure_row(one.print()) for one in formulas if one is not None)
 
 
 def _turns_slot(turn: Term, slide: Term) -> bool:
     """Whether a point slides along a line through the axis of the body that turns."""
-    body = turn.kind == "rotation" and slide.kind == "sliding" and slide.frame == turn.rate.body
-    return body and not double(turn.vector.cross(slide.vector))
+    return _is_own(turn, slide) and not double(turn.vector.cross(slide.vector))
+
+
+def _is_own(turn: Term, slide: Term) -> bool:
+    """Whether a point slides along a line of the body that turns."""
+    return turn.kind == "rotation" and slide.kind == "sliding" and slide.frame == turn.rate.body
 
 
 def _keeps_distance(term: Term) -> bool:
@@ -216,7 +293,3 @@ def _keeps_distance(term: Term) -> bool:
     circle that moves.
     """
     return term.kind == "rotation" or (term.kind == "arc" and term.frame != GROUND)
-
-
-def _find_sign(number: Any) -> int:
-    return 1 if double(number) > 0 else -1

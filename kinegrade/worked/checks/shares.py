@@ -5,133 +5,26 @@ needed.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
-from typing import TypeAlias, assert_never
+from typing import assert_never
 
 from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.relations import Term
 from kinegrade.mechanics.vector import Vector
-from kinegrade.mechanics.vector_equation import Level, Part, VectorEquation
+from kinegrade.mechanics.vector_equation import Part, VectorEquation
 from kinegrade.worked.case import Case
+from kinegrade.worked.checks.amounts import Amount, Multiplier, gather
+from kinegrade.worked.checks.arms import point_from_base
+from kinegrade.worked.checks.relative_shares import list_relative_shares
 from kinegrade.worked.findings import Fact, Piece
-from kinegrade.worked.formulas.atoms import AXES, ONE, TWO, ZERO, AxisName, add_terms
-from kinegrade.worked.formulas.formula import Formula
+from kinegrade.worked.formulas.atoms import TWO, AxisName
 from kinegrade.worked.formulas.measures import double
 from kinegrade.worked.formulas.numbers import measure
-from kinegrade.worked.positions.axes import choose_axes
-from kinegrade.worked.positions.construction_steps import list_steps
-from kinegrade.worked.vectors.components import find_heading, list_component, state_arm
+from kinegrade.worked.vectors.components import find_heading, list_component
 from kinegrade.worked.vectors.facts import make_key
 from kinegrade.worked.vectors.known_vectors import find_positive_sense
-from kinegrade.worked.vectors.summands import PLACES
 from kinegrade.worked.vectors.vectors import UNITS, name_part, name_point_vector
-
-
-@dataclass(frozen=True)
-class Amount:
-    """A quantity in letters and in numbers, without its sign; 0 in numbers where it vanishes."""
-
-    letters: Formula
-    numbers: Formula
-    sign: int = 1
-
-    def signed(self, sign: int) -> Amount:
-        """The amount, or its opposite where the sign is negative."""
-        return replace(self, sign=self.sign * sign)
-
-    def squared(self) -> Amount:
-        """The square."""
-        return Amount(self.letters**TWO, self.numbers**TWO)
-
-    def times(self, other: Amount) -> Amount:
-        """The product; of one the other one alone."""
-        sign = self.sign * other.sign
-        if self.letters == ONE:
-            return other.signed(self.sign)
-        if self.letters == other.letters:
-            return self.squared().signed(sign)
-        letters, numbers = self.letters * other.letters, self.numbers.dot(other.numbers)
-        return Amount(letters, ZERO if ZERO in (self.numbers, other.numbers) else numbers, sign)
-
-
-def add_letters(amounts: Iterable[Amount]) -> Formula:
-    """The sum in letters."""
-    return add_terms(one.letters.signed(one.sign) for one in amounts)
-
-
-def add_numbers(amounts: Iterable[Amount]) -> Formula:
-    """The sum in numbers, without what vanishes."""
-    return add_terms(one.numbers.signed(one.sign) for one in amounts if one.numbers != ZERO)
-
-
-UNIT = Amount(ONE, ONE)
-
-# The components that are not zero by the choice of the axes
-Pair: TypeAlias = Mapping[AxisName, Amount]
-
-
-@dataclass(frozen=True)
-class Multiplier:
-    """A vector by which an equation is multiplied, with its components; its length counts in
-    metres, or it is a unit vector.
-    """
-
-    vector: Vector
-    pair: Pair
-    is_unit: bool = False
-
-    def name_unit(self, level: Level) -> str:
-        """The unit of its product with velocities or accelerations."""
-        unit = UNITS[level, False]
-        return unit if self.is_unit else unit.replace("m", "m^2", 1)
-
-    def turned(self) -> Multiplier:
-        """The vector turned through a right angle to the left."""
-        places: dict[AxisName, AxisName] = {"y": "x", "x": "y"}
-        signs = {"y": -1, "x": 1}
-        pair = {places[axis]: one.signed(signs[axis]) for axis, one in self.pair.items()}
-        return Multiplier(self.vector.turned(), pair)
-
-    def dot(self, other: Pair) -> Iterator[Amount]:
-        """The products of equal components."""
-        return (
-            self.pair[axis].times(other[axis])
-            for axis in AXES
-            if {axis} <= self.pair.keys() & other.keys()
-        )
-
-
-def point_along(axis: AxisName) -> Multiplier:
-    """The unit vector of an axis."""
-    return Multiplier({"x": Vector(1, 0), "y": Vector(0, 1)}[axis], {axis: UNIT}, is_unit=True)
-
-
-def point_from_base(term: Term, case: Case) -> Multiplier:
-    """The vector of a rotation, from its base to its point."""
-    return Multiplier(term.vector, _find_arm(term, case))
-
-
-def _find_arm(term: Term, case: Case) -> Pair:
-    """The coordinates of a rotation's point from its base point."""
-    axes = choose_axes(list_steps(case.template))
-    components: dict[AxisName, Amount] = {}
-    for axis in AXES:
-        letters = state_arm(axis, term, axes, case)
-        if letters is not None:
-            number = _measure_arm(axis, term, letters.sign, case)
-            components[axis] = Amount(letters.size, number, letters.sign)
-    return components
-
-
-def _measure_arm(axis: AxisName, term: Term, sign: int, case: Case) -> Formula:
-    """The difference of two coordinates, where one of them is zero the other one."""
-    before, after = (
-        measure(case.motion.points[point][PLACES[axis]], "m") for point in (term.base, term.point)
-    )
-    if ZERO in (before, after) or before == after:
-        return measure(term.vector[PLACES[axis]] * sign, "m")
-    return after - before
 
 
 @dataclass(frozen=True)
@@ -155,12 +48,18 @@ class Shares:
         match term.kind:
             case "rotation":
                 return self._list_rotating(term, by)
+            case "sliding" | "arc" if self._is_carried(term):
+                return list_relative_shares(term, by, self.equation, self.case)
             case "sliding":
                 return self._list_sliding(term, by)
             case "arc":
                 return None
             case _:
                 assert_never(term.kind)
+
+    def _is_carried(self, term: Term) -> bool:
+        """Whether a point moves relative to a frame that turns."""
+        return term.frame != GROUND and term.frame not in self.case.translating
 
     def measure(self, terms: Sequence[Term], by: Multiplier) -> float:
         """What they amount to."""
@@ -181,26 +80,24 @@ class Shares:
         """m . (omega x r), and what the normal acceleration adds."""
         level, case = self.equation.level, self.case
         rate = case.rates(level)[term.rate]
-        arm = Multiplier(term.vector, _find_arm(term, case))
+        arm = point_from_base(term, case)
         found: list[Amount] = []
         if double(rate):
             if case.findings.spares(term.rate, level):
                 return None
             letters = case.naming.turning(term.rate.body, level)
             turning = Amount(letters, measure(rate, UNITS[level, True]))
-            found += _gather(turning, tuple(by.dot(arm.turned().pair)))
+            found += gather(turning, tuple(by.dot(arm.turned().pair)))
         omega = case.motion.rates[term.rate]
         if level == "acceleration" and double(omega):
             square = Amount(
                 case.naming.omega(term.rate.body) ** TWO, measure(omega, "rad/s") ** TWO
             )
-            found += (one.signed(-1) for one in _gather(square, tuple(by.dot(arm.pair))))
+            found += (one.signed(-1) for one in gather(square, tuple(by.dot(arm.pair))))
         return found
 
     def _list_sliding(self, term: Term, by: Multiplier) -> list[Amount] | None:
         """The share of a vector along a path that does not turn, by its components."""
-        if term.frame != GROUND and term.frame not in self.case.translating:
-            return None
         if not double(by.vector.dot(self.find_vector(term))):
             return []
         fact = self.find_fact(term)
@@ -237,12 +134,3 @@ class Shares:
 
 def _is_of(part: Part, term: Term) -> bool:
     return part.term == term and part.role in ("absolute", "transport", "relative")
-
-
-def _gather(rate: Amount, products: Sequence[Amount]) -> list[Amount]:
-    """A rate times the sum of products."""
-    if len(products) < 2:
-        return [rate.times(one) for one in products]
-    numbers = add_numbers(products)
-    product = ZERO if numbers == ZERO else rate.numbers.dot(numbers)
-    return [Amount(rate.letters * add_letters(products), product)]

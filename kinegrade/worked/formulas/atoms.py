@@ -184,7 +184,8 @@ class Measured(Formula):
     @property
     def begins_with_minus(self) -> bool:
         """Whether the first that is printed is a minus sign."""
-        return self.number.begins_with_minus
+        bracketed = self.number.kind == "sum" and self.unit != "1"
+        return self.number.begins_with_minus and not bracketed
 
     @property
     def sign(self) -> int:
