@@ -6,6 +6,8 @@ from __future__ import annotations
 
 import gc
 import os
+import re
+from itertools import count
 from pathlib import Path
 
 import pytest
@@ -26,6 +28,7 @@ from tests.small_class import VANISHING, generate, write_class
 from tests.tools import complaint, missing_tools
 
 os.environ["LC_ALL"] = "C.UTF-8"  # tests read what the terminal says in English
+FOLDERS = count()
 COMMON = {
     "deadline": None,
     "suppress_health_check": [HealthCheck.too_slow, HealthCheck.filter_too_much],
@@ -80,6 +83,15 @@ def pytest_runtest_setup(item: pytest.Item) -> None:
     missing = missing_tools()
     if missing:
         pytest.fail(complaint(missing), pytrace=False)
+
+
+@pytest.fixture
+def tmp_path(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder of a test's own, with a number that no other has: to find one, pytest would look
+    through those of all tests before.
+    """
+    name = re.sub(r"\W", "_", request.node.name)[:30]
+    return tmp_path_factory.mktemp(f"{name}{next(FOLDERS)}", numbered=False)
 
 
 @pytest.fixture
