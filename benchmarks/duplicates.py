@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Iterator, Sequence
+from itertools import islice
 
 from benchmarks.modules import File, Function
 
@@ -28,7 +29,8 @@ def _bodies(function: Function) -> Iterator[str]:
     """The body as a text in which local names are numbered; nothing where it is short."""
     described = ast.get_docstring(function) is not None
     statements = function.body[1:] if described else function.body
-    if sum(1 for statement in statements for _ in ast.walk(statement)) < FEWEST_NODES:
+    nodes = (node for statement in statements for node in ast.walk(statement))
+    if next(islice(nodes, FEWEST_NODES - 1, None), None) is None:
         return
     numbers = _numbers(function)
     yield "\n".join(_dump(statement, numbers) for statement in statements)

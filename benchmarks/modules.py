@@ -3,23 +3,11 @@
 from __future__ import annotations
 
 import ast
-import io
-import tokenize
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 
-NO_CODE = frozenset(
-    {
-        tokenize.COMMENT,
-        tokenize.NL,
-        tokenize.NEWLINE,
-        tokenize.INDENT,
-        tokenize.DEDENT,
-        tokenize.ENDMARKER,
-    }
-)
 Documented = ast.Module | ast.ClassDef | ast.FunctionDef | ast.AsyncFunctionDef
 Function = ast.FunctionDef | ast.AsyncFunctionDef
 
@@ -55,10 +43,11 @@ class File:
     @cached_property
     def lines_of_code(self) -> set[int]:
         """The lines that hold code."""
-        lines: set[int] = set()
-        for token in tokenize.generate_tokens(io.StringIO(self.text).readline):
-            if token.type not in NO_CODE:
-                lines.update(range(token.start[0], token.end[0] + 1))
+        texts = enumerate(map(str.strip, self.text.split("\n")), 1)
+        lines = {number for number, text in texts if text and not text.startswith("#")}
+        for node in self.nodes:
+            if isinstance(node, ast.Constant | ast.JoinedStr):  # a string may hold such lines
+                lines.update(range(node.lineno, (node.end_lineno or 0) + 1))
         return lines - self.docstring_lines()
 
     def docstring_lines(self) -> set[int]:
