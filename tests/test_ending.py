@@ -123,6 +123,7 @@ MOMENTS = [
         ("--jobs", "1", "--also", "docx"),
         "temporary/*/reference.docx",
         id="pandoc",
+        marks=LEFT,
     ),
 ]
 

@@ -267,6 +267,7 @@ def test_late_students_and_spare_papers_have_one_and_nobody_elses_changes(tmp_pa
     assert {*find_held(exam)} == {*STUDENTS, "1009", "1010"}
 
 
+@pytest.mark.left(beside="test_each_student_gets_one_and_equally_many_get_each")
 def test_some_of_a_tag_for_each_student(tmp_path: Path) -> None:
     made = set_exam(tmp_path, CRANK + TAGGED + "number = 2\n" + ANY)
     assert made.exit_code == 0, made.stderr

@@ -51,7 +51,7 @@ def squeeze(text: str) -> str:
     return "".join(text.split())
 
 
-@pytest.mark.sampled(3, by="language")  # each language, and each engine
+@pytest.mark.sampled(6, by="language")  # each language, and each engine
 @pytest.mark.parametrize(
     ("language", "engine"),
     [

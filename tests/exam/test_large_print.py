@@ -112,6 +112,9 @@ def test_worked_solutions_are_large_for_who_needs_it_and_for_anybody_on_demand(
     assert find_small(target) == []
 
 
+@pytest.mark.left(
+    beside="test_worked_solutions_are_large_for_who_needs_it_and_for_anybody_on_demand"
+)
 def test_feedback_is_large_for_who_needs_it(exam: Path, tmp_path: Path) -> None:
     answers, marks, sheets = tmp_path / "answers.csv", tmp_path / "MARKS", tmp_path / "SHEETS"
     type_answers(exam, answers, lambda student, name: "1.5" if student == "0012" else "")

@@ -97,7 +97,7 @@ def test_a_paper_that_is_long_enough_stays_byte_for_byte(engine: Engine) -> None
         assert press.papers({"one": replace(ENGLISH, pages=pages)})["one"].pdf == whole
 
 
-@pytest.mark.sampled(3, by="size")  # each size, and each engine
+@pytest.mark.sampled(6, by="size")  # each size, and each engine
 @pytest.mark.parametrize(("size", "engine"), pair_with_engines("a4", "letter"))
 def test_room_is_left_between_statement_and_answers(engine: Engine, size: PaperSize) -> None:
     press: Press = PressOrder(engine, size).press()

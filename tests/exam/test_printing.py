@@ -32,7 +32,7 @@ def papers(golden_bank: Bank) -> tuple[Bank, list[SetPaper]]:
     return bank, list(deal_exam(bank, CLASS, FromWords("printing")).papers())
 
 
-@pytest.mark.sampled(3, by="language")  # each engine, and each language
+@pytest.mark.sampled(6, by="language")  # each engine, and each language
 @pytest.mark.parametrize(("language", "engine"), pair_with_engines("en", "zh"))
 def test_a_paper_printed_alone_is_the_same_as_among_others(
     papers: tuple[Bank, list[SetPaper]], engine: Engine, language: Language

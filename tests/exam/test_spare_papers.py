@@ -102,6 +102,7 @@ def test_answers_typed_into_the_workbook_outlive_an_assigned_paper(exam: Path) -
     assert (exam / "answers.xlsx").read_bytes() == typed
 
 
+@pytest.mark.left(beside="test_an_assigned_paper_is_that_of_the_student")
 def test_spare_and_assigned_papers_outlive_a_class_that_grows_or_is_set_again(
     exam: Path, tmp_path: Path
 ) -> None:

@@ -33,7 +33,7 @@ def find_motion(name: str) -> MotionPath:
     return path
 
 
-@pytest.mark.sampled(8, also=("crank-slider-in-floating-link",))  # almost jumps once in a cycle
+@pytest.mark.sampled(16, also=("crank-slider-in-floating-link",))  # almost jumps once in a cycle
 @pytest.mark.parametrize("name", DRIVEN)
 def test_positions_between_those_that_are_baked_are_the_engines(name: str) -> None:
     assert measure_error(name, SHARES) <= PIXEL
@@ -74,7 +74,7 @@ def measure_error(name: str, shares: list[float]) -> float:
     return float(np.abs(found - expected).max())
 
 
-@pytest.mark.sampled(8, first=4, also=UNSURE)
+@pytest.mark.sampled(16, first=4, also=UNSURE)
 @pytest.mark.parametrize("name", DRIVEN)
 def test_poles_are_where_the_engines_velocities_say(name: str) -> None:
     """To a pixel, as far as they are in the picture."""

@@ -116,6 +116,7 @@ def test_the_steps_are_those_of_the_recipe() -> None:
     assert [step.title for step in STEPS] == read_titles("Add an ask")
 
 
+@pytest.mark.left(beside="test_an_ask_without_a_step")
 def test_the_new_ask_is_proved_set_explained_and_marked(room: Path) -> None:
     follow_steps(room, STEPS)
     checked = run(room, "check", "crank.toml", "--sample", "20")

@@ -316,6 +316,7 @@ def test_the_steps_are_those_of_the_recipe() -> None:
     assert [step.title for step in STEPS] == read_titles("Add a joint or a driver")
 
 
+@pytest.mark.left(beside="test_a_joint_without_a_step")
 def test_the_new_joint_is_proved_drawn_and_explained(room: Path) -> None:
     follow_steps(room, STEPS)
     checked = run(room, "check", "twice.toml", "--sample", "20")

@@ -214,6 +214,7 @@ def room(tmp_path: Path, small_class: Path) -> Path:
     return tmp_path
 
 
+@pytest.mark.left(beside="test_a_quiz_without_a_step")
 def test_grades_quizzes_and_answers_of_the_new_system(room: Path) -> None:
     follow_steps(room, (*GRADES, *QUIZ, *RESPONSES))
     assert "out.csv: grades of 3 students for Scroll" in export(room)

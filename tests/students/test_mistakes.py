@@ -284,6 +284,7 @@ DECKS = [
 ]
 
 
+@pytest.mark.sampled(3)
 @pytest.mark.parametrize("name", DECKS)
 def test_no_student_who_makes_a_known_mistake_gets_full_marks(name: str) -> None:
     template = load_template(name)
