@@ -112,7 +112,7 @@ class Motion:
         return self.reading.coriolis(point, frame, compose_coriolis(relative, omega))
 
     def relative_acceleration(self, point: str, body: str, frame: str) -> Vector:
-        """Acceleration of `point` of `body` relative to `frame`: a_r = a_a - a_e - a_C."""
+        """Acceleration of `point` of `body` relative to `frame`: a_r = a_a - a_e - a_Cor."""
         term = self.reading.find_relative(point, frame)
         if term:
             return term.relative_acceleration(self.rates, self.changes, self.reading)

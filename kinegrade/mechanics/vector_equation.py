@@ -1,7 +1,7 @@
 """The vector equations of a solved motion, vector by vector, as textbooks write them.
 
     v_B = v_A + v_BA                v_a = v_e + v_r
-    a_B = a_A + a_BA^n + a_BA^t     a_a = a_e^n + a_e^t + a_r + a_C
+    a_B = a_A + a_BA^n + a_BA^t     a_a = a_e^n + a_e^t + a_r + a_Cor
 
 The terms of a relation that are known already are drawn together into one vector; the others stand
 one by one, an acceleration in its normal, tangential and Coriolis parts. `kinegrade.worked` puts

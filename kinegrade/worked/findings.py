@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Any, Literal, TypeAlias
+from typing import Any, TypeAlias
 
 from kinegrade.expressions.tree import Expression
 from kinegrade.language.math.tree import Row
@@ -65,19 +65,19 @@ class Seen:
 class Findings:
     """What a solution has found so far, filled in as it is written.
 
-    `coriolis` are the letters of Coriolis accelerations; `relatives` are the indices of the
-    relative motions, each given by point, body and frame; `inclined` the lines whose angle with the
-    x axis has been found; `summed` the sums of angles, in degrees, that have been worked out;
-    `aligned` pairs of lines that have been said to be parallel or normal at this instant; `sized`
-    the symbols of vectors known by components whose magnitude has been given as well; `directed`
-    the Coriolis accelerations whose direction has been said; `arms` the distances of two points
-    that have been worked out; `places_alone` whether all answers are places of poles that normals
-    lead to, so that speeds are left out; `seen` the directions that triangles have given, each from
-    one point to another; `poles_sought` the bodies about whose poles answers are; `distances` the
-    printed symbols of the distances of poles that have been worked out; `corners` the letters of
-    polygons that have been explained; `told` the formulas within sentences; `spared` the rates that
-    no answer and no later step needs, so that a check alone may ask for them; `rim_tracks` how a
-    track moves that has the speed of a wheel's rim, by the number of their joint.
+    `relatives` are the indices of the relative motions, each given by point, body and frame;
+    `inclined` the lines whose angle with the x axis has been found; `summed` the sums of angles, in
+    degrees, that have been worked out; `aligned` pairs of lines that have been said to be parallel
+    or normal at this instant; `sized` the symbols of vectors known by components whose magnitude
+    has been given as well; `directed` the Coriolis accelerations whose direction has been said;
+    `arms` the distances of two points that have been worked out; `places_alone` whether all answers
+    are places of poles that normals lead to, so that speeds are left out; `seen` the directions
+    that triangles have given, each from one point to another; `poles_sought` the bodies about whose
+    poles answers are; `distances` the printed symbols of the distances of poles that have been
+    worked out; `corners` the letters of polygons that have been explained; `told` the formulas
+    within sentences; `spared` the rates that no answer and no later step needs, so that a check
+    alone may ask for them; `rim_tracks` how a track moves that has the speed of a wheel's rim, by
+    the number of their joint.
     """
 
     facts: dict[Key, Fact] = field(default_factory=dict)
@@ -92,7 +92,6 @@ class Findings:
     aligned: set[frozenset[frozenset[str]]] = field(default_factory=set)
     arms: dict[frozenset[str], Symbol] = field(default_factory=dict)
     seen: dict[tuple[Expression, Expression], Seen] = field(default_factory=dict)
-    coriolis: Literal["C", "Cor"] = "C"
     places_alone: bool = False
     poles_sought: frozenset[str] = frozenset()
     distances: set[Row] = field(default_factory=set)

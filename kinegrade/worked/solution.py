@@ -52,7 +52,7 @@ from kinegrade.worked.vectors.needed_rates import (
     find_spared,
     select_steps,
 )
-from kinegrade.worked.vectors.relatives import choose_coriolis_letters, claim_plain_symbols
+from kinegrade.worked.vectors.relatives import claim_plain_symbols
 from kinegrade.worked.vectors.stage import Stage
 
 
@@ -68,7 +68,6 @@ def write_worked_solution(
     case = Case(stated, language, method or stated.template.about.method, length)
     asked = tuple(stated.template.asks[name] for name in names)
     claim_plain_symbols(asked, case)
-    choose_coriolis_letters(asked, case)
     boxes = AnswerBoxes.around(asked, case)
     if not stated.template.scheme.has_mechanism:
         with case.arithmetic.context():

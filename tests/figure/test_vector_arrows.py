@@ -107,7 +107,7 @@ def test_a_symbol_is_to_be_nearer_to_its_own_arrow() -> None:
 SYMBOLS = [
     "v_{BA}",
     r"a_{BA}^{\mathrm{n}}",
-    r"a_{\mathrm{C}}",
+    r"a_{\mathrm{Cor}}",
     r"\omega_{AB}",
     r"\alpha_{AB}",
     r"a_{\mathrm{e}}^{\mathrm{t}}",

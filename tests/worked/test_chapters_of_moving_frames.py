@@ -95,25 +95,25 @@ def test_a_composition_of_accelerations_with_coriolis() -> None:
         Given: the angular acceleration of the crank $O_{1}A$.
         \alpha_{O_{1}A} &= 0
         ## Composition of motions: moving point $A$, moving frame on $OB$
-        $\boldsymbol{a}_{\mathrm{a}}=\boldsymbol{a}_{\mathrm{e}}+\boldsymbol{a}_{\mathrm{r}}+\boldsymbol{a}_{\mathrm{C}}$,
-            with the Coriolis acceleration $\boldsymbol{a}_{\mathrm{C}}$:
+        $\boldsymbol{a}_{\mathrm{a}}=\boldsymbol{a}_{\mathrm{e}}+\boldsymbol{a}_{\mathrm{r}}+\boldsymbol{a}_{\mathrm{Cor}}$,
+            with the Coriolis acceleration $\boldsymbol{a}_{\mathrm{Cor}}$:
         [ ] \boldsymbol{a}_{\mathrm{a}}^{\mathrm{n}} | $O_{1}A \cdot \omega_{O_{1}A}^{2} =
             16\,\unit{m/s^2}$ | $A \to O_{1}$
         [=] \boldsymbol{a}_{\mathrm{e}}^{\mathrm{n}} | $OA \cdot \omega^{2} = 8.192\,\unit{m/s^2}$ |
             $A \to O$
         [+] \boldsymbol{a}_{\mathrm{e}}^{\mathrm{t}} | ? $(OA \cdot \alpha)$ | $\perp OA$
         [+] \boldsymbol{a}_{\mathrm{r}} | ? | $O \to B$
-        [+] \boldsymbol{a}_{\mathrm{C}} | $2\omega\,v_{\mathrm{r}} = 12.288\,\unit{m/s^2}$ | $\perp
+        [+] \boldsymbol{a}_{\mathrm{Cor}} | $2\omega\,v_{\mathrm{r}} = 12.288\,\unit{m/s^2}$ | $\perp
             v_{\mathrm{r}}$
         Here $a_{\mathrm{a}}^{\mathrm{t}} = 0$.
-        Right-hand rule: $\boldsymbol{a}_{\mathrm{C}}$ has the direction of
+        Right-hand rule: $\boldsymbol{a}_{\mathrm{Cor}}$ has the direction of
             $\boldsymbol{v}_{\mathrm{r}}$ turned through $90^\circ$ counter-clockwise, with
             $\omega$.
         Projecting on the normal to $\boldsymbol{a}_{\mathrm{r}}$ (its positive direction
             turned counter-clockwise) eliminates
             $\boldsymbol{a}_{\mathrm{r}}$:
-        a_{\mathrm{a}}^{\mathrm{n}}\sin\psi_{OA} &= a_{\mathrm{e}}^{\mathrm{t}} + a_{\mathrm{C}}
-        a_{\mathrm{e}}^{\mathrm{t}} &= -a_{\mathrm{C}} + a_{\mathrm{a}}^{\mathrm{n}}\sin\psi_{OA} =
+        a_{\mathrm{a}}^{\mathrm{n}}\sin\psi_{OA} &= a_{\mathrm{e}}^{\mathrm{t}} + a_{\mathrm{Cor}}
+        a_{\mathrm{e}}^{\mathrm{t}} &= -a_{\mathrm{Cor}} + a_{\mathrm{a}}^{\mathrm{n}}\sin\psi_{OA} =
             -12.29\,\unit{m/s^2} + 16\,\unit{m/s^2} \cdot \sin 36.87^\circ
         &= -2.688\,\unit{m/s^2}\quad\text{(clockwise about }O\text{)}
         \alpha &= \frac{a_{\mathrm{e}}^{\mathrm{t}}}{OA} = \frac{-2.688\,\unit{m/s^2}}{5\,\unit{m}}

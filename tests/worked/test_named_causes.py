@@ -30,7 +30,7 @@ def test_a_slanting_one_is_turned_from_the_vector() -> None:
 @pytest.mark.parametrize(
     ("template", "because"),
     [
-        ("scotch-yoke-driven-by-guide", r"The yoke does not turn here, so $a_{\mathrm{C}} = 0$."),
+        ("scotch-yoke-driven-by-guide", r"The yoke does not turn here, so $a_{\mathrm{Cor}} = 0$."),
         ("spool-pulled-by-cord", r"The cord does not turn here, so $a_{\mathrm{Cor}} = 0$."),
     ],
 )

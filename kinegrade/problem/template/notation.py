@@ -2,7 +2,7 @@
 are spelled out, what follows a letter as a point's name or behind `_` is its subscript.
 
 omega_AB  \\omega_{AB}      r1       r_{1}            a_BC_y   a_{BC,y}
-v_tr      v_{\\mathrm{e}}   a_tr_n   a_{\\mathrm{e}}^{\\mathrm{n}}   a_cor  a_{\\mathrm{C}}
+v_tr      v_{\\mathrm{e}}   a_tr_n   a_{\\mathrm{e}}^{\\mathrm{n}}   a_cor  a_{\\mathrm{Cor}}
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ _GREEK = {name: rf"\{name}" for name in GREEK} | {
     "phi": r"\varphi",
 }
 _OF_POINT = re.compile(r"^([a-z]|" + "|".join(_GREEK) + r")([A-Z]\w*)", re.ASCII)
-_PARTS = {"rel": r"\mathrm{r}", "tr": r"\mathrm{e}", "cor": r"\mathrm{C}"}
+_PARTS = {"rel": r"\mathrm{r}", "tr": r"\mathrm{e}", "cor": r"\mathrm{Cor}"}
 _COMPONENTS = ("x", "y")
 _UPPER = {"n": r"\mathrm{n}", "t": r"\mathrm{t}"}
 

@@ -44,7 +44,7 @@ def explain_relative(motion: Relative, level: Level, case: Case) -> Found:
     if level == "velocity" or term.kind == "sliding":
         value = term.coefficient() * case.rates(level)[term.rate]
         return Fact(name, value, False, (Piece(name, term.coefficient(), value, term),))
-    coriolis = name_coriolis(index_relative(motion, case), case)
+    coriolis = name_coriolis(index_relative(motion, case))
     parts = [part for part in list_relative_parts(term, case, level) if part.symbol != coriolis]
     yield case.show(*(add_components(axis, name, parts, case) for axis in AXES))
     return Fact(name, add_vectors(part.value for part in parts), True)
@@ -60,7 +60,7 @@ def _find_track(motion: Relative, case: Case) -> Term | None:
 
 
 def _explain_rest(motion: Relative, name: VectorSymbol, level: Level, case: Case) -> Found:
-    """v_r = v_a - v_e, a_r = a_a - a_e - a_C, by components."""
+    """v_r = v_a - v_e, a_r = a_a - a_e - a_Cor, by components."""
     absolute = yield from explain_point_vector(motion.point, motion.body, level, case)
     transport = yield from explain_point_vector(motion.point, motion.frame, level, case)
     parts = [absolute, transport]
@@ -121,7 +121,7 @@ def _find_coriolis(motion: Relative, case: Case) -> Found:
         case.findings.sized.add(relative.symbol)
         yield case.show(state_size(relative, case))
     value = case.motion.coriolis(*motion)
-    name = name_coriolis(index_relative(motion, case), case)
+    name = name_coriolis(index_relative(motion, case))
     omega = abs(name_rotation(motion.frame, case, "velocity"))
     links: tuple[Link, ...] = ()
     if any(map(double, value)):

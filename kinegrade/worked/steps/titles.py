@@ -121,7 +121,7 @@ def _introduce_composition(equation: VectorEquation, relative: Part, case: Case)
     number = number_composition(equation, relative, case)
     whole = name_by_role("a", equation.level, _index_absolute(equation, number), bold=True)
     vectors = [name_by_role(role, equation.level, number, bold=True) for role in "er"]
-    turned = name_coriolis(number, case, bold=True)
+    turned = name_coriolis(number, bold=True)
     absolute, transport, seen, coriolis = map(case.text, (whole, *vectors, turned))
     point, frame = case.naming.point(relative.point), case.naming.body(relative.frame)
     places: dict[str, Text] = {

@@ -271,7 +271,7 @@ def _name_relative_part(part: Part, level: Level, number: Row, case: Case) -> Ve
     """The symbol of a relative or Coriolis part."""
     match part.role:
         case "coriolis":
-            return name_coriolis(number, case)
+            return name_coriolis(number)
         case "relative" | "absolute" | "transport" | "rotation":
             return replace(name_by_role("r", level, number), part=part.part)
         case _:

@@ -18,6 +18,9 @@ from kinegrade.problem.template.template import Ask
 from kinegrade.worked.case import Case
 from kinegrade.worked.formulas.symbols import read_symbol
 
+# What stands below the letters of relative motions, r and Cor
+_LETTERS = ((Letter("r"),), tuple(map(Letter, "Cor")))
+
 
 class Relative(NamedTuple):
     """The motion of a point of a body relative to another body, the frame."""
@@ -38,7 +41,7 @@ def find_relative(term: Term) -> Relative:
 
 
 def index_relative(motion: Relative, case: Case) -> Row:
-    """What follows the letters e, r and C of a relative motion, the same each time."""
+    """What follows the letters e, r and Cor of a relative motion, the same each time."""
     indices = case.findings.relatives
     if motion not in indices:
         taken = set(indices.values())
@@ -55,7 +58,7 @@ def _list_indices(motion: Relative, case: Case) -> Iterator[Row]:
 
 
 def claim_plain_symbols(asked: Iterable[Ask], case: Case) -> None:
-    """Keep v_r, a_r and a_C for the motion that asks call so."""
+    """Keep v_r, a_r and a_Cor for the motion that asks call so."""
     for ask in asked:
         for call in find_motion_calls(ask.quantity):
             if MOTION_FUNCTIONS[call.function].derivation in ("relative", "coriolis"):
@@ -64,19 +67,10 @@ def claim_plain_symbols(asked: Iterable[Ask], case: Case) -> None:
                     case.findings.relatives[Relative(*names)] = ()
 
 
-def choose_coriolis_letters(asked: Iterable[Ask], case: Case) -> None:
-    """a_C for Coriolis accelerations, as asks print it; a_Cor where no ask does and there is a
-    point C, whose acceleration a_C would be.
-    """
-    calls = (call.function for ask in asked for call in find_motion_calls(ask.quantity))
-    if "C" in case.motion.points and "coriolis" not in calls:
-        case.findings.coriolis = "Cor"
-
-
 def _is_plain(symbol: str) -> bool:
-    """Whether a symbol is v_r, a_r or a_C, or a component of these."""
+    """Whether a symbol is v_r, a_r or a_Cor, or a component of these."""
     match read_symbol(symbol).row:
-        case (Scripts(_, (Lettering("mathrm", (Letter("r" | "C"),)), *rest)),):
+        case (Scripts(_, (Lettering("mathrm", letters), *rest)),) if letters in _LETTERS:
             return not rest or (rest[0] == Sign(",") and rest[1] in (Letter("x"), Letter("y")))
         case _:
             return False

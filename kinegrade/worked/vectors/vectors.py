@@ -1,5 +1,5 @@
-"""The symbols of an equation's vectors: v_a, v_e, v_r and a_C in a composition of motions, v_BA and
-a_BA^n, a_BA^t about a base point.
+"""The symbols of an equation's vectors: v_a, v_e, v_r and a_Cor in a composition of motions, v_BA,
+a_BA^n and a_BA^t about a base point.
 """
 
 from __future__ import annotations
@@ -35,14 +35,14 @@ def name_part(
 
 
 def name_by_role(role: str, level: Level, number: Row, *, bold: bool = False) -> VectorSymbol:
-    """The vector of a composition by its role: "a", "e", "r", "C" or "Cor", and its number."""
+    """The vector of a composition by its role: "a", "e", "r" or "Cor", and its number."""
     lower = (Lettering("mathrm", tuple(map(Letter, role))), *number)
     return VectorSymbol(LETTERS[level], lower, bold=bold)
 
 
-def name_coriolis(number: Row, case: Case, *, bold: bool = False) -> VectorSymbol:
-    """The Coriolis acceleration, by the letters chosen for it."""
-    return name_by_role(case.findings.coriolis, "acceleration", number, bold=bold)
+def name_coriolis(number: Row, *, bold: bool = False) -> VectorSymbol:
+    """The Coriolis acceleration: never a_C, which is the acceleration of a point C."""
+    return name_by_role("Cor", "acceleration", number, bold=bold)
 
 
 def name_point_vector(point: str, level: Level, case: Case) -> VectorSymbol:
@@ -51,8 +51,8 @@ def name_point_vector(point: str, level: Level, case: Case) -> VectorSymbol:
 
 
 def _find_subscript(equation: VectorEquation, part: Part, case: Case) -> Row:
-    """The subscript of a part: a, e, r, C in a composition (numbered where there are two), else the
-    points.
+    """The subscript of a part: a, e, r, Cor in a composition (numbered where there are two), else
+    the points.
     """
     match part.role:
         case "transport":
@@ -62,7 +62,7 @@ def _find_subscript(equation: VectorEquation, part: Part, case: Case) -> Row:
             number = number_composition(equation, part, case)
             return name_by_role("r", equation.level, number).lower
         case "coriolis":
-            return name_coriolis(number_composition(equation, part, case), case).lower
+            return name_coriolis(number_composition(equation, part, case)).lower
         case "absolute" if is_composed(equation, part):
             return name_by_role("a", equation.level, ()).lower
         case "absolute":

@@ -10,7 +10,7 @@ from tests.by_hand.writing import slips_in_writing
 
 
 def moving_frame(given: Givens, pad: Pad) -> Answers:
-    """The sleeve is the moving frame of A: v_a = v_e + v_r, a_a = a_e^t + a_e^n + a_r + a_C."""
+    """The sleeve is the moving frame of A: v_a = v_e + v_r, a_a = a_e^t + a_e^n + a_r + a_Cor."""
     sine, cosine = pad.sin(given["phi"]), pad.cos(given["phi"])
     distance = pad(given["l"] / sine)
     transport, relative = pad(given["v"] * sine), pad(given["v"] * cosine)
