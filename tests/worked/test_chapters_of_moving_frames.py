@@ -55,11 +55,11 @@ def test_a_composition_of_velocities() -> None:
     solution = solve_small(SLOT, omega="omega(OB) in rad/s")
     assert read_chapter("# Velocities", solution) == as_read(
         r"""
-        Rotations are positive counter-clockwise, and angles are measured counter-clockwise
-            from the $x$ axis. For an unknown vector the letter stands for its component in the direction
-            assumed for it (where a point turns about another, that of a counter-clockwise
-            rotation), for a known one for its magnitude. Printed values are rounded; the
-            calculation goes on with all their digits.
+        Rotations are positive counter-clockwise, and angles are measured counter-clockwise from the
+            $x$ axis. For an unknown vector the letter stands for its component in the direction
+            assumed for it (about another point: counter-clockwise, $\curvearrowleft$), for a known
+            one for its magnitude. Printed values are rounded; the calculation goes on with all
+            their digits.
         Given: the angular velocity of the crank $O_{1}A$.
         \omega_{O_{1}A} &= 2\,\unit{rad/s}\quad\text{(counter-clockwise)}
         ## Composition of motions: moving point $A$, moving frame on $OB$
@@ -67,8 +67,8 @@ def test_a_composition_of_velocities() -> None:
             absolute velocity of $A$ (of the crank $O_{1}A$) is its transport velocity (that of the
             point of $OB$ which is at $A$) plus the relative one (seen from $OB$).
         [ ] \boldsymbol{v}_{\mathrm{a}} | $O_{1}A \cdot \omega_{O_{1}A} = 8\,\unit{m/s}$ | $\perp
-            O_{1}A$
-        [=] \boldsymbol{v}_{\mathrm{e}} | ? $(OA \cdot \omega)$ | $\perp OA$
+            O_{1}A,\curvearrowleft$
+        [=] \boldsymbol{v}_{\mathrm{e}} | ? $(OA \cdot \omega)$ | $\perp OA,\curvearrowleft$
         [+] \boldsymbol{v}_{\mathrm{r}} | ? | $O \to B$
         Here $O_{1}A = x_{A} = 4\,\unit{m}$, $OA = \sqrt{x_{A}^{2} + y_{A}^{2}} =
             \sqrt{(4\,\unit{m})^{2} + (3\,\unit{m})^{2}} = 5\,\unit{m}$.
@@ -101,10 +101,10 @@ def test_a_composition_of_accelerations_with_coriolis() -> None:
             16\,\unit{m/s^2}$ | $A \to O_{1}$
         [=] \boldsymbol{a}_{\mathrm{e}}^{\mathrm{n}} | $OA \cdot \omega^{2} = 8.192\,\unit{m/s^2}$ |
             $A \to O$
-        [+] \boldsymbol{a}_{\mathrm{e}}^{\mathrm{t}} | ? $(OA \cdot \alpha)$ | $\perp OA$
+        [+] \boldsymbol{a}_{\mathrm{e}}^{\mathrm{t}} | ? $(OA \cdot \alpha)$ | $\perp OA,\curvearrowleft$
         [+] \boldsymbol{a}_{\mathrm{r}} | ? | $O \to B$
         [+] \boldsymbol{a}_{\mathrm{Cor}} | $2\omega\,v_{\mathrm{r}} = 12.288\,\unit{m/s^2}$ | $\perp
-            v_{\mathrm{r}}$
+            \boldsymbol{v}_{\mathrm{r}},\curvearrowleft$
         Here $a_{\mathrm{a}}^{\mathrm{t}} = 0$.
         Right-hand rule: $\boldsymbol{a}_{\mathrm{Cor}}$ has the direction of
             $\boldsymbol{v}_{\mathrm{r}}$ turned through $90^\circ$ counter-clockwise, with
@@ -132,7 +132,7 @@ def test_a_composition_of_velocities_in_a_translating_frame() -> None:
         $\boldsymbol{v}_{\mathrm{a}}=\boldsymbol{v}_{\mathrm{e}}+\boldsymbol{v}_{\mathrm{r}}$: the
             absolute velocity of $C$ (of the crank $OC$) is its transport velocity (that of the
             point of block which is at $C$) plus the relative one (seen from block).
-        [ ] \boldsymbol{v}_{\mathrm{a}} | $OC \cdot \omega_{OC} = 10\,\unit{m/s}$ | $\perp OC$
+        [ ] \boldsymbol{v}_{\mathrm{a}} | $OC \cdot \omega_{OC} = 10\,\unit{m/s}$ | $\perp OC,\curvearrowleft$
         [=] \boldsymbol{v}_{D} | ? | $+x$
         [+] \boldsymbol{v}_{\mathrm{r}} | ? | $+y$
         Here $\boldsymbol{v}_{\mathrm{e}} = \boldsymbol{v}_{D}$, $OC = \sqrt{x_{C}^{2} + y_{C}^{2}}

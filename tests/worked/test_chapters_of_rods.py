@@ -39,7 +39,7 @@ def test_velocities_by_a_base_point() -> None:
             $B$.
         [ ] \boldsymbol{v}_{A} | ? | $+y$
         [=] \boldsymbol{v}_{B} | $2\,\unit{m/s}$ | $+x$
-        [+] \boldsymbol{v}_{AB} | ? $(BA \cdot \omega)$ | $\perp BA$
+        [+] \boldsymbol{v}_{AB} | ? $(BA \cdot \omega)$ | $\perp BA,\curvearrowleft$
         Here $BA = \sqrt{x_{B}^{2} + y_{A}^{2}} = \sqrt{(4\,\unit{m})^{2} + (3\,\unit{m})^{2}} =
             5\,\unit{m}$.
         $BA$ makes the acute angle $\psi_{BA}$ with the $x$ axis:
@@ -77,7 +77,7 @@ def test_velocities_by_the_projection_theorem() -> None:
             $B$.
         [ ] \boldsymbol{v}_{A} | ? | $+y$
         [=] \boldsymbol{v}_{B} | $2\,\unit{m/s}$ | $+x$
-        [+] \boldsymbol{v}_{AB} | ? $(BA \cdot \omega_{AB})$ | $\perp BA$
+        [+] \boldsymbol{v}_{AB} | ? $(BA \cdot \omega_{AB})$ | $\perp BA,\curvearrowleft$
         Here $BA = \sqrt{x_{B}^{2} + y_{A}^{2}} = \sqrt{(4\,\unit{m})^{2} + (3\,\unit{m})^{2}} =
             5\,\unit{m}$.
         Projecting on the normal to $\boldsymbol{v}_{A}$ (to the left) eliminates
@@ -148,7 +148,7 @@ def test_a_rod_whose_end_stands_still() -> None:
         The velocity of $A$ is that of the base point $B$ plus that of the rotation of $AB$ about
             $B$.
         [ ] \boldsymbol{v}_{A} | ? | $+y$
-        [=] \boldsymbol{v}_{AB} | ? $(BA \cdot \omega)$ | $\perp BA$
+        [=] \boldsymbol{v}_{AB} | ? $(BA \cdot \omega)$ | $\perp BA,\curvearrowleft$
         Here $BA = \sqrt{x_{B}^{2} + y_{A}^{2}} = \sqrt{(4\,\unit{m})^{2} + (3\,\unit{m})^{2}} =
             5\,\unit{m}$.
         Here $v_{B} = 0$.
@@ -173,11 +173,11 @@ def test_a_rod_in_instantaneous_translation() -> None:
     solution = solve_small(CRANK_UP, v_B="x(velocity(B)) in m/s", omega="omega(AB) in rad/s")
     assert read_chapter("# Velocities", solution) == as_read(
         r"""
-        Rotations are positive counter-clockwise, and angles are measured counter-clockwise
-            from the $x$ axis. For an unknown vector the letter stands for its component in the direction
-            assumed for it (where a point turns about another, that of a counter-clockwise
-            rotation), for a known one for its magnitude. Printed values are rounded; the
-            calculation goes on with all their digits.
+        Rotations are positive counter-clockwise, and angles are measured counter-clockwise from the
+            $x$ axis. For an unknown vector the letter stands for its component in the direction
+            assumed for it (about another point: counter-clockwise, $\curvearrowleft$), for a known
+            one for its magnitude. Printed values are rounded; the calculation goes on with all
+            their digits.
         Given: the angular velocity of $OA$.
         \omega_{OA} &= 2\,\unit{rad/s}\quad\text{(counter-clockwise)}
         ## $AB$: velocity pole
@@ -218,7 +218,7 @@ def test_accelerations_of_a_rod_that_does_not_turn_at_this_instant() -> None:
         [ ] \boldsymbol{a}_{B} | ? | $+x$
         [=] \boldsymbol{a}_{A}^{\mathrm{n}} | $OA \cdot \omega_{OA}^{2} = 12\,\unit{m/s^2}$ | $A \to
             O$
-        [+] \boldsymbol{a}_{BA}^{\mathrm{t}} | ? $(AB \cdot \alpha)$ | $\perp AB$
+        [+] \boldsymbol{a}_{BA}^{\mathrm{t}} | ? $(AB \cdot \alpha)$ | $\perp AB,\curvearrowleft$
         Here $OA = y_{A} = 3\,\unit{m}$, $AB = \sqrt{x_{B}^{2} + y_{A}^{2}} =
             \sqrt{(4\,\unit{m})^{2} + (3\,\unit{m})^{2}} = 5\,\unit{m}$.
         Here $a_{A}^{\mathrm{t}} = 0$, $a_{BA}^{\mathrm{n}} = 0$.

@@ -63,11 +63,11 @@ def test_meshing_seen_from_the_carrier() -> None:
     solution = solve_small(PLANETS, omega="omega(planet) in rad/s")
     assert read_chapter("# Velocities", solution) == as_read(
         r"""
-        Rotations are positive counter-clockwise, and angles are measured counter-clockwise
-            from the $x$ axis. For an unknown vector the letter stands for its component in the direction
-            assumed for it (where a point turns about another, that of a counter-clockwise
-            rotation), for a known one for its magnitude. Printed values are rounded; the
-            calculation goes on with all their digits.
+        Rotations are positive counter-clockwise, and angles are measured counter-clockwise from the
+            $x$ axis. For an unknown vector the letter stands for its component in the direction
+            assumed for it (about another point: counter-clockwise, $\curvearrowleft$), for a known
+            one for its magnitude. Printed values are rounded; the calculation goes on with all
+            their digits.
         Given: the angular velocity of the arm $OA$.
         \omega_{OA} &= 2\,\unit{rad/s}\quad\text{(counter-clockwise)}
         Given: the angular velocity of the sun gear.
@@ -115,11 +115,11 @@ def test_a_given_relative_rate() -> None:
     solution = solve_small(LINK, omega="omega(link) in rad/s")
     assert read_chapter("# Velocities", solution) == as_read(
         r"""
-        Rotations are positive counter-clockwise, and angles are measured counter-clockwise
-            from the $x$ axis. For an unknown vector the letter stands for its component in the direction
-            assumed for it (where a point turns about another, that of a counter-clockwise
-            rotation), for a known one for its magnitude. Printed values are rounded; the
-            calculation goes on with all their digits.
+        Rotations are positive counter-clockwise, and angles are measured counter-clockwise from the
+            $x$ axis. For an unknown vector the letter stands for its component in the direction
+            assumed for it (about another point: counter-clockwise, $\curvearrowleft$), for a known
+            one for its magnitude. Printed values are rounded; the calculation goes on with all
+            their digits.
         Given: the angular velocity of the arm $OA$.
         \omega_{OA} &= 2\,\unit{rad/s}\quad\text{(counter-clockwise)}
         ## The given motion

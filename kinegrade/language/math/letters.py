@@ -128,6 +128,8 @@ SIGNS = {
     r"\implies": SignForms("⇒", "=>", "relation"),
     r"\uparrow": SignForms("↑", "arrow.t", "relation"),
     r"\downarrow": SignForms("↓", "arrow.b", "relation"),
+    r"\curvearrowleft": SignForms("↶", "arrow.ccw.half"),
+    r"\curvearrowright": SignForms("↷", "arrow.cw.half"),
     r"\angle": SignForms("∠", "angle"),
     r"\triangle": SignForms("△", "triangle.t"),
     r"\prime": SignForms("′", "prime"),

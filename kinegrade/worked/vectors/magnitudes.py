@@ -15,7 +15,7 @@ from kinegrade.worked.case import Case, write_row
 from kinegrade.worked.formulas.atoms import TWO
 from kinegrade.worked.formulas.equation import Equation
 from kinegrade.worked.formulas.formula import Formula
-from kinegrade.worked.formulas.measures import NEGLIGIBLE, length
+from kinegrade.worked.formulas.measures import NEGLIGIBLE, double, length
 from kinegrade.worked.formulas.numbers import state_number
 from kinegrade.worked.formulas.symbols import join_letters
 from kinegrade.worked.positions.stated_angles import state_bearing
@@ -135,8 +135,9 @@ def _find_orientation(equation: VectorEquation, part: Part, case: Case) -> Row:
     """How a part lies, nothing where only its angle describes it."""
     match part.role:
         case "coriolis":
-            relative = name_by_role("r", "velocity", number_composition(equation, part, case))
-            return (Sign(r"\perp"), *relative.print())
+            number = number_composition(equation, part, case)
+            relative = name_by_role("r", "velocity", number, bold=True)
+            return _lie_across(relative, _find_omega(case, part.frame))
         case "absolute" | "transport" | "relative" | "rotation":
             return _find_alignment(part, case) or _find_circle(equation, part, case)
         case _:
@@ -148,7 +149,20 @@ def _find_circle(equation: VectorEquation, part: Part, case: Case) -> Row:
     term = find_path_term(part.together, case)
     if term is None or term.kind == "sliding" or equation.level != "velocity":
         return ()
-    return (Sign(r"\perp"), *join_letters(map(case.naming.letter, (term.base, term.point))).row)
+    ends = term.base, term.point
+    return _turn_about(ends, join_letters(map(case.naming.letter, ends)), part, case)
+
+
+def _turn_about(ends: tuple[str, str], arm: Formula, part: Part, case: Case) -> Row:
+    """Normal to an arm, in the sense in which the part goes round the point that comes first."""
+    base, point = (case.motion.points[end] for end in ends)
+    return _lie_across(arm, (point - base).cross(find_heading(part)))
+
+
+def _lie_across(line: Formula, turn: Any) -> Row:
+    """Normal to a vector, which has been turned counter-clockwise where `turn` is positive."""
+    sense = Sign(r"\curvearrowleft" if double(turn) > 0 else r"\curvearrowright")
+    return (Sign(r"\perp"), *line.print(), Sign(","), sense)
 
 
 def _find_alignment(part: Part, case: Case) -> Row:
@@ -169,10 +183,12 @@ def _find_alignment(part: Part, case: Case) -> Row:
 
 
 def _align_term(part: Part, term: Term, case: Case) -> Row:
-    """The line to which a rotating part is perpendicular, or the way of a sliding part."""
+    """The line to which a rotating part is perpendicular with the sense in which it turns, or the
+    way of a sliding part.
+    """
     match term.kind:
         case "rotation" | "arc":
-            return (Sign(r"\perp"), *name_arm(part, case).row)
+            return _turn_about((part.base, part.point), name_arm(part, case), part, case)
         case "sliding":
             return _find_way(part, case)
         case _:

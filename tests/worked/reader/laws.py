@@ -67,7 +67,7 @@ LAWS: dict[Law, str] = {
     "label": "a symbol in a polygon stands beside an arrow as long as its value says",
     "used": "what is found is asked, or used further down, by a check at least",
     "once": "no long sentence stands twice under a title",
-    "sense": "a known vector along a line has a direction, not the line alone",
+    "sense": "a vector in a table has a direction, not the line alone",
     "another": "a check goes by another way: it does not project the vectors that were projected",
 }
 NATURAL = (0.0, 90.0, 180.0, 270.0, 360.0)  # degrees

@@ -9,8 +9,9 @@ from kinegrade.worked.document import Block, TermTable
 
 
 def find_without_sense(blocks: Sequence[Block]) -> Iterator[str]:
-    """The known vectors of which a table says along which line they lie, not to which side."""
+    """The vectors of which a table says along or across which line they lie, not to which side."""
     for block in blocks:
         for term in block.terms if isinstance(block, TermTable) else ():
-            if "?" not in term.magnitude and r"\parallel" in term.direction:
+            across = r"\perp" in term.direction and r"\curvearrow" not in term.direction
+            if across or r"\parallel" in term.direction:
                 yield f"{write_row(term.symbol)}: {term.direction}"
