@@ -11,14 +11,16 @@ from hypothesis import strategies as st
 
 from kinegrade.figure.scene import FIRM, THIN, Scene
 from kinegrade.figure.vectors.arrows import DASHED
+from kinegrade.figure.vectors.chains import Arrow, find_order
 from kinegrade.figure.vectors.plain_mechanism import PICTURE
-from kinegrade.figure.vectors.polygon import Arrow, draw_polygon
+from kinegrade.figure.vectors.polygon import draw_polygon
 from kinegrade.mechanics.vector import Vector
 from kinegrade.round_numbers import STEPS
 from tests.figure.clear import dots, faults, heads, lines, symbols
 
 A, B = Vector(3.0, 4.0), Vector(6.0, 0.0)
 TRIANGLE = ([Arrow("v_B", B, False)], [Arrow("v_A", A), Arrow("v_{BA}", B - A, False)])
+CORNERS = {"a": A, "b": B}
 
 
 def tips(scene: Scene) -> list[Vector]:
@@ -37,9 +39,9 @@ def same(found: list[Vector], wanted: list[Vector]) -> bool:
 
 
 def test_both_sides_lead_from_one_origin_to_one_end() -> None:
-    scene = draw_polygon(*TRIANGLE)
+    scene = draw_polygon(*TRIANGLE, CORNERS)
     assert same(tips(scene), [A, B, B])
-    assert symbols(scene) == ["o", "v_A", "v_B", "v_{BA}"]
+    assert symbols(scene) == ["a", "b", "o", "v_A", "v_B", "v_{BA}"]
 
 
 def test_known_and_unknown_are_told_apart() -> None:
@@ -65,8 +67,17 @@ def test_what_is_zero_or_negligible_is_not_drawn_and_not_named() -> None:
     scene = draw_polygon(
         [Arrow("a_B", A + tiny)],
         [Arrow("a_1", A), Arrow("a_2", tiny), Arrow("a_3", Vector(0.0, 0.0))],
+        {"b": A + tiny},
     )
-    assert symbols(scene) == ["a_1", "a_B", "o"]
+    assert symbols(scene) == ["a_1", "a_B", "b", "o"]
+
+
+def test_the_arrow_before_a_negligible_one_leads_to_its_tip_so_that_the_polygon_is_closed() -> None:
+    left, (first, second) = TRIANGLE
+    tiny = Vector(0.02, 0.03)
+    shorter = Arrow("v_{BA}", second.value - tiny, False)
+    scene = draw_polygon(left, [first, shorter, Arrow("v_1", tiny)], CORNERS)
+    assert same(tips(scene), [A, B, B])
 
 
 def test_an_equation_of_zeros_is_its_origin() -> None:
@@ -78,7 +89,7 @@ def test_an_equation_of_zeros_is_its_origin() -> None:
 
 def test_vectors_on_one_line_are_drawn_side_by_side_and_tied_to_their_places() -> None:
     scene = draw_polygon(
-        [Arrow("v_B", B)], [Arrow("v_A", B * 1.5), Arrow("v_1", B * -0.8), Arrow("v_2", B * 0.3)]
+        [Arrow("v_B", B)], [Arrow("v_A", B * 1.5), Arrow("v_2", B * 0.3), Arrow("v_1", B * -0.8)]
     )
     levels = sorted({round(start.y, 6) for start, _ in lines(scene, FIRM)})
     assert len(levels) == 3  # two of them follow one another
@@ -94,7 +105,7 @@ def test_a_lengthy_equation_is_within_the_paper_with_all_its_symbols() -> None:
     ]
     total = sum((arrow.value for arrow in right), Vector(0.0, 0.0))
     scene = draw_polygon([Arrow("a_B", total)], right)
-    assert len(scene.labels) == 11
+    assert sum(not label.symbol.isdigit() for label in scene.labels) == 11
     assert faults(scene, PICTURE.width, PICTURE.height) == []
 
 
@@ -116,10 +127,29 @@ def test_vectors_change_places_rather_than_run_along_one_another() -> None:
     # In the order given, v_2 and v_3 would go back along v_1
     across, back, up = Vector(6.0, 0.0), Vector(-4.0, 0.0), Vector(0.0, 5.0)
     total = across + back + up
+    left = [Arrow("v", total)]
     right = [Arrow("v_1", across), Arrow("v_2", back), Arrow("v_3", up)]
-    scene = draw_polygon([Arrow("v", total)], right)
+    assert find_order(left, right) == ((0,), (0, 2, 1))
+    scene = draw_polygon(left, [right[0], right[2], right[1]])
     assert lines(scene, THIN) == []
     assert any(same([tip], [total]) for tip in tips(scene))
+
+
+def test_vectors_that_change_places_pass_through_the_corners_that_have_letters() -> None:
+    # v_1 and v_3 lie on one line; a is reached by v_1 and v_2 alone
+    one, two, three = Vector(6.0, 0.0), Vector(0.0, 3.0), Vector(-4.0, 0.0)
+    right = [Arrow("v_2", two), Arrow("v_1", one), Arrow("v_3", three)]
+    left = [Arrow("v", one + two + three)]
+    assert find_order(left, right, {"a": one + two}) == ((0,), (1, 0, 2))
+
+
+def test_vectors_keep_their_places_where_none_runs_along_another() -> None:
+    assert find_order(*TRIANGLE) == (range(1), range(2))
+
+
+def test_a_corner_without_a_letter_is_numbered() -> None:
+    left, right = TRIANGLE
+    assert symbols(draw_polygon(left, right, {"b": B})) == ["1", "b", "o", "v_A", "v_B", "v_{BA}"]
 
 
 def test_corners_have_the_letters_of_their_points() -> None:
@@ -134,7 +164,7 @@ def test_a_polygon_has_at_most_the_scale_of_the_others() -> None:
 
 
 def test_the_origin_has_another_letter_where_a_corner_is_o() -> None:
-    assert symbols(draw_polygon(*TRIANGLE, {"o": A})) == ["o", "p", "v_A", "v_B", "v_{BA}"]
+    assert symbols(draw_polygon(*TRIANGLE, {"o": A, "b": B}))[:3] == ["b", "o", "p"]
 
 
 def test_a_symbol_without_a_place_beside_its_arrow_is_led_to_it() -> None:

@@ -4,9 +4,13 @@ tried with pages that break each law.
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
-from kinegrade.figure.vectors.polygon import Arrow, draw_polygon
+from kinegrade.figure.scene import Label
+from kinegrade.figure.vectors.chains import Arrow
+from kinegrade.figure.vectors.polygon import draw_polygon
 from kinegrade.language import Language
 from kinegrade.language.math.reading import read_math
 from kinegrade.mechanics.vector import Vector
@@ -63,6 +67,17 @@ def _draw(left: list[Arrow], right: list[Arrow]) -> Pictures:
     return Pictures((Picture(draw_polygon(left, right), caption),))
 
 
+def _draw_bare(left: list[Arrow], right: list[Arrow]) -> Pictures:
+    """A polygon without the numbers of its corners."""
+    (picture,) = _draw(left, right).pictures
+    kept = (
+        part
+        for part in picture.scene.primitives
+        if not isinstance(part, Label) or not part.symbol.isdigit()
+    )
+    return Pictures((replace(picture, scene=replace(picture.scene, primitives=tuple(kept))),))
+
+
 WRONG: dict[Law, tuple[Block, ...]] = {
     "equal": (Display((read_math(r"r = 2\,\unit{m}", ""), read_math(r"b = r = 3\,\unit{m}", ""))),),
     "rounded": (Display((read_math(r"s = \frac{\sqrt{3}}{2} = 0.8660", ""),)),),
@@ -74,6 +89,7 @@ WRONG: dict[Law, tuple[Block, ...]] = {
     "angle": (Prose(r"Projected on the axis at $330^\circ$"),),
     "point": (Display((read_math(r"x_{X} = 2\,\unit{m}", ""),)),),
     "closed": (_draw([ALONG], [ACROSS]),),
+    "corner": (_draw_bare([ALONG], [ACROSS, BACK]),),
     "used": (Display((read_math(r"s = 1 + 1 = 2", ""),)),),
     "once": (Prose("The rope $A$ does not turn here, so that is zero."),) * 2,
     "sense": (TermTable((read_term("", "v_A", r"$2\,\unit{m/s}$", r"$\parallel x$"),)),),

@@ -4,10 +4,9 @@ common end.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
-from fractions import Fraction
-from itertools import combinations, islice, pairwise, permutations, product
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+from itertools import pairwise, product
 from types import MappingProxyType
 
 from kinegrade.figure.mechanism.fitting import make_scene
@@ -15,35 +14,26 @@ from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.placing.place import Wish, list_spots_around
 from kinegrade.figure.plane import length
 from kinegrade.figure.scene import Disc, Scene
-from kinegrade.figure.vectors.arrows import VectorArrow, look_like_one, put_side_by_side
+from kinegrade.figure.vectors.arrows import VectorArrow, put_side_by_side
+from kinegrade.figure.vectors.chains import (
+    Arrow,
+    find_corners,
+    find_scale,
+    measure_spans,
+    round_scale,
+)
 from kinegrade.figure.vectors.leaders import NOTHING, ONE_ARROW, write_symbol
 from kinegrade.figure.vectors.plain_mechanism import PICTURE
 from kinegrade.mechanics.vector import Vector
-from kinegrade.round_numbers import round_down
 
-# Millimetres that the polygon alone takes at most: the rest of a figure is for symbols
-_WIDE, _HIGH = (52.0, 36.0)
 _NEGLIGIBLE = 0.01  # of the longest vector: shorter ones are not drawn
 _OFFSETS = (2.0, -6.0, 8.0, -12.0, 14.0)  # millimetres between arrows that would lie on one another
 _NEXT = 2.51  # times a round number, the next one is not above it
 _LEAST = 10.0  # millimetres: no polygon is made smaller than this, whatever its symbols take
-_TINY = 1e-12
 _ORIGINS = ("o", "p")  # letters of the origin: another where it is that of a corner
 _TRIES = 4  # orders in which the symbols are placed
 _SAME = 0.05  # millimetres within which two corners coincide
-_PERMUTED, _ORDERS = 4, 150  # vectors of a side that may change places, orders that are tried
 _ZERO = Vector(0.0, 0.0)
-
-
-@dataclass(frozen=True)
-class Arrow:
-    """A vector of an equation with its symbol (LaTeX math), in m/s or m/s^2, x right, y up; `known`
-    before solving.
-    """
-
-    symbol: str
-    value: Vector
-    known: bool = True
 
 
 def draw_polygon(
@@ -56,17 +46,16 @@ def draw_polygon(
 
     Known vectors are solid with a filled head, unknown ones dashed with an open head. Vectors
     shorter than a hundredth of the longest are not drawn. The vectors of a side follow one another
-    in an order in which none runs along another; where there is no such order they are drawn side
-    by side, with thin lines to their true positions. `vertices` are letters (LaTeX math) for the
-    tips of vectors from the origin. The scale of the scene is millimetres per m/s (or m/s^2), a
-    round number: `scale`, that of other polygons, unless this one would be too large or too small,
-    or its symbols have no place at it.
-    The figure is within PICTURE of `plain_mechanism`.
+    as they are given; those that would run along another are drawn beside it, with thin lines to
+    their true positions. `vertices` are letters (LaTeX math) for the tips of vectors from the
+    origin; corners that have none are numbered. The scale of the scene is millimetres per m/s (or
+    m/s^2), a round number: `scale`, that of other polygons, unless this one would be too large or
+    too small, or its symbols have no place at it. The figure is within PICTURE of
+    `plain_mechanism`.
     """
-    across, upward = _measure_spans(left, right)
+    across, upward = measure_spans(left, right)
     if across + upward == 0.0:
         return _fit(left, right, vertices, 1.0, 0.0)
-    left, right = _arrange(left, right)
     largest = find_scale(left, right)
     common = min(scale or largest, largest)
     least = _LEAST / max(across, upward)
@@ -82,7 +71,7 @@ def _list_sizes(first: float, last: float) -> Iterator[float]:
     """Round scales from the first to the last, those between among them."""
     while last > first:
         yield first
-        first = _round_down(first * _NEXT)
+        first = round_scale(first * _NEXT)
     yield last
 
 
@@ -101,71 +90,7 @@ def _fit(
         scene = replace(make_scene(layout.primitives, scale), crowded=layout.crowded)
         if scale <= least or (scene.width <= PICTURE.width and scene.height <= PICTURE.height):
             return scene
-        scale = _round_down(scale * 0.99)
-
-
-def find_scale(left: Sequence[Arrow], right: Sequence[Arrow]) -> float:
-    """The largest round scale, millimetres per m/s or m/s^2, at which the vectors fit a polygon."""
-    across, upward = _measure_spans(left, right)
-    return _round_down(min(_WIDE / max(across, _TINY), _HIGH / max(upward, _TINY)))
-
-
-def _measure_spans(left: Sequence[Arrow], right: Sequence[Arrow]) -> tuple[float, float]:
-    """Width and height of the chains."""
-    corners = (*_find_corners(left), *_find_corners(right))
-    across, upward = (_measure_span(axis) for axis in zip(*corners, strict=True))
-    return across, upward
-
-
-def _arrange(
-    left: Sequence[Arrow], right: Sequence[Arrow]
-) -> tuple[Sequence[Arrow], Sequence[Arrow]]:
-    """The sides in the order nearest to the given one in which the fewest vectors run along
-    another.
-    """
-    orders = product(_list_orders(left), _list_orders(right))
-    return min(islice(orders, _ORDERS), key=_count_overlaps)
-
-
-def _list_orders(side: Sequence[Arrow]) -> Iterable[Sequence[Arrow]]:
-    return permutations(side) if len(side) <= _PERMUTED else (side,)
-
-
-def _count_overlaps(sides: tuple[Sequence[Arrow], Sequence[Arrow]]) -> int:
-    """How many pairs of vectors run along one another, on paper of the scale that they would
-    have.
-    """
-    scale = find_scale(*sides)
-    lines = [
-        (start * scale, end * scale)
-        for side in sides
-        for start, end in pairwise(_find_corners(side))
-        if length(end - start) * scale > 1.0
-    ]
-    return sum(look_like_one(one, other) for one, other in combinations(lines, 2))
-
-
-def _round_down(number: float) -> float:
-    """The largest round number that is not above a positive number, as far as doubles tell: a
-    scale with a leading figure of 1, 2 or 5, and so its reciprocal.
-
-    >>> _round_down(13.7), _round_down(0.0299)
-    (10.0, 0.02)
-    """
-    return float(round_down(Fraction(number * (1 + 1e-9))))
-
-
-def _find_corners(chain: Sequence[Arrow]) -> Iterator[Vector]:
-    """The origin and the tips of a chain."""
-    at = _ZERO
-    yield at
-    for arrow in chain:
-        at = at + arrow.value
-        yield at
-
-
-def _measure_span(numbers: Sequence[float]) -> float:
-    return max(numbers) - min(numbers)
+        scale = round_scale(scale * 0.99)
 
 
 def _compose(
@@ -181,8 +106,10 @@ def _compose(
     leaving = sum((arrow.end for arrow in arrows), _ZERO)
     origin = next(letter for letter in _ORIGINS if letter not in vertices)
     origin_letter = Wish(origin, list_spots_around(origin, _ZERO, away=-leaving))
-    corners = [arrow.end for arrow in arrows if arrow.aside == _ZERO]
-    return _name_arrows(arrows, (origin_letter, *_name_corners(vertices, corners, scale)))
+    corners = [arrow.end for arrow in arrows]
+    lettered = tuple(_name_corners(vertices, corners, scale))
+    layout = _name_arrows(arrows, (origin_letter, *lettered))
+    return _number_corners(layout, corners, lettered)
 
 
 def _name_arrows(arrows: Sequence[VectorArrow], letters: Sequence[Wish]) -> Layout:
@@ -232,10 +159,32 @@ def _name_corners(
             yield Wish(letter, spots, names=place)
 
 
+def _number_corners(layout: Layout, corners: Sequence[Vector], lettered: Sequence[Wish]) -> Layout:
+    """The layout with numbers outside the corners that have no letters, each once, where there is
+    a place free of everything else; a number without such a place counts as crowded.
+    """
+    middle = sum(corners, _ZERO) * (1 / max(len(corners), 1))
+    named = [_ZERO, *(wish.names for wish in lettered if wish.names is not None)]
+    number = 1
+    for corner in corners:
+        if any(length(corner - place) < _SAME for place in named):
+            continue
+        named.append(corner)
+        spots = list_spots_around(str(number), corner, away=corner - middle)
+        written = layout.written((Wish(str(number), spots, names=corner),))
+        if written.crowded == layout.crowded:
+            layout, number = written, number + 1
+        else:
+            layout = replace(layout, crowded=written.crowded)
+    return layout
+
+
 def _lay_arrows(chain: Sequence[Arrow], scale: float, least: float) -> Iterator[VectorArrow]:
-    """The arrows of one side tip to tail on paper, without negligible ones."""
-    for arrow, start, end in zip(
-        chain, list(_find_corners(chain))[:-1], list(_find_corners(chain))[1:], strict=True
-    ):
-        if length(arrow.value) > least:
-            yield VectorArrow(arrow.symbol, start * scale, end * scale, arrow.known)
+    """The arrows of one side tip to tail on paper, without negligible ones: the arrow before such a
+    one leads to its tip, so that the chain is not torn.
+    """
+    *starts, end = find_corners(chain)
+    kept = [place for place, arrow in enumerate(chain) if length(arrow.value) > least]
+    corners = [_ZERO, *(starts[place] for place in kept[1:]), end]
+    for place, (start, tip) in zip(kept, pairwise(corners), strict=False):
+        yield VectorArrow(chain[place].symbol, start * scale, tip * scale, chain[place].known)

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
 from decimal import Decimal
 
-from kinegrade.figure.vectors.polygon import Arrow, draw_polygon, find_scale
+from kinegrade.figure.vectors.chains import Arrow, find_order, find_scale
+from kinegrade.figure.vectors.polygon import draw_polygon
 from kinegrade.language.message import Message
 from kinegrade.mechanics.vector import Vector
-from kinegrade.mechanics.vector_equation import Part, VectorEquation
+from kinegrade.mechanics.vector_equation import Part, VectorEquation, is_whole
 from kinegrade.numbers.units import read_unit
 from kinegrade.worked.case import Case
 from kinegrade.worked.document import Picture
@@ -31,20 +33,43 @@ def find_common_scale(stages: Iterable[Stage]) -> float | None:
 
 
 def spans_polygon(equation: VectorEquation) -> bool:
-    """Whether the vectors of an equation make a polygon, rather than the same vector twice."""
-    return sum(is_seen(part.value) for part in equation.parts) > 2
+    """Whether the vectors of an equation make a polygon, rather than the same vector twice, whole
+    or in parts.
+    """
+    sides = equation.left, equation.right
+    alike = all(map(is_whole, sides)) and len({part.point for part in equation.parts}) == 1
+    return not alike and sum(is_seen(part.value) for part in equation.parts) > 2
 
 
 def draw_equation(equation: VectorEquation, stage: Stage, scale: float | None) -> Picture:
     """The polygon of a vector equation, to a scale that its caption states."""
     case = stage.case
-    scene = draw_polygon(*_list_sides(equation, case), _name_vertices(equation, case), scale)
+    sides = _list_sides(order_vectors(equation, case), case)
+    scene = draw_polygon(*sides, _name_vertices(equation, case), scale)
     scale_words = Message(
         f"solution.polygon-{stage.level}",
         scale=Decimal(f"{1 / scene.scale:.3g}"),
         unit=read_unit(case.notation.name(UNITS[stage.level, False])).printed,
     )
     return Picture(scene, case.write(scale_words))
+
+
+def order_vectors(equation: VectorEquation, case: Case) -> VectorEquation:
+    """The equation with its vectors in the order in which its polygon is readable: as they stand,
+    unless some would run along others. Vectors too small to be drawn keep their places.
+    """
+    vertices = _name_vertices(equation, case)
+    left, right = find_order(*_list_sides(equation, case), vertices)
+    return replace(
+        equation, left=_reorder(equation.left, left), right=_reorder(equation.right, right)
+    )
+
+
+def _reorder(parts: Sequence[Part], order: Sequence[int]) -> tuple[Part, ...]:
+    """The parts with those that are drawn in another order."""
+    seen = [part for part in parts if is_seen(part.value)]
+    following = (seen[place] for place in order)
+    return tuple(next(following) if is_seen(part.value) else part for part in parts)
 
 
 def _list_sides(equation: VectorEquation, case: Case) -> tuple[list[Arrow], list[Arrow]]:

@@ -28,7 +28,7 @@ from kinegrade.worked.formulas.numbers import state_number
 from kinegrade.worked.rates.scalars import explain_scalar_step, state_relations
 from kinegrade.worked.senses import state_way
 from kinegrade.worked.steps.base_points import start_from_known
-from kinegrade.worked.steps.polygons import name_shared_corner, spans_polygon
+from kinegrade.worked.steps.polygons import name_shared_corner, order_vectors, spans_polygon
 from kinegrade.worked.steps.titles import describe_meanings, introduce_equation, select_scalars
 from kinegrade.worked.vectors.arms import find_arms, introduce_lengths
 from kinegrade.worked.vectors.by_components import find_components
@@ -169,11 +169,12 @@ def _state_known(equation: VectorEquation, part: Part, case: Case) -> Equation:
 
 def make_term_table(equation: VectorEquation, case: Case) -> TermTable:
     """The equation term by term with magnitudes and directions; terms that vanish at this instant
-    are left out.
+    are left out, the others stand as in its polygon.
     """
+    ordered = order_vectors(equation, case)
     left, right = (
         [_make_term(equation, part, case) for part in side if not vanishes(part)]
-        for side in (equation.left, equation.right)
+        for side in (ordered.left, ordered.right)
     )
     nothing = Term("", ZERO.print(), "", "")
     first, *added = left or [nothing]

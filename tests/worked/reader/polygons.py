@@ -13,15 +13,14 @@ from typing import Literal
 from kinegrade.figure.scene import BOLD, THIN, Disc, Label, Outline, Scene, Strokes
 from kinegrade.language.math.reading import read_math
 from kinegrade.mechanics.vector import Vector
-from kinegrade.worked.document import Block, Pictures
+from kinegrade.worked.document import Block, Picture, Pictures
 from tests.worked.reader.amounts import Amount
 from tests.worked.reader.formula_reader import name_magnitude, name_symbol, read_unit
 
 _IN_PLACE = Vector(0.0, 0.0)
 _APART = 0.05  # millimetres within which two corners coincide
-_LEFT_OUT = 0.02  # of the longest arrow, what arrows too short to be drawn leave open
 _ROUNDED = 0.005  # of a length, what four digits leave open
-_CORNER = re.compile(r"[a-z](_\{\d+\})?'*")  # the small letter of a corner
+_CORNER = re.compile(r"[a-z]'*(_\{\d+\})?'*|\d")  # the small letter or the number of a corner
 _BETWEEN = 2.0  # millimetres by which a symbol longer than its arrow may be nearer to another
 _LEAVES = 0.4  # millimetres from a label to the leader that leaves it
 _ORIGIN = 0.5  # millimetres, radius of the dot at the origin
@@ -31,7 +30,7 @@ _ORIGIN = 0.5  # millimetres, radius of the dot at the origin
 class PolygonFault:
     """What is wrong with a polygon, and where."""
 
-    law: Literal["closed", "label"]
+    law: Literal["closed", "label", "corner"]
     line: str
 
 
@@ -63,6 +62,7 @@ def judge_polygons(
             if origin is not None:
                 arrows = tuple(_read_arrows(picture.scene))
                 yield from _judge_chains(origin, arrows, picture.caption)
+                yield from _judge_corners(origin, arrows, picture)
                 scale = picture.scene.scale / _read_scale_unit(picture.caption)
                 yield from _judge_labels(picture.scene, scale, arrows, amounts)
 
@@ -103,22 +103,34 @@ def _judge_chains(
     origin: Vector, arrows: tuple[_Arrow, ...], caption: str
 ) -> Iterator[PolygonFault]:
     """Each arrow starts at the origin or at a tip; those after which none starts end together."""
-    reach = _APART + _LEFT_OUT * max((arrow.length for arrow in arrows), default=0.0)
-
-    def meet(one: Vector, other: Vector) -> bool:
-        return hypot(*(one - other)) <= reach
-
     tails = [arrow.ends[0] for arrow in arrows]
     tips = [arrow.ends[1] for arrow in arrows]
     for tail in tails:
-        if not any(meet(tail, place) for place in (origin, *tips)):
+        if not any(_meet(tail, place) for place in (origin, *tips)):
             yield PolygonFault("closed", f"{caption}: an arrow starts nowhere")
-    last = [tip for tip in tips if not any(meet(tip, tail) for tail in tails)]
-    ending = [*last, *(tip for tip in tips if last and meet(tip, last[0]))]
-    if any(not meet(tip, last[0]) for tip in last):
+    last = [tip for tip in tips if not any(_meet(tip, tail) for tail in tails)]
+    ending = [*last, *(tip for tip in tips if last and _meet(tip, last[0]))]
+    if any(not _meet(tip, last[0]) for tip in last):
         yield PolygonFault("closed", f"{caption}: the sides end apart")
     if last and len(ending) == 2:
         yield PolygonFault("closed", f"{caption}: one side alone ends at the end")
+
+
+def _meet(one: Vector, other: Vector) -> bool:
+    return hypot(*(one - other)) <= _APART
+
+
+def _judge_corners(
+    origin: Vector, arrows: tuple[_Arrow, ...], picture: Picture
+) -> Iterator[PolygonFault]:
+    """There are as many letters and numbers of corners as corners."""
+    corners = [origin]
+    for arrow in arrows:
+        if not any(_meet(arrow.ends[1], corner) for corner in corners):
+            corners.append(arrow.ends[1])
+    named = sum(bool(_CORNER.fullmatch(label.symbol)) for label in picture.scene.labels)
+    if named < len(corners):
+        yield PolygonFault("corner", f"{picture.caption}: {len(corners) - named} without a letter")
 
 
 def _judge_labels(

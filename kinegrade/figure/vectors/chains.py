@@ -1,0 +1,118 @@
+"""The two sides of a vector equation as chains of arrows: their corners, the scale at which they
+fit a figure, and the order in which the arrows of a side follow one another.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from itertools import combinations, islice, pairwise, permutations, product
+from types import MappingProxyType
+from typing import TypeAlias
+
+from kinegrade.figure.plane import length
+from kinegrade.figure.vectors.arrows import look_like_one
+from kinegrade.mechanics.vector import Vector
+from kinegrade.round_numbers import round_down
+
+# Millimetres that the polygon alone takes at most: the rest of a figure is for symbols
+_WIDE, _HIGH = (52.0, 36.0)
+_TINY = 1e-12
+_PERMUTED, _ORDERS = 4, 150  # vectors of a side that may change places, orders that are tried
+_SAME = 0.05  # millimetres within which two corners coincide
+_ZERO = Vector(0.0, 0.0)
+Places: TypeAlias = Sequence[int]
+
+
+@dataclass(frozen=True)
+class Arrow:
+    """A vector of an equation with its symbol (LaTeX math), in m/s or m/s^2, x right, y up; `known`
+    before solving.
+    """
+
+    symbol: str
+    value: Vector
+    known: bool = True
+
+
+def find_corners(chain: Sequence[Arrow]) -> Iterator[Vector]:
+    """The origin and the tips of a chain."""
+    at = _ZERO
+    yield at
+    for arrow in chain:
+        at = at + arrow.value
+        yield at
+
+
+def measure_spans(left: Sequence[Arrow], right: Sequence[Arrow]) -> tuple[float, float]:
+    """Width and height of the chains."""
+    corners = (*find_corners(left), *find_corners(right))
+    across, upward = (max(axis) - min(axis) for axis in zip(*corners, strict=True))
+    return across, upward
+
+
+def find_scale(left: Sequence[Arrow], right: Sequence[Arrow]) -> float:
+    """The largest round scale, millimetres per m/s or m/s^2, at which the vectors fit a polygon."""
+    across, upward = measure_spans(left, right)
+    return round_scale(min(_WIDE / max(across, _TINY), _HIGH / max(upward, _TINY)))
+
+
+def round_scale(number: float) -> float:
+    """The largest round number that is not above a positive number, as far as doubles tell: a
+    scale with a leading figure of 1, 2 or 5, and so its reciprocal.
+
+    >>> round_scale(13.7), round_scale(0.0299)
+    (10.0, 0.02)
+    """
+    return float(round_down(Fraction(number * (1 + 1e-9))))
+
+
+def find_order(
+    left: Sequence[Arrow],
+    right: Sequence[Arrow],
+    vertices: Mapping[str, Vector] = MappingProxyType({}),
+) -> tuple[Places, Places]:
+    """The places of the vectors of both sides, in the order nearest to the given one in which the
+    fewest run along another and, of these orders, the most corners have letters.
+    """
+
+    def rate(order: tuple[Places, Places]) -> tuple[int, int]:
+        sides = [left[place] for place in order[0]], [right[place] for place in order[1]]
+        return _count_overlaps(*sides), -_count_lettered(*sides, vertices)
+
+    given = (range(len(left)), range(len(right)))
+    if rate(given)[0] == 0:
+        return given
+    orders = product(_list_orders(given[0]), _list_orders(given[1]))
+    return min(islice(orders, _ORDERS), key=rate)
+
+
+def _list_orders(places: Places) -> Iterable[Places]:
+    return permutations(places) if len(places) <= _PERMUTED else (places,)
+
+
+def _count_overlaps(left: Sequence[Arrow], right: Sequence[Arrow]) -> int:
+    """How many pairs of vectors run along one another, on paper of the scale that they would
+    have.
+    """
+    scale = find_scale(left, right)
+    lines = [
+        (start * scale, end * scale)
+        for side in (left, right)
+        for start, end in pairwise(find_corners(side))
+        if length(end - start) * scale > 1.0
+    ]
+    return sum(look_like_one(one, other) for one, other in combinations(lines, 2))
+
+
+def _count_lettered(
+    left: Sequence[Arrow], right: Sequence[Arrow], vertices: Mapping[str, Vector]
+) -> int:
+    """How many of the letters of corners have their corner."""
+    scale = find_scale(left, right)
+    corners = (*find_corners(left), *find_corners(right))
+    return sum(
+        any(length(corner - vertex) * scale < _SAME for corner in corners)
+        for vertex in vertices.values()
+    )
