@@ -41,7 +41,7 @@ def find_false_claims(template: Template, examples: Sequence[Solution]) -> Itera
         *find_wrong_circles(template, examples),
         *find_wrong_givens(template, examples),
         *find_wrong_signs(template),
-        *find_wrong_means(template),
+        *find_wrong_means(template, examples),
         *find_marks_of_other_kinds(template),
     )
     yield from dict.fromkeys(found)

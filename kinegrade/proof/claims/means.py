@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from itertools import chain, combinations
 
 from kinegrade.expressions.tree import find_names
+from kinegrade.figure.plane import length
 from kinegrade.language.message import Fault, Message, Quoted, list_plainly
-from kinegrade.mechanics.mechanism import Body
+from kinegrade.numbers.floats import Floats
+from kinegrade.problem.solution import Solution
 from kinegrade.problem.template.meaning.senses import find_positive
-from kinegrade.problem.template.template import Ask, Template
-from kinegrade.proof.claims.reading import find_points, name_senses, read_texts
+from kinegrade.problem.template.template import Ask, Parameter, Template
+from kinegrade.proof.claims.nouns import Nouns
+from kinegrade.proof.claims.patterns import list_words
+from kinegrade.proof.claims.reading import DIFFERENT, find_points, name_senses, read_texts
 from kinegrade.sign_conventions import OPPOSITE
 
 # "The height above O", "to the left of O": no property of O
@@ -18,10 +23,14 @@ _NO_SUBJECT = (
 )
 
 
-def find_wrong_means(template: Template) -> Iterator[Fault]:
+def find_wrong_means(template: Template, examples: Sequence[Solution]) -> Iterator[Fault]:
     """A fault for each ask whose words name another point or body than its quantity, or the sense
-    opposite to the one in which it is positive.
+    opposite to the one in which it is positive, and for each length that is said to be another's.
     """
+    for name, given in template.parameters.items():
+        if given.unit.is_length:
+            found = _find_other_lengths(template, given, examples)
+            yield from (Fault(f"parameters.{name}.means", what) for what in found)
     for name, ask in template.asks.items():
         place = f"asks.{name}.means"
         yield from (Fault(place, what) for what in _find_others(template, ask))
@@ -31,30 +40,21 @@ def find_wrong_means(template: Template) -> Iterator[Fault]:
 def _find_others(template: Template, ask: Ask) -> Iterator[Message]:
     """`velocity of $B$` of a quantity that has nothing to do with B."""
     names = [name for name in find_names(ask.quantity) if name not in template.parameters]
-    groups = [_list_points(template, body) for body in template.scheme.bodies if body.name in names]
-    groups.append({name for name in names if name in template.scheme.points})
+    nouns = Nouns(template)
+    groups = [nouns.list_points(name) for name in names if name not in template.scheme.points]
+    groups.append(frozenset(name for name in names if name in template.scheme.points))
     for text in ask.means.texts:
         named = {}
         for claim in read_texts([text], "subject", _NO_SUBJECT):
             letters = [claim[part] for part in ("point", "start", "end") if claim.get(part)]
             points = find_points(template, *letters)
             if points:
-                named[claim["said"]] = {*points}
-        if named and not any(points <= group for points in named.values() for group in groups):
+                named[claim["said"]] = any({*points} <= group for group in groups)
+        for said, things in nouns.read_nouns(text):
+            named[said] = any(nouns.belongs(thing, names) for thing in things)
+        if named and not any(named.values()):
             own = list_plainly(dict.fromkeys(names))
             yield Message("template.means-another", said=next(iter(named)), own=own)
-
-
-def _list_points(template: Template, body: Body) -> set[str]:
-    """The points of a body, and those of its joints: a rocker is named by the block in its slot."""
-    found = {*body.points}
-    for joint in template.scheme.joints:
-        if body.name in {joint.body, joint.of, *joint.bodies}:
-            found.add(joint.point)
-            found |= {
-                name for shape in (joint.circle, joint.on) if shape for name in find_names(shape)
-            }
-    return found
 
 
 def _find_other_senses(ask: Ask) -> Iterator[Message]:
@@ -64,3 +64,36 @@ def _find_other_senses(ask: Ask) -> Iterator[Message]:
         if positive and name_senses(claim["sense"]) == {OPPOSITE[positive]}:
             said = claim["said"].strip(",(，（ ")
             yield Message("template.sign-other-way", said=said, sign=Quoted(positive))
+
+
+def _find_other_lengths(
+    template: Template, given: Parameter, examples: Sequence[Solution]
+) -> Iterator[Message]:
+    """`length of the rocker` of a given that is the length of the crank alone."""
+    nouns = Nouns(template)
+    bars = {
+        start + end: {body.name}
+        for body in template.scheme.bodies
+        for start, end in combinations(body.points, 2)
+        if examples and all(_is_distance(each, given, start, end) for each in examples)
+    }
+    for text in given.means.texts if bars else ():
+        if not any(word in text.lower() for word in list_words("a-length")):
+            continue
+        for said, things in nouns.read_nouns(text):
+            named = [name for thing in things for name in nouns.list_bodies(thing)]
+            if named and not {*named} & {*chain(*bars.values())}:
+                yield Message(
+                    "template.length-of-another",
+                    said=said,
+                    named=list_plainly(dict.fromkeys(named)),
+                    name=given.name,
+                    bar=next(iter(bars)),
+                )
+
+
+def _is_distance(each: Solution, given: Parameter, start: str, end: str) -> bool:
+    """Whether a given length is the distance of two points in an instance."""
+    at = each.doubles.points
+    value = abs(each.parameters[given.name].value) * Floats().scale(given.unit.scale)
+    return abs(length(at[end] - at[start]) - value) <= DIFFERENT * value

@@ -36,6 +36,7 @@ _SHAPES = {
 }
 _PLAIN = r"[^.,;:。，；：{}()（）]"  # within one part of a sentence
 _LATIN = r"(?u:[^\W\d_]|-)+"
+_NAME = r"[A-Z]{1,3}_?\d*(?:[A-Z]\d*)*(?!\w)"  # of a body or point, as BG, O1B
 _HAN = r"[\u4e00-\u9fff]"
 
 
@@ -85,12 +86,15 @@ def _list_shapes() -> Mapping[str, str]:
     """What the capital words of the sentences stand for."""
     part = f"(?:(?!{write_words('another-matter')}){_PLAIN})"
     free = f"(?:(?!{write_words('another-matter')})(?!\\$){_PLAIN})"
+    word = f"(?!{write_words('preposition')}|{_NAME}){_LATIN}"
+    unnamed = rf"(?u:(?![\w-]))(?!\s*\$|\s*{_NAME})"
     lies = f"(?:{write_words('lies')})"
     which = rf",?\s*(?:(?:{write_words('which')})\s*)?"
     return {
         **_SHAPES,
         "NEAR": f"{part}*?",
         "FREE": f"{free}*?",
+        "NOUN": rf"(?P<noun>{word}(?:\s+{word}){{0,2}}{unnamed}|{_HAN}{{1,6}}?)",
         "SENSE": f"(?P<sense>{write_words(*SENSES.values())})",
         "VERB": f"(?:{write_words('verb')})",
         "FASTER": f"(?:{write_words('faster')})",

@@ -12,6 +12,8 @@ from kinegrade.errors import MechanismError
 from kinegrade.language.message import Message
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.template import Parameter, Template
+from kinegrade.proof.claims.nouns import Nouns
+from kinegrade.proof.claims.patterns import write_words
 
 _SLOT = re.compile(r"\{\{\s*(\w+)[^}]*\}\}")
 _NAME = re.compile(  # of a part: gear 2, wheel A, the bar $AB$
@@ -28,7 +30,7 @@ def find_swapped_givens(template: Template) -> Iterator[Message]:
     """Two givens of one unit, each at the part that the other one means: `gear 2, with {{ z3 }}
     teeth, and gear 3, with {{ z2 }}`.
     """
-    meant = {name: _find_only_name(given) for name, given in template.parameters.items()}
+    meant = {name: _find_only_name(template, given) for name, given in template.parameters.items()}
     for text in template.words.statement.texts:
         said = dict(_list_slots(text))
         for one, other in combinations(said, 2):
@@ -38,18 +40,30 @@ def find_swapped_givens(template: Template) -> Iterator[Message]:
                 yield Message("template.swapped", one=one, other=other)
 
 
-def _find_only_name(given: Parameter) -> str | None:
-    """The part that a given means, a letter or number, where all its texts name that one alone."""
-    named = {name.replace("_", "") for text in given.means.texts for name in _NAME.findall(text)}
+def _find_only_name(template: Template, given: Parameter) -> str | None:
+    """The part that a given means, a letter or number, where all its texts name that one alone; a
+    noun stands for the body whose letter is behind it.
+    """
+    texts = given.means.texts
+    named = {name.replace("_", "") for text in texts for name in _NAME.findall(text)}
+    if not named:
+        nouns = [noun for text in texts for noun in Nouns(template).read_nouns(text)]
+        named = {thing.body for _, things in nouns for thing in things}
     return next(iter(named)) if len(named) == 1 else None
 
 
 def _list_slots(text: str) -> Iterator[tuple[str, str]]:
-    """The givens of a text, each with the part named last before it, in its sentence."""
+    """The givens of a text, each with its part: `{{ z }} of $A$`, or else the part named last
+    before it, in its sentence.
+    """
     start = 0
+    whose = re.compile(
+        rf"\s*(?:{write_words('whose')})\s+(?:[^\W\d_]+\s+){{0,2}}\$?{_NAME.pattern}"
+    )
     for slot in _SLOT.finditer(text):
+        behind = whose.match(text, slot.end())
         before = re.split(r"[.;。；]", text[start : slot.start()])[-1]
-        named = _NAME.findall(before)
+        named = [behind[1]] if behind else _NAME.findall(before)
         if named:
             yield slot[1], named[-1].replace("_", "")
         start = slot.end()
