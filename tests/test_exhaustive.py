@@ -55,6 +55,9 @@ EXCEPTIONS = {
     "expressions/signs.py: match tree: _": "what is no product or quotient is its own only factor",
     "proof/reach.py: match tree: _": "two circles, or a circle and a line, may miss each other; nothing else does",
     "worked/answers/angles_between.py: match ask.quantity: _": "whatever else an ask asks for is no angle to a line",
+    "worked/answers/answer_senses.py: match quantity: _": "whatever else an ask asks for is no "
+    "component along or across a line",
+    "worked/answers/answer_senses.py: match line: _": "a line from another point has no sense about it",
     "worked/vectors/arms.py: match step.tree: _": "only a midpoint halves a length",
     "grading/sheets/header_units.py: if one.kind != 'number'": "a unit by which a one is no number is none",
     "proof/ends.py: match joint.on: _": "a circle, or a line by its direction, has no ends",

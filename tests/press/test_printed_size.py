@@ -11,6 +11,7 @@ import typst
 
 from kinegrade.language import Language
 from kinegrade.language.math.printed_size import measure_printed
+from kinegrade.language.math.reading import read_math
 from kinegrade.language.math.tree import Mark, Row
 from kinegrade.language.math.typst import write_typst_row
 from kinegrade.press.typst.compiler import find_fonts
@@ -51,6 +52,14 @@ def measure(rows: Sequence[Row], folder: Path) -> list[float]:
     )
     widths: list[float] = json.loads(answer)
     return widths
+
+
+def test_no_direction_in_a_table_is_wider_than_it_is_taken_for(tmp_path: Path) -> None:
+    directions = (r"\perp OA,\curvearrowleft", r"\perp AB,\curvearrowright")
+    rows = [read_math(direction, "") for direction in directions]
+    taken = [measure_printed(row).width for row in rows]
+    printed = measure(rows, tmp_path)
+    assert all(real < guess + 0.05 for guess, real in zip(taken, printed, strict=True))
 
 
 @pytest.mark.parametrize("language", ["en", "zh"])

@@ -93,6 +93,7 @@ WRONG: dict[Law, tuple[Block, ...]] = {
     "used": (Display((read_math(r"s = 1 + 1 = 2", ""),)),),
     "once": (Prose("The rope $A$ does not turn here, so that is zero."),) * 2,
     "sense": (TermTable((read_term("", "v_A", r"$2\,\unit{m/s}$", r"$\parallel x$"),)),),
+    "way": (Display((read_math(r"\omega_{AB} &= \boxed{2\,\unit{rad/s}}", ""),)),),
     "another": (
         Prose(
             "Check by the projection on the $x$ axis, which has not been used: "

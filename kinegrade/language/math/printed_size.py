@@ -71,7 +71,7 @@ _BOLD = 1.16
 _BAR_SIDES = 0.2  # by which the bar of a fraction is longer than its parts
 _ROOT, _HIGH_ROOT = 0.84, 1.0
 _FENCE, _BAR = 0.75, 0.3
-_ANGLE = 0.75
+_WIDE_SIGNS = {r"\angle": 0.75, r"\curvearrowleft": 1.0, r"\curvearrowright": 1.0}
 _FRAME = 0.5
 
 _PLAIN_HEIGHT = 0.75
@@ -185,8 +185,8 @@ def _measure_letter(name: str) -> float:
 def _measure_sign(latex: str) -> float:
     if latex in (r"\cdot", ".", ",", "{,}", "|"):
         return _DOT
-    if latex == r"\angle":
-        return _ANGLE
+    if latex in _WIDE_SIGNS:
+        return _WIDE_SIGNS[latex]
     match SIGNS[latex].kind:
         case "relation":
             return _RELATION

@@ -8,6 +8,7 @@ from typing import assert_never
 
 from kinegrade.language.math.tree import Accent, Mark, Row, Sign, Space
 from kinegrade.problem.template.template import Ask
+from kinegrade.worked.answers.answer_senses import state_answer_sense
 from kinegrade.worked.answers.answers import state_value
 from kinegrade.worked.case import Case
 from kinegrade.worked.document import Block, Display, Heading, Pictures, Prose, TermTable
@@ -22,10 +23,12 @@ _RELATIONS = (Sign("="), Sign(r"\approx"))
 class _Sought:
     """An answer as a line may state it: by its symbol or its size, and its value, with the box
     that takes the place of the value; after metres stand centimetres where these are asked for.
+    `sense` says in words where the answer points, if no step has done so.
     """
 
     letters: frozenset[Row]
     boxes: Mapping[Row, Row]
+    sense: Row = ()
 
 
 @dataclass
@@ -56,7 +59,8 @@ class AnswerBoxes:
         for ask in asked:
             if ask.name in self.missing:
                 value = state_quantity(self.case.solution.answers[ask.name])
-                yield self.case.show(Equation(read_symbol(ask.symbol), value))
+                sense = state_answer_sense(ask, self.case)
+                yield self.case.show(Equation(read_symbol(ask.symbol), value, sense))
 
     def _frame_lines(self, display: Display) -> Display:
         left: Row = ()
@@ -73,7 +77,8 @@ class AnswerBoxes:
         for name, sought in self.missing.items():
             if left in sought.letters and line[start:end] in sought.boxes:
                 del self.missing[name]
-                return (*line[:start], *sought.boxes[line[start:end]], *line[end:])
+                sense = () if Space("quad") in line[end:] else sought.sense
+                return (*line[:start], *sought.boxes[line[start:end]], *line[end:], *sense)
         return line
 
 
@@ -89,7 +94,7 @@ def _make_sought(ask: Ask, case: Case) -> _Sought:
     if in_metres != value:
         plain = in_metres[-2].right.print(case.notation)
         boxes.setdefault(plain, (*plain, Sign(value[-1].relation), *boxes[row]))
-    return _Sought(letters, boxes)
+    return _Sought(letters, boxes, state_answer_sense(ask, case))
 
 
 def _find_left(line: Row) -> Row:

@@ -34,6 +34,7 @@ KNOWN: Mapping[Law, frozenset[str]] = {
         )
     ),
     "sense": frozenset(),
+    "way": frozenset(),
     # a slot between points whose distance stands nowhere, two rings, two flat faces: any other way
     # is longer
     "another": frozenset(

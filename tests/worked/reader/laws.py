@@ -15,6 +15,7 @@ from kinegrade.problem.solution import Solution
 from kinegrade.worked.case import write_row
 from kinegrade.worked.document import Block, Prose
 from tests.worked.reader.amounts import Amount, MixedUnits, Unreadable
+from tests.worked.reader.answers import find_without_way
 from tests.worked.reader.checks import find_projected_again
 from tests.worked.reader.economy import find_repeated, find_unused
 from tests.worked.reader.equations import Line, Said, Side, read_page
@@ -53,6 +54,7 @@ Law: TypeAlias = Literal[
     "once",
     "another",
     "sense",
+    "way",
 ]
 LAWS: dict[Law, str] = {
     "equal": "a sign of equality joins equal values, to within what rounding can do",
@@ -70,6 +72,7 @@ LAWS: dict[Law, str] = {
     "used": "what is found is asked, or used further down, by a check at least",
     "once": "no long sentence stands twice under a title",
     "sense": "a vector in a table has a direction, not the line alone",
+    "way": "words beside the box of an answer with a sign say where it points",
     "another": "a check goes by another way: it does not project the vectors that were projected",
 }
 NATURAL = (0.0, 90.0, 180.0, 270.0, 360.0)  # degrees
@@ -127,6 +130,7 @@ def find_faults(blocks: Sequence[Block], solution: Solution) -> Iterator[Fault]:
     yield from (Fault("used", line) for line in find_unused(blocks))
     yield from (Fault("once", sentence) for sentence in find_repeated(blocks))
     yield from (Fault("sense", column) for column in find_without_sense(blocks))
+    yield from (Fault("way", line) for line in find_without_way(blocks, solution))
     yield from (Fault("another", check) for check in find_projected_again(blocks))
     for wrong in judge_polygons(blocks, known.amounts):
         yield Fault(wrong.law, wrong.line)
