@@ -21,7 +21,7 @@ def bulk_work() -> Iterator[None]:
 
     What a program that calls kinegrade had frozen stays frozen.
     """
-    usual, is_ours = gc.get_threshold(), not gc.get_freeze_count()
+    usual, is_ours = gc.get_threshold(), not is_frozen()
     if is_ours:
         gc.freeze()
     gc.set_threshold(NEW_OBJECTS)
@@ -31,3 +31,8 @@ def bulk_work() -> Iterator[None]:
         gc.set_threshold(*usual)
         if is_ours:
             gc.unfreeze()
+
+
+def is_frozen() -> bool:
+    """Whether a program has frozen anything; the interpreter counts all of it to say so."""
+    return gc.get_freeze_count() > 0
