@@ -41,6 +41,7 @@ from kinegrade.figure.teeth import TOOTH_ROOT, TOOTH_TIP
 from kinegrade.mechanics.vector import Vector
 
 Segment = tuple[Vector, Vector]
+Point = tuple[float, float]
 Bounds = tuple[float, float, float, float]  # left, bottom, right, top
 
 COST_LABEL, COST_BOLD, COST_FIRM, COST_THIN = 1000.0, 100.0, 10.0, 4.0
@@ -130,18 +131,18 @@ class Obstacles:
         half = _SHARED_ROOM if shared else _ROOM
         across, upward = zip(*chain.from_iterable(path), strict=True)
         box = (min(across) - half, min(upward) - half, max(across) + half, max(upward) + half)
-        near = self.near(box)
-        if not near.lines and not near.rings:
+        lines, rings = _find_near(self.lines, box), _find_near(self.rings, box)
+        if not lines and not rings:
             return 0.0
         strips = [make_boxed_strip(start, end, half) for start, end in path]
         total = 0.0
-        for boxed in near.lines:
+        for boxed in lines:
             cost = boxed[4][-1]
             if any_meets_line(strips, boxed, shared and cost <= COST_THIN):
                 total += cost
                 if total >= enough:
                     return total
-        for boxed in near.rings:
+        for boxed in rings:
             if any_meets_ring(strips, boxed):
                 total += boxed[4][-1]
         return total
@@ -167,20 +168,16 @@ def _label(label: Label) -> list[Boxed]:
     The middle line is exact against upright boxes; the diagonals reach the corners for strips at an
     angle.
     """
-    half = min(label.width, label.height) / 2
-    along, rise = (
-        Vector(label.width / 2, label.height / 2),
-        Vector(label.width / 2, -label.height / 2),
-    )
-    middle = Vector(along.x - half, along.y - half)
-    reaches = ((middle, half), (along, 0.0), (rise, 0.0))
+    (x, y), wide, high = label.centre, label.width / 2, label.height / 2
+    half = min(wide, high)
+    reaches = ((wide - half, high - half, half), (wide, high, 0.0), (wide, -high, 0.0))
     return [
-        _make_line(label.centre - reach, label.centre + reach, pen, COST_LABEL)
-        for reach, pen in reaches
+        _make_line((x - across, y - upward), (x + across, y + upward), pen, COST_LABEL)
+        for across, upward, pen in reaches
     ]
 
 
-def _make_line(start: Vector, end: Vector, pen: float, cost: float) -> Boxed:
+def _make_line(start: Point, end: Point, pen: float, cost: float) -> Boxed:
     (x, y), (to_x, to_y) = start, end
     left, right = (x, to_x) if x < to_x else (to_x, x)
     bottom, top = (y, to_y) if y < to_y else (to_y, y)

@@ -35,17 +35,17 @@ class DimensionLine:
 
     def path(self) -> tuple[Segment, ...]:
         """The dimension line, and the extension lines from where they have left their points."""
-        return (self.line(), *self._extensions(_LEFT))
+        return (self.line(), *self._extend(_LEFT))
 
     def whole(self) -> tuple[Segment, ...]:
         """The dimension line and all of the extension lines."""
-        return (self.line(), *self._extensions())
+        return (self.line(), *self._extensions)
 
     def beginnings(self) -> tuple[Segment, ...]:
         """The extension lines, up to where they have left their points."""
-        ways = [(start, end, unit(end - start)) for start, end in self._extensions()]
         return tuple(
-            (start, start + way * min(_LEFT, length(end - start))) for start, end, way in ways
+            (start, start + unit(end - start) * min(_LEFT, length(end - start)))
+            for start, end in self._extensions
         )
 
     def crowds(self, other: DimensionLine) -> bool:
@@ -71,14 +71,14 @@ class DimensionLine:
 
     def cuts(self, other: DimensionLine) -> bool:
         """Whether its line crosses another dimension, or an extension line of it the other line."""
-        pieces = (other.line(), *other._extensions())
-        return _cross_any(pieces, self.line()) or _cross_any(self._extensions(), other.line())
+        pieces = (other.line(), *other._extensions)
+        return _cross_any(pieces, self.line()) or _cross_any(self._extensions, other.line())
 
     def begins_at(self, point: Vector, aside: float) -> bool:
         """Whether one of its extension lines passes a point within so many millimetres, and seems
         to begin there.
         """
-        return any(length(point - nearest_of(point, *line)) < aside for line in self._extensions())
+        return any(length(point - nearest_of(point, *line)) < aside for line in self._extensions)
 
     def wish(self) -> Wish:
         """Beside the dimension line."""
@@ -88,7 +88,7 @@ class DimensionLine:
         """Thin lines and two arrowheads, from outside where there is no room between the feet."""
         along = unit(self.feet[1] - self.feet[0]) * (1.0 if self._outside() else -1.0)
         heads = (draw_arrowhead(self.feet[0], along), draw_arrowhead(self.feet[1], -along))
-        return (Strokes((*self._extensions(), self.line()), THIN), *heads)
+        return (Strokes((*self._extensions, self.line()), THIN), *heads)
 
     def heads(self) -> tuple[Segment, Segment]:
         """The pieces under its arrowheads."""
@@ -105,12 +105,18 @@ class DimensionLine:
         tail = unit(self.feet[1] - self.feet[0]) * (3.0 if self._outside() else 0.0)
         return (self.feet[0] - tail, self.feet[1] + tail)
 
-    def _extensions(self, least: float = 0.0) -> tuple[Segment, ...]:
-        """From a gap beyond each point, or so far from it, to a little beyond its foot."""
+    @cached_property
+    def _extensions(self) -> tuple[Segment, ...]:
+        """From a gap beyond each point to a little beyond its foot."""
+        return self._extend(0.0)
+
+    def _extend(self, least: float) -> tuple[Segment, ...]:
+        """The same, from so far from each point at least."""
         found = []
         for point, end, gap in zip(self.points, self.feet, self.gaps, strict=True):
-            away = unit(end - point)
-            if length(end - point) > gap + 0.9:
+            step = end - point
+            if length(step) > gap + 0.9:
+                away = unit(step)
                 found.append((point + away * max(gap, least), end + away * 1.2))
         return tuple(found)
 
