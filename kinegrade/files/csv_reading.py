@@ -80,19 +80,19 @@ def find_separator(text: str) -> tuple[str, int]:
 
 
 def read_records(
-    text: str, separator: str, width: int
-) -> tuple[list[tuple[int, tuple[str, ...]]], list[int]]:
-    """All records with the lines on which they begin, and the lines with a stray quotation mark.
+    text: str, separator: str, width: int, stray: list[int]
+) -> Iterator[tuple[int, tuple[str, ...]]]:
+    """All records with the lines on which they begin, one by one; the lines with a stray quotation
+    mark are added to `stray`.
 
     A quotation mark is stray if it is never closed, or closed on a later line so that the record
     does not have the header's width or is not proper CSV. Such a line is read by itself; otherwise
     it would swallow those after it.
     """
     if '"' not in text and "\r" not in text:  # as most files
-        return _split(text, separator), []
+        yield from _split(text, separator)
+        return
     lines = list(io.StringIO(text, newline=""))
-    records: list[tuple[int, tuple[str, ...]]] = []
-    stray: list[int] = []
     first = 0
     while True:
         quoting = len(stray) < _MOST_STRAY_QUOTES
@@ -100,24 +100,23 @@ def read_records(
             if after - line > 1 and (
                 len(cells) != width or not _is_strict(lines[line - 1 : after - 1], separator)
             ):
-                records.append((line, tuple(lines[line - 1].rstrip("\r\n").split(separator))))
+                yield line, tuple(lines[line - 1].rstrip("\r\n").split(separator))
                 stray.append(line)
                 first = line
                 break
-            records.append((line, tuple(cells)))
+            if line <= len(lines):
+                yield line, tuple(cells)
         else:
-            return records[:-1], stray
+            return
 
 
-def _split(text: str, separator: str) -> list[tuple[int, tuple[str, ...]]]:
+def _split(text: str, separator: str) -> Iterator[tuple[int, tuple[str, ...]]]:
     """All records of a text in which nothing is quoted, and every line ends alike."""
     lines = text.split("\n")
     if not lines[-1]:
         lines.pop()
-    return [
-        (number, tuple(line.split(separator)) if line else ())
-        for number, line in enumerate(lines, 1)
-    ]
+    for number, line in enumerate(lines, 1):
+        yield number, tuple(line.split(separator)) if line else ()
 
 
 def _read(

@@ -7,8 +7,9 @@ or a cell.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 
 from kinegrade.errors import TableError
@@ -105,15 +106,11 @@ def parse_table(
         body = drop_lines(text, skipped) if skipped else text
         separator, width = find_separator(body)
         grid = read_grid(body, separator, width, skipped + 1) if width else None
-        records, stray_quotes = ([], []) if grid else read_records(body, separator, width)
-    filled = grid or [
-        Row(line + skipped, cells)
-        for line, cells in records
-        if cells and (cells[0].isalnum() or any(map(trim, cells)))
-    ]
+        read = partial(_read_filled, body, separator, width, skipped)
+        filled, stray_quotes = (grid, []) if grid else _gather(read)
     if not filled:
         raise TableError(Fault(file, Message("files.empty-table")))
-    grid = grid or pack_grid(filled)
+    grid = filled if isinstance(filled, CellGrid) else None
     header, rows = filled[0], grid.from_row(1) if grid else tuple(filled[1:])
     complaints = (
         *_complain_of_encoding(file, decoded),
@@ -123,6 +120,29 @@ def parse_table(
     titles = enumerate(text.splitlines()[first:skipped], first + 1)
     above = tuple(line for line, title in titles if trim(title))
     return Table(file, header.cells, rows, decoded.encoding, separator, complaints, above)
+
+
+def _gather(read: Callable[[list[int]], Iterator[Row]]) -> tuple[Sequence[Row], list[int]]:
+    """The rows of a table, in a grid if they are even, and the lines with a stray quotation mark.
+
+    Rows are packed as they are read: a class's cells one by one take ten times as much memory. Few
+    tables are uneven, and are read again.
+    """
+    stray: list[int] = []
+    grid = pack_grid(read(stray))
+    if grid is not None:
+        return grid, stray
+    stray.clear()
+    return [*read(stray)], stray
+
+
+def _read_filled(
+    body: str, separator: str, width: int, skipped: int, stray: list[int]
+) -> Iterator[Row]:
+    """The rows that are not blank, below so many lines that were skipped."""
+    for line, cells in read_records(body, separator, width, stray):
+        if cells and (cells[0].isalnum() or any(map(trim, cells))):
+            yield Row(line + skipped, cells)
 
 
 def drop_headers(table: Table) -> Sequence[Row]:

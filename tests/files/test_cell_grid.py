@@ -24,8 +24,8 @@ def test_a_grid_has_the_rows_that_are_read_one_by_one(lines: list[list[str]], en
     grid = read_grid(text, ",", 2, 7)
     if grid is None:
         return
-    records, stray = read_records(text, ",", 2)
-    assert [*grid] == [Row(line + 6, cells) for line, cells in records]
+    stray: list[int] = []
+    assert [*grid] == [Row(line + 6, cells) for line, cells in read_records(text, ",", 2, stray)]
     assert not stray
     assert [grid[place] for place in range(-len(grid), 0)] == [*grid]
     assert [*grid.from_row(1)] == [*grid][1:] == [*grid[1:]]

@@ -19,7 +19,8 @@ TEXTS = st.text("a1 ,;\t\n\r\"'\x00\x0b\u2028", max_size=30)
 @example("a\r\nb\r\rc", ",")
 @example("", ",")
 def test_records_are_those_of_the_csv_module(text: str, separator: str) -> None:
-    records, stray = read_records(text, separator, 2)
+    stray: list[int] = []
+    records = [*read_records(text, separator, 2, stray)]
     reader = csv.reader(io.StringIO(text, newline=""), delimiter=separator)
     assert [cells for _, cells in records] == [tuple(cells) for cells in reader]
     assert [line for line, _ in records] == list(range(1, len(records) + 1))

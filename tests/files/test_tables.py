@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import csv
 import io
+import tracemalloc
 from pathlib import Path
 
 import pytest
@@ -216,3 +217,13 @@ def test_a_line_that_names_the_separator_is_passed_over(first: str) -> None:
         table = parse_table(content, "a.csv", None, is_header)
         assert (table.header, table.above) == (("student", "x"), ())
         assert [(row.line, row.cells) for row in table.rows] == [(3, ("007", "0,5"))]
+
+
+def test_rows_are_packed_as_they_are_read() -> None:
+    content = b"student,x,y,z\n" + b"".join(b'%d,"0,5",1,2\n' % row for row in range(3000))
+    tracemalloc.start()
+    try:
+        parse_table(content, "answers.csv")
+        assert tracemalloc.get_traced_memory()[1] < 24 * len(content)
+    finally:
+        tracemalloc.stop()

@@ -5,7 +5,7 @@ Where nothing in a file is quoted, that is the text of the file.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
@@ -94,19 +94,24 @@ def read_grid(text: str, separator: str, width: int, line: int) -> CellGrid | No
     return grid if filled else None
 
 
-def pack_grid(rows: Sequence[Row]) -> CellGrid | None:
+def pack_grid(rows: Iterable[Row]) -> CellGrid | None:
     """The same rows in a grid; None where there are none or they have not equally many cells, or
     one has a letter that has a meaning here.
     """
-    if not rows:
-        return None
-    width = len(rows[0].cells)
-    text = "".join([f"{_BETWEEN.join(row.cells)}{_BREAK}" for row in rows])
-    even = all(len(row.cells) == width for row in rows)
+    pieces: list[str] = []
+    lines: list[int] = []
+    width = 0
+    for line, cells in rows:
+        if lines and len(cells) != width:
+            return None
+        width = len(cells)
+        lines.append(line)
+        pieces.append(f"{_BETWEEN.join(cells)}{_BREAK}")
+    text = "".join(pieces)
     counts = text.count(_BETWEEN), text.count(_BREAK)
-    if not even or "\0" in text or counts != ((width - 1) * len(rows), len(rows)):
+    if not lines or "\0" in text or counts != ((width - 1) * len(lines), len(lines)):
         return None
-    return _divide(text, _BETWEEN, width, np.array([row.line for row in rows], dtype=np.intp))
+    return _divide(text, _BETWEEN, width, np.array(lines, dtype=np.intp))
 
 
 def _divide(text: str, separator: str, width: int, lines: _Places) -> CellGrid | None:
