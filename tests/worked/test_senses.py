@@ -33,6 +33,11 @@ def test_a_value_against_its_positive_sense_says_which_way_the_vector_points() -
     assert r"-0.8\,\unit{m/s}\quad\text{(to the left)}" in told
 
 
+def test_a_given_motion_along_a_line_of_two_points_is_told_from_point_to_point() -> None:
+    told = "".join(displayed(stated("two-rods-driven-ends", gamma="75")))
+    assert r"v_{A} &= 0.2\,\unit{m/s}\quad(\text{from }O\text{ to }A)" in told
+
+
 @pytest.mark.parametrize(
     ("language", "convention"),
     [

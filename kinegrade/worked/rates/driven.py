@@ -43,6 +43,7 @@ from kinegrade.worked.senses import (
     state_way_round,
 )
 from kinegrade.worked.vectors.known_vectors import find_given_sign
+from kinegrade.worked.vectors.magnitudes import orient_track
 from kinegrade.worked.vectors.vectors import UNITS, name_by_role, name_point_vector
 
 
@@ -116,9 +117,23 @@ def _state_way(law: ImposedMotion, value: float, case: Case) -> Row:
         return state_sense_along(value, law.direction, None, case)
     if value == 0:
         return ()
+    ends = _find_track(law, case)
+    if ends is not None:
+        return state_sense_along(value, law.direction, ends, case)
     return say_beside(
         describe_direction(law.direction if value > 0 else -law.direction, case), case
     )
+
+
+def _find_track(law: ImposedMotion, case: Case) -> tuple[str, str] | None:
+    """The points that give the line of a given motion, in its positive sense; None where no two
+    points do.
+    """
+    for relation in case.motion.frames.relations:
+        for term in (*relation.left, *relation.right):
+            if term.kind == "sliding" and term.point == law.point and term.frame == GROUND:
+                return orient_track(term, law.direction, case)
+    return None
 
 
 def _state_as_given(tree: Expression, value: Any, unit: str, case: Case) -> tuple[Link, ...]:

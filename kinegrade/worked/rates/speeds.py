@@ -22,6 +22,7 @@ from kinegrade.worked.formulas.numbers import measure, state_number
 from kinegrade.worked.formulas.symbols import collect_symbols
 from kinegrade.worked.senses import state_sense_along, state_way_round
 from kinegrade.worked.vectors.known_vectors import find_stated_sense
+from kinegrade.worked.vectors.magnitudes import orient_track
 from kinegrade.worked.vectors.relatives import find_relative, index_relative
 from kinegrade.worked.vectors.results import state_rotation_result
 from kinegrade.worked.vectors.stage import measure_along_direction
@@ -62,7 +63,8 @@ def _state_sense(term: Term, case: Case, level: Level) -> Row:
         case "arc":
             return state_way_round(term.base, double(value), case) if value else ()
         case "sliding" | "rotation":
-            return state_sense_along(double(value), term.coefficient(), None, case)
+            ends = orient_track(term, term.coefficient(), case)
+            return state_sense_along(double(value), term.coefficient(), ends, case)
         case _:
             assert_never(term.kind)
 

@@ -220,11 +220,18 @@ def find_path_ends(part: Part, case: Case) -> tuple[str, str] | None:
     """The points that give the line along which a part slides, in its positive sense; None where no
     two points do.
     """
-    ends = find_track_ends(part.term, case) if part.term and part.term.kind == "sliding" else None
+    return orient_track(part.term, find_heading(part), case) if part.term else None
+
+
+def orient_track(term: Term, positive: Vector, case: Case) -> tuple[str, str] | None:
+    """The points that give the line along which a point slides, so that the way from one to the
+    other is the `positive` one; None where no two points do.
+    """
+    ends = find_track_ends(term, case) if term.kind == "sliding" else None
     if ends is None:
         return None
     start, end = (case.motion.points[point] for point in ends)
-    return ends if float((end - start).dot(find_heading(part))) > 0 else (ends[1], ends[0])
+    return ends if float((end - start).dot(positive)) > 0 else (ends[1], ends[0])
 
 
 def find_track_ends(term: Term, case: Case) -> tuple[str, str] | None:
