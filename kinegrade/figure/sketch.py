@@ -185,7 +185,7 @@ def _compose(begin: Callable[[float], _Begun], order: tuple[_Stage, ...], scale:
 
 def _place_lengths(layout: Layout, paper: Mechanism, hints: FigureHints, around: Around) -> Layout:
     for length in hints.lengths:
-        layout = add_length(layout, paper.points, length, around)
+        layout = add_length(layout, paper.points, length, around, hints.lengths)
     dear = [cost - _EASY for cost in layout.costs[len(layout.costs) - len(hints.lengths) :]]
     return replace(layout, strain=sum(cost for cost in dear if cost > 0))
 

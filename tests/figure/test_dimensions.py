@@ -141,6 +141,25 @@ def test_a_part_of_a_bar_is_dimensioned_if_a_dimension_crosses_no_bar() -> None:
     assert abs(plain.labels[0].centre.y) < 3.0
 
 
+def test_the_halves_of_a_rod_take_their_symbol_alone() -> None:
+    at, around = {**AB, "M": Vector(0.0, 0.0)}, Around(Obstacles.of((ROD,)), Obstacles.of(()))
+    halves = Length("l/2", "A", "M"), Length("l/2", "M", "B")
+    for half in halves:
+        assert heads(add_length(Layout.of((ROD,)), at, half, around)) != []
+        assert heads(add_length(Layout.of((ROD,)), at, half, around, halves)) == []
+    unlike = (halves[0], Length("r", "M", "B"))
+    assert heads(add_length(Layout.of((ROD,)), at, halves[0], around, unlike)) != []
+
+
+def test_the_symbol_of_a_dimension_does_not_seem_to_name_a_pin_beside_it() -> None:
+    bare, line = Obstacles.of(()), Length("d", "A", "B")
+    [free] = _add(line, ()).labels
+    for side in (-2.5, 2.5):
+        pin = free.centre + Vector(0.0, side)
+        marked = add_length(Layout.of(()), {**AB, "C": pin}, line, Around(bare, bare))
+        assert abs(marked.labels[-1].centre.y - pin.y) > 3.5
+
+
 def test_a_rod_between_the_points_takes_the_symbol_alone() -> None:
     plain = _add(Length("d", "A", "B"), (ROD,))
     assert heads(plain) == []

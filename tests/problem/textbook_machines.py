@@ -25,17 +25,18 @@ def lift_slotted_link(given: Given) -> Answers:
 
 
 def raise_scissors(given: Given) -> Answers:
-    """AB and the height are the legs of a right triangle with the hypotenuse l."""
-    start = given["l"] * cos(radians(given["theta"]))
+    """AB and the height are the legs of a right triangle with the hypotenuse AD = 2 a."""
+    bar = 2 * given["a"]
+    start = bar * cos(radians(given["theta"]))
 
     def base(t: mpf) -> mpf:
         return start - given["v"] * t
 
     def height(t: mpf) -> mpf:
-        return sqrt(given["l"] ** 2 - base(t) ** 2)
+        return sqrt(bar**2 - base(t) ** 2)
 
     return {
-        "omega_AD": diff(lambda t: acos(base(t) / given["l"]), 0),
+        "omega_AD": diff(lambda t: acos(base(t) / bar), 0),
         "v_C": diff(height, 0),
         "a_C": diff(height, 0, 2),
     }
@@ -117,8 +118,8 @@ CASES: tuple[Case, ...] = (
         lift_slotted_link,
         {"d": "0.4", "l": "1.6", "theta": "25", "v": "0.7"},
     ),
-    ("scissor-lift", raise_scissors, {"l": "2", "theta": "30", "v": "0.2"}),
-    ("scissor-lift", raise_scissors, {"l": "1.3", "theta": "55", "v": "0.12"}),
+    ("scissor-lift", raise_scissors, {"a": "1", "theta": "30", "v": "0.2"}),
+    ("scissor-lift", raise_scissors, {"a": "0.65", "theta": "55", "v": "0.12"}),
     ("toggle-press", press_toggle, {"l": 240, "m": 200, "beta": 30, "v": 100}),
     ("toggle-press", press_toggle, {"l": 290, "m": 160, "beta": 15, "v": 50}),
     ("rack-steering", steer, {"a": 150, "l": 300, "h": 200, "phi": 30, "v": 60}),

@@ -105,7 +105,7 @@ def test_a_follower_is_checked_by_differentiating_the_coordinate_along_its_path(
 def test_a_rod_whose_rotation_nobody_needs_is_checked_by_its_constant_length() -> None:
     (*_, check) = read_checks("scissor-lift")
     assert check.way == ("the second time derivative of the constant length $AM$, by coordinates")
-    assert check.right.startswith(r"-\omega_{AD}^{2}\,AM^{2} = ")
+    assert check.right.startswith(r"-\omega_{AD}^{2}\,a^{2} = ")
 
 
 def test_an_angle_that_is_a_sum_nobody_has_worked_out_is_in_no_check() -> None:

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from typing import Literal
 
 from kinegrade.figure.placing.crossing import SAME_AXIS, resolve
-from kinegrade.figure.placing.obstacles import Obstacles
+from kinegrade.figure.placing.obstacles import Obstacles, Segment
 from kinegrade.figure.plane import NEAR, length, nearest_of
 from kinegrade.mechanics.vector import Vector
 
@@ -44,3 +44,12 @@ def divides(start: Vector, end: Vector, others: Iterable[Vector]) -> bool:
         and length(point - start) > NEAR < length(point - end)
         for point in others
     )
+
+
+def part_line(drawn: Obstacles, one: Segment, other: Segment, gap: float) -> bool:
+    """Whether two segments are the two parts of one straight line that is drawn."""
+    for start, middle in (one, one[::-1]):
+        for end, meeting in (other, other[::-1]):
+            if length(meeting - middle) < NEAR and divides(start, end, [middle]):
+                return find_join(drawn, start, end, gap) == "whole"
+    return False

@@ -7,6 +7,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import cached_property
 
+import numpy as np
+
 from kinegrade.figure.placing.leading import list_spots_at_leader
 from kinegrade.figure.placing.obstacles import NOTHING, Obstacles, Segment
 from kinegrade.figure.placing.ownership import rate_beside_line
@@ -19,6 +21,8 @@ from kinegrade.mechanics.vector import Vector
 _LEFT = 4.2  # millimetres from a point in which its own bars leave beside an extension line
 _ONE_FOOT = 0.1  # millimetres within which the ends of two dimension lines are one
 _BESIDE = 3.6  # millimetres between parallel dimension lines side by side
+# Millimetres from a pin to the middle of a symbol that would seem to name it, and demerit of one
+_AT_PIN, _NAMING = 6.0, 0.3
 _OF_OTHER = 3.0  # demerit of a symbol no nearer to its own line than to something else
 
 
@@ -32,6 +36,7 @@ class DimensionLine:
     demerit: float
     gaps: tuple[float, float]
     shared: bool = True
+    pins: tuple[Vector, ...] = ()
 
     def path(self) -> tuple[Segment, ...]:
         """The dimension line, and the extension lines from where they have left their points."""
@@ -81,8 +86,10 @@ class DimensionLine:
         return any(length(point - nearest_of(point, *line)) < aside for line in self._extensions)
 
     def wish(self) -> Wish:
-        """Beside the dimension line."""
-        return Wish(self.symbol, list_spots_beside(self.symbol, *self.line()))
+        """Beside the dimension line, rather not where it would seem to name a pin."""
+        spots = list_spots_beside(self.symbol, *self.line())
+        near = [any(length(Vector(*spot) - pin) < _AT_PIN for pin in self.pins) for spot in spots]
+        return Wish(self.symbol, spots, demerits=_NAMING * np.array(near))
 
     def primitives(self) -> tuple[Primitive, ...]:
         """Thin lines and two arrowheads, from outside where there is no room between the feet."""

@@ -15,7 +15,7 @@ from kinegrade.figure.marks.lengths.dimension_lines import DimensionLine, Symbol
 from kinegrade.figure.marks.lengths.extension_gaps import Around, Gap, find_gap
 from kinegrade.figure.marks.lengths.length_leaders import list_leaders
 from kinegrade.figure.marks.straight.motions import gather_arrows
-from kinegrade.figure.placing.joining import Join, divides, find_join
+from kinegrade.figure.placing.joining import Join, divides, find_join, part_line
 from kinegrade.figure.placing.layout import Layout, no_others
 from kinegrade.figure.placing.mark import Mark
 from kinegrade.figure.placing.obstacles import Obstacles, Segment
@@ -67,14 +67,23 @@ def find_measured_direction(along: Projection | None, start: Vector, end: Vector
             assert_never(along)
 
 
-def add_length(layout: Layout, at: Mapping[str, Vector], hint: Length, around: Around) -> Layout:
+def add_length(
+    layout: Layout,
+    at: Mapping[str, Vector],
+    hint: Length,
+    around: Around,
+    others: Iterable[Length] = (),
+) -> Layout:
     """The layout with a dimension line that stands well apart from earlier ones, or the symbol
-    alone where a line is drawn exactly between the two points of the mechanism `around` it.
+    alone where a line is drawn exactly between the two points of the mechanism `around` it, or
+    where one of the `others` takes the rest of that line.
     """
     start, end = at[hint.start], at[hint.end]
     company = _Company.of(layout, around.ground, _list_beside(at, hint))
     dimensions = _list_dimensions(at, hint, around)
-    demerit = _JOINED[find_join(around.drawn, start, end, _DRAWN_GAP)]
+    join = find_join(around.drawn, start, end, _DRAWN_GAP)
+    shares = join == "part" and any(_share_line(at, hint, each, around.drawn) for each in others)
+    demerit = _JOINED["whole" if shares else join]
     if find_join(layout.obstacles, start, end, _DRAWN_GAP) == "whole":
         demerit = min(demerit, _LEG)
     half = around.find_half_width(start, end)
@@ -191,11 +200,12 @@ def _list_dimensions(at: Mapping[str, Vector], hint: Length, around: Around) -> 
         for side in (1.0, -1.0)
         if all(gap.close for gap in gaps[side])
     ]
+    pins = tuple(at[name] for name in at if name not in (hint.start, hint.end))
     farther = [
         _draw_dimension((start, end), measured, offset, symbol, gaps[copysign(1.0, offset)])
         for offset in _OFFSETS
     ]
-    return [*close, *farther]
+    return [replace(each, pins=pins) for each in (*close, *farther)]
 
 
 def _draw_close_dimension(
@@ -237,6 +247,16 @@ def find_extension_angles(
             across = angle_of(find_measured_direction(hint.along, start, end).turned())
             found += [across, across - pi]
     return tuple(found)
+
+
+def _share_line(at: Mapping[str, Vector], one: Length, other: Length, drawn: Obstacles) -> bool:
+    """Whether two lengths with one symbol are the parts of one line, so that a symbol beside either
+    cannot be meant for all of it.
+    """
+    if one.symbol != other.symbol or one.along or other.along:
+        return False
+    part, rest = ((at[each.start], at[each.end]) for each in (one, other))
+    return part_line(drawn, part, rest, _DRAWN_GAP)
 
 
 def _draw_dimension(
