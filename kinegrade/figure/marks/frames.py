@@ -38,7 +38,6 @@ _ON_EDGE = 5.0  # millimetres of an edge or a bar beyond the longest axis along 
 # where that axis starts, at the circle of the pin
 _BESIDE_EDGE, _AT_PIN = 0.85, 0.6
 _OUTWARD = 3.0  # share of the way out of a plate, of the way from the tip on its edge to the letter
-_OTHER_SIDE = 0.25  # demerit of the side of a bar on which the frame's other axis is not
 _BEFORE_BLOCK = 18.0  # millimetres before a block that have no room for an axis and its letter
 _AT_ORIGIN = 3.0  # millimetres of an axis at its origin, where a pin and other axes are
 _CLEAR = 3.0  # millimetres about that square that are free as well
@@ -84,8 +83,12 @@ def _list_ways(
     """
     symbol, origin, toward, usual = axis
     edge, outward = find_edge(origin, toward, drawing)
-    if any(measure_way(bar, origin, toward) for bar in _list_broad_bars(drawing)):
-        return _list_axes_on_bar(axis)
+    if on := max(
+        (measure_way(bar, origin, toward) for bar in _list_broad_bars(drawing)), default=0
+    ):
+        line = (origin + toward * PIN, origin + toward * (on - PIN))
+        shafts = _list_axes(origin + toward * (on + PIN), toward, symbol, _BEYOND_BAR)
+        return [replace(shaft, before=(line,)) for shaft in shafts]
     if edge > max(usual) + _ON_EDGE:
         beside = origin + outward * _BESIDE_EDGE
         ways = _list_axes(beside + toward * _AT_PIN, toward, symbol, usual)
@@ -106,17 +109,6 @@ def _list_ways(
     ways = _list_axes(origin + toward * begins, toward, symbol, left)
     free = not leg and meets_face(origin, toward, drawing)
     return [replace(way, free=free) for way in ways]
-
-
-def _list_axes_on_bar(axis: _NamedAxis) -> list[FrameAxis]:
-    """An axis on the broad bar along which it runs, with its letter on either side of that."""
-    symbol, origin, toward, usual = axis
-    found: list[FrameAxis] = []
-    for rank, outward in enumerate((toward.turned(), -toward.turned())):
-        for way in _list_axes(origin + toward * PIN, toward, symbol, usual):
-            worse = way.demerit + _OTHER_SIDE * rank
-            found.append(replace(way, demerit=worse, bare=True, away=toward + outward * _OUTWARD))
-    return found
 
 
 def _list_broad_bars(drawing: Drawing) -> list[Bar]:
