@@ -24,6 +24,7 @@ from kinegrade.worked.steps.pictures import draw_stage
 from kinegrade.worked.steps.polygons import find_common_scale
 from kinegrade.worked.steps.steps import explain_step, find_stage
 from kinegrade.worked.steps.titles import name_step
+from kinegrade.worked.steps.two_tracks import find_two_tracks
 from kinegrade.worked.vectors.facts import note_equation
 from kinegrade.worked.vectors.needed_rates import find_needs
 from kinegrade.worked.vectors.stage import Stage
@@ -124,14 +125,25 @@ def _write_step(step: Step, stage: Stage, scale: float | None) -> Iterator[Block
     """One step under its title: the equations, their results, the pictures to that scale; nothing
     where an earlier answer has told all of it.
     """
+    wheel = find_two_tracks(step, stage)
+    if wheel is not None:
+        yield _head(
+            stage, Message("solution.title-two-tracks", body=stage.case.naming.body(wheel.body))
+        )
+        yield from wheel.explain()
+        return
     by_method = tuple(explain_by_method(step, stage))
     title = (name_method(stage) if by_method else None) or name_step(step, stage)
     blocks = by_method or tuple(explain_step(step, stage))
     if blocks:
-        yield Heading(stage.case.write(Message("solution.step-title", title=title)), 2)
+        yield _head(stage, title)
         yield from _place_pictures(blocks, draw_stage(stage, scale))
     for equation in stage.equations:
         note_equation(equation, stage.case)
+
+
+def _head(stage: Stage, title: Message) -> Heading:
+    return Heading(stage.case.write(Message("solution.step-title", title=title)), 2)
 
 
 def _place_pictures(blocks: Sequence[Block], pictures: Iterable[Block]) -> Iterator[Block]:

@@ -212,16 +212,15 @@ def test_gears_that_a_planet_joins_are_checked_as_their_carrier_sees_them() -> N
 def test_a_wheel_between_tracks_is_checked_from_contact_to_contact() -> None:
     assert read_checks("pinion-between-two-racks") == [
         Check(
-            "the velocities of both contact points of the pinion, which differ by its rotation",
-            r"250\,\unit{mm/s} - (-100\,\unit{mm/s}) = 350\,\unit{mm/s}",
-            r"2.5\,\unit{rad/s} \cdot (70\,\unit{mm} + 70\,\unit{mm}) = 350\,\unit{mm/s}",
+            "the velocity of $C$ from either point of contact",
+            r"250\,\unit{mm/s} - 70\,\unit{mm} \cdot 2.5\,\unit{rad/s} = 75\,\unit{mm/s}",
+            r"-100\,\unit{mm/s} + 70\,\unit{mm} \cdot 2.5\,\unit{rad/s} = 75\,\unit{mm/s}",
         ),
         Check(
-            "the tangential accelerations of both contact points of the pinion, "
-            "which differ by its angular acceleration",
-            r"-400\,\unit{mm/s^2}",
-            r"-2.857\,\unit{rad/s^2} \cdot (70\,\unit{mm} + 70\,\unit{mm})"
-            r" \approx -400\,\unit{mm/s^2}",
+            "the acceleration of $C$ along the tracks from either point of contact",
+            r"-70\,\unit{mm} \cdot (-2.857\,\unit{rad/s^2}) \approx 200\,\unit{mm/s^2}",
+            r"400\,\unit{mm/s^2} + 70\,\unit{mm} \cdot (-2.857\,\unit{rad/s^2})"
+            r" \approx 200\,\unit{mm/s^2}",
         ),
     ]
 

@@ -5,7 +5,10 @@ from __future__ import annotations
 import pytest
 
 from kinegrade.language import Language
-from tests.worked.draws import kept
+from kinegrade.problem.solving import solve_template
+from kinegrade.problem.template.library.library import find_shipped
+from kinegrade.problem.template.library.reading import read_template
+from tests.worked.draws import kept, told
 from tests.worked.telling import proses
 
 
@@ -21,8 +24,8 @@ def test_the_contact_is_the_followers_point_and_the_cam_has_one_there(
     language: Language, sentence: str
 ) -> None:
     """By the statement A is a point of the follower, which the cam passes by."""
-    told = tuple(proses(kept("flat-faced-follower-eccentric-circle", 0, None, language)))
-    assert sentence in told
+    page = tuple(proses(kept("flat-faced-follower-eccentric-circle", 0, None, language)))
+    assert sentence in page
 
 
 def test_a_pin_is_a_point_of_both_bodies() -> None:
@@ -44,6 +47,14 @@ def test_a_pin_is_a_point_of_both_bodies() -> None:
 def test_no_slip_between_moving_bodies_says_once_which_at_accelerations_too(
     language: Language, racks: str
 ) -> None:
-    """Of a pinion between two racks the same sentence led to two different equations."""
-    said = proses(kept("pinion-between-two-racks", 0, None, language))
+    """Of a pinion between two racks the same sentence led to two different equations: it is solved
+    seen from the racks where a motion relative to one of them is asked for.
+    """
+    shipped = find_shipped("templates") / "pinion-between-two-racks.toml"
+    quantity = "x(relative_velocity(C, pinion, rack_A))"
+    means = '{ en = "velocity of $C$ seen from the rack $A$" }'
+    ask = f'v_r = {{ quantity = "{quantity}", unit = "mm/s", sign = "+x", means = {means} }}'
+    text = shipped.read_text(encoding="utf-8").replace("[asks]", f"[asks]\n{ask}")
+    solution = solve_template(read_template("pinion", text, kept=True), {})
+    said = proses(told(solution, language=language))
     assert sum(racks in text for text in said) == 1

@@ -21,21 +21,19 @@ def _read_after(name: str, start: str, count: int, language: Language = "en") ->
 
 def test_relations_between_rates_are_inserted_into_the_projection() -> None:
     # three values were given after "These equations together give"
-    announced, inserted, omega, first, then = _read_after(
-        "pinion-between-two-racks", "By the relations above", 5
+    announced, inserted, omega, *_ = _read_after(
+        "slider-driven-gear-on-rack", "By the relations above", 5
     )
     assert announced == (
-        r"By the relations above, $v_{\mathrm{r}1} = -70\,\unit{mm} \cdot \omega$, "
-        r"$v_{\mathrm{r}2} = 70\,\unit{mm} \cdot \omega$; inserted into the projection, this "
-        r"leaves only $\omega$ unknown:"
+        r"By the relations above, $v_{O} = -0.16\,\unit{m} \cdot \omega_{O}$, "
+        r"$v_{AO} = 0.1\,\unit{m} \cdot \omega_{O}$; inserted into the projection, this "
+        r"leaves only $\omega_{O}$ unknown:"
     )
     assert inserted == (
-        r"250\,\unit{mm/s} - 70\,\unit{mm} \cdot \omega &= "
-        r"-100\,\unit{mm/s} + 70\,\unit{mm} \cdot \omega"
+        r"0.2\,\unit{m/s} \cdot \sin 30^\circ &= 0.16\,\unit{m} \cdot \omega_{O}\cos 30^\circ"
+        r" + 0.1\,\unit{m} \cdot \omega_{O}\cos 30^\circ"
     )
-    assert omega.startswith(r"\omega &= 2.5\,\unit{rad/s}")
-    assert first.startswith(r"v_{\mathrm{r}1} &= -70\,\unit{mm} \cdot 2.5\,\unit{rad/s} = -175")
-    assert not then.startswith(r"v_{\mathrm{r}2}")  # nothing needs it
+    assert omega.startswith(r"\omega_{O} &= \frac{10\sqrt{3}}{39}\,\unit{rad/s} \approx 0.4441")
 
 
 def test_what_a_relation_adds_is_inserted_too() -> None:
@@ -79,9 +77,9 @@ def test_a_projection_in_which_one_unknown_is_left_gives_it_at_once() -> None:
     ("language", "start"), [("de", "Nach den Beziehungen oben ist"), ("zh", "由以上关系得")]
 )
 def test_it_is_said_in_every_language(language: Language, start: str) -> None:
-    announced, inserted = _read_after("spool-pulled-by-cord", start, 2, language)
-    assert announced.endswith((r"$\omega$ unbekannt:", r"$\omega$："))
-    assert r"\cdot \omega &=" in inserted
+    announced, inserted = _read_after("slider-driven-gear-on-rack", start, 2, language)
+    assert announced.endswith((r"$\omega_{O}$ unbekannt:", r"$\omega_{O}$："))
+    assert r"\cdot \omega_{O}\cos 30^\circ" in inserted
 
 
 def test_a_component_has_each_of_its_factors_in_numbers() -> None:

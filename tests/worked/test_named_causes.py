@@ -31,7 +31,6 @@ def test_a_slanting_one_is_turned_from_the_vector() -> None:
     ("template", "because"),
     [
         ("scotch-yoke-driven-by-guide", r"The yoke does not turn here, so $a_{\mathrm{Cor}} = 0$."),
-        ("spool-pulled-by-cord", r"The cord does not turn here, so $a_{\mathrm{Cor}} = 0$."),
     ],
 )
 def test_it_is_said_why_there_is_no_coriolis_acceleration(template: str, because: str) -> None:

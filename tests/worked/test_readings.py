@@ -22,7 +22,7 @@ def test_the_idea_names_the_base_point_that_the_step_takes() -> None:
     assert "that of the base point $C$ plus" in told
 
 
-@pytest.mark.parametrize("name", ["bar-pushing-rolling-disc", "spool-pulled-by-cord"])
+@pytest.mark.parametrize("name", ["bar-pushing-rolling-disc"])
 def test_an_absolute_velocity_that_rolling_calls_by_its_point_is_said_to_be_the_same(
     name: str,
 ) -> None:

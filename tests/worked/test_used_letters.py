@@ -23,7 +23,7 @@ def test_the_letter_of_a_rotation_stands_where_a_formula_uses_it() -> None:
 def test_a_letter_that_stands_for_a_component_has_no_bars() -> None:
     told = displayed(kept("spool-pulled-by-cord", 1))
     (line,) = (one for one in told if one.startswith("a_{E,x}"))
-    assert line.startswith(r"a_{E,x} &= a_{\mathrm{a}} - \alpha(y_{E} - y_{C})")
+    assert line.startswith(r"a_{E,x} &= a_{C} - \alpha(y_{E} - y_{C})")
 
 
 def test_a_primed_corner_of_a_polygon_is_explained_once() -> None:

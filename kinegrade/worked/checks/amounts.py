@@ -6,7 +6,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Any, TypeAlias
+from typing import TypeAlias
 
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Level
@@ -20,7 +20,6 @@ from kinegrade.worked.formulas.atoms import (
     add_terms,
 )
 from kinegrade.worked.formulas.formula import Formula, Power, Product
-from kinegrade.worked.formulas.measures import double
 from kinegrade.worked.vectors.vectors import UNITS
 
 
@@ -54,11 +53,6 @@ class Amount:
         """The quotient."""
         sign = self.sign * other.sign
         return Amount(self.letters / other.letters, self.numbers / other.numbers, sign)
-
-
-def find_sign(number: Any) -> int:
-    """1 for a positive number, else -1."""
-    return 1 if double(number) > 0 else -1
 
 
 def add_letters(amounts: Iterable[Amount]) -> Formula:

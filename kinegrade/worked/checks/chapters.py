@@ -35,10 +35,11 @@ def check_rates(stages: Mapping[Step, Stage], level: Level, case: Case) -> Itera
         return
     last_first = tuple(reversed(tuple(stages.items())))
     theorems = (list_theorem_checks(step, stage) for step, stage in last_first)
-    kinds = (list_track_checks, list_carrier_checks, list_train_checks)
+    tracks = (list_track_checks(step, stage) for step, stage in last_first)
+    kinds = (list_carrier_checks, list_train_checks)
     laws = (kind(level, case) for kind in kinds)
     constraints = (list_constraint_checks(stage) for _, stage in last_first)
-    others = chain(theorems, laws, constraints, (list_new_body_checks(level, case),))
+    others = chain(theorems, tracks, laws, constraints, (list_new_body_checks(level, case),))
     projections = (list_projection_checks(step, stage) for step, stage in last_first)
     again = (chain.from_iterable(projections), list_body_checks(level, case))
     yield from _say_chosen((chain.from_iterable(others), *again), case)

@@ -22,7 +22,6 @@ from kinegrade.worked.checks.amounts import (
     Multiplier,
     add_letters,
     add_numbers,
-    find_sign,
     point_along,
 )
 from kinegrade.worked.checks.arms import find_normal_from, point_from, point_from_base
@@ -31,7 +30,7 @@ from kinegrade.worked.checks.relative_shares import find_speed
 from kinegrade.worked.checks.shares import Shares
 from kinegrade.worked.formulas.atoms import AXES, TWO, ZERO, AxisName, VectorSymbol, add_terms
 from kinegrade.worked.formulas.formula import Formula
-from kinegrade.worked.formulas.measures import double, is_zero, length, size
+from kinegrade.worked.formulas.measures import double, find_sign, is_zero, length, size
 from kinegrade.worked.formulas.numbers import measure
 from kinegrade.worked.formulas.symbols import draw_arrow, join_letters
 from kinegrade.worked.vectors.arms import name_length

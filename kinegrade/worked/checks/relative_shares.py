@@ -12,10 +12,10 @@ from kinegrade.mechanics.relations import Term
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Part, VectorEquation
 from kinegrade.worked.case import Case
-from kinegrade.worked.checks.amounts import UNIT, Amount, Multiplier, find_sign, gather
+from kinegrade.worked.checks.amounts import UNIT, Amount, Multiplier, gather
 from kinegrade.worked.checks.arms import point_from, point_from_base
 from kinegrade.worked.formulas.atoms import TWO
-from kinegrade.worked.formulas.measures import double, length
+from kinegrade.worked.formulas.measures import double, find_sign, length
 from kinegrade.worked.formulas.numbers import measure
 from kinegrade.worked.vectors.known_vectors import find_positive_sense
 from kinegrade.worked.vectors.magnitudes import find_track_ends

@@ -45,3 +45,8 @@ def tidy(angle: float) -> float:
     """An angle in degrees without the rounding errors of a double."""
     whole = round(angle, 6)
     return whole if abs(angle - whole) < 1e-7 else angle
+
+
+def find_sign(number: Any) -> int:
+    """1 for a positive number, else -1."""
+    return 1 if double(number) > 0 else -1

@@ -39,7 +39,7 @@ def state_rolling(roll: NoSlip, relation: Relation, case: Case, level: Level) ->
     term = _find_linked_term(roll, relation, case)
     body, other = case.naming.body(roll.body), describe_track(roll, case)
     rotation = name_relative_rotation(roll.body, roll.of, case, level)
-    right = (_state_radius(roll, case) * rotation).signed(
+    right = (state_rolled_radius(roll, case) * rotation).signed(
         _find_slip_sign(roll, relation, case, level)
     )
     equation = Equation(name_speed(term, case, level), equate(right))
@@ -168,7 +168,9 @@ def _state_centre_speed(
     """The radius times the rotation relative to the track, in symbols and in numbers."""
     sign = _find_slip_sign(roll, relation, case, level)
     other = find_rotation_value(roll.of, case, level)
-    symbols = _state_radius(roll, case) * name_relative_rotation(roll.body, roll.of, case, level)
+    symbols = state_rolled_radius(roll, case) * name_relative_rotation(
+        roll.body, roll.of, case, level
+    )
     turned = measure(find_rotation_value(roll.body, case, level), UNITS[level, True])
     if turned == ZERO and not double(other):
         return (symbols.signed(sign),)
@@ -188,7 +190,7 @@ def _state_rotation(
     other = find_rotation_value(roll.of, case, level)
     symbol: Formula = name_speed(term, case, level)
     value = measure_along_direction(term, case, level) * find_stated_sense(term, case, level)
-    turned = (symbol.size / _state_radius(roll, case)).signed(sign * symbol.sign)
+    turned = (symbol.size / state_rolled_radius(roll, case)).signed(sign * symbol.sign)
     carried = name_carried_rotation(roll.of, case, level)
     symbols = add_terms((carried, turned) if carried != ZERO else (turned,))
     known = measure(value * sign, UNITS[level, False])
@@ -199,7 +201,7 @@ def _state_rotation(
     return symbols, add_terms((track, rest) if double(other) else (rest,))
 
 
-def _state_radius(roll: NoSlip, case: Case) -> Formula:
+def state_rolled_radius(roll: NoSlip, case: Case) -> Formula:
     """The radius of the rolling circle."""
     circle = case.template.scheme.joints[roll.joint].circle
     return state_radius(circle, roll.circle.radius, case)

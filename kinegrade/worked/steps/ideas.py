@@ -35,6 +35,7 @@ from kinegrade.worked.rates.rolling import group_rolls, tell_rolls
 from kinegrade.worked.steps.couplers import Coupler, choose_method, find_coupler, find_pole_body
 from kinegrade.worked.steps.rigid import explain_choice, find_rigid_triangle
 from kinegrade.worked.steps.titles import find_rotations, select_scalars
+from kinegrade.worked.steps.two_tracks import find_two_tracks
 from kinegrade.worked.vectors.stage import Stage
 
 
@@ -102,6 +103,10 @@ def _name_given(law: Imposed, case: Case) -> Iterator[Message]:
 def _find_reasons(step: Step, stage: Stage) -> Iterator[Message]:
     """Why the equations of a step serve; nothing for those that only carry a motion on."""
     case, coupler = stage.case, find_coupler(stage)
+    wheel = find_two_tracks(step, stage)
+    if wheel is not None:
+        yield Message("solution.idea-two-tracks", body=case.naming.body(wheel.body))
+        return
     laws = [relation.source for relation in select_scalars(step, case)]
     rolls = filter(None, (law.find_rolling() for law in laws if law is not None))
     yield from (tell_rolls(group, case) for group in group_rolls(rolls))
