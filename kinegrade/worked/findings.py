@@ -77,7 +77,8 @@ class Findings:
     worked out; `corners` the letters of polygons that have been explained; `told` the formulas
     within sentences; `spared` the rates that no answer and no later step needs, so that a check
     alone may ask for them; `rim_tracks` how a track moves that has the speed of a wheel's rim, by
-    the number of their joint.
+    the number of their joint; `translated` the bodies of which has been said that their points have
+    one velocity or acceleration.
     """
 
     facts: dict[Key, Fact] = field(default_factory=dict)
@@ -98,6 +99,9 @@ class Findings:
     corners: set[str] = field(default_factory=set)
     rim_tracks: dict[int, Term] = field(default_factory=dict)
     told: list[Row] = field(default_factory=list)
+    translated: dict[Level, set[str]] = field(
+        default_factory=lambda: {"velocity": set(), "acceleration": set()}
+    )
     spared: dict[Level, frozenset[Rate]] = field(
         default_factory=lambda: {"velocity": frozenset(), "acceleration": frozenset()}
     )

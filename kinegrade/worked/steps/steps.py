@@ -30,6 +30,7 @@ from kinegrade.worked.senses import state_way
 from kinegrade.worked.steps.base_points import start_from_known
 from kinegrade.worked.steps.polygons import name_shared_corner, order_vectors, spans_polygon
 from kinegrade.worked.steps.titles import describe_meanings, introduce_equation, select_scalars
+from kinegrade.worked.translations import say_translation
 from kinegrade.worked.vectors.arms import find_arms, introduce_lengths
 from kinegrade.worked.vectors.by_components import find_components
 from kinegrade.worked.vectors.coriolis import explain_absences, explain_directions, list_turned
@@ -232,12 +233,12 @@ def _state_zero(equation: VectorEquation, part: Part, case: Case) -> str:
 
 def _say_translation(name: str, level: Level, case: Case) -> Iterator[Block]:
     """What follows for the points of a body that translates."""
-    body = case.naming.body(name)
     match level:
         case "velocity":
-            yield case.say(Message("solution.same-velocity", body=body))
+            yield from say_translation(name, level, case)
         case "acceleration":
-            yield case.say(Message("solution.shifted-acceleration", frame=body))
+            frame = case.naming.body(name)
+            yield case.say(Message("solution.shifted-acceleration", frame=frame))
         case _:
             assert_never(level)
 

@@ -106,8 +106,9 @@ def introduce_equation(equation: VectorEquation, case: Case) -> Message:
     if len(turning) > 1:
         return _introduce_chained_bases(equation, turning, case)
     if _find_body(turning[0]) in case.translating:
-        body = case.naming.body(_find_body(turning[0]))
-        return Message(f"solution.same-{equation.level}", body=body)
+        body = _find_body(turning[0])
+        case.findings.translated[equation.level].add(body)
+        return Message(f"solution.same-{equation.level}", body=case.naming.body(body))
     return Message(
         f"solution.base-equation-{equation.level}",
         body=_list_turning_bodies(equation, case),

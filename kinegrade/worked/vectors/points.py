@@ -25,6 +25,7 @@ from kinegrade.worked.formulas.equation import Equation, equate
 from kinegrade.worked.formulas.measures import double, length
 from kinegrade.worked.formulas.numbers import measure, state_number
 from kinegrade.worked.senses import state_way, state_way_about
+from kinegrade.worked.translations import say_translation
 from kinegrade.worked.vectors.arms import introduce_lengths, name_length
 from kinegrade.worked.vectors.carried import explain_turning, state_carried_component
 from kinegrade.worked.vectors.components import add_components, find_known
@@ -136,7 +137,7 @@ def _explain_shifted(
     carried: Piece, name: VectorSymbol, term: Term, case: Case, level: Level
 ) -> Generator[Block, None, Fact]:
     """The vector of a point of a body that translates: that of its base point."""
-    yield case.say(Message(f"solution.same-{level}", body=case.naming.body(term.rate.body)))
+    yield from say_translation(term.rate.body, level, case)
     size = length(carried.value, case.arithmetic)
     against = double(carried.value.dot(carried.positive)) < 0
     number = state_number(-size if against else size, name.unit)

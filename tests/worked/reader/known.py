@@ -25,12 +25,10 @@ KNOWN: Mapping[Law, frozenset[str]] = {
     "used": frozenset(("flat-faced-follower-eccentric-circle",)),
     # each of three angles is placed by the signs of its sine and cosine; in the roller's case a
     # velocity is found among the accelerations, by the same way as an acceleration before
-    # of two frames that translate, each is said to
     "once": frozenset(
         (
             "triangle-pose-three-frames",
             "roller-rolling-on-rotating-bar",
-            "parallelogram-with-sliding-rod",
         )
     ),
     "sense": frozenset(),
