@@ -77,15 +77,20 @@ def find_order(
     fewest run along another and, of these orders, the most corners have letters.
     """
 
-    def rate(order: tuple[Places, Places]) -> tuple[int, int]:
-        sides = [left[place] for place in order[0]], [right[place] for place in order[1]]
-        return _count_overlaps(*sides), -_count_lettered(*sides, vertices)
-
-    given = (range(len(left)), range(len(right)))
-    if rate(given)[0] == 0:
+    given: tuple[Places, Places] = (range(len(left)), range(len(right)))
+    best, fewest = given, _count_overlaps(left, right)
+    if fewest == 0:
         return given
-    orders = product(_list_orders(given[0]), _list_orders(given[1]))
-    return min(islice(orders, _ORDERS), key=rate)
+    most = _count_lettered(left, right, vertices)
+    for order in islice(product(_list_orders(given[0]), _list_orders(given[1])), 1, _ORDERS):
+        sides = [left[place] for place in order[0]], [right[place] for place in order[1]]
+        overlaps = _count_overlaps(*sides)
+        lettered = _count_lettered(*sides, vertices) if overlaps <= fewest else 0
+        if (-overlaps, lettered) > (-fewest, most):
+            best, fewest, most = (order[0], order[1]), overlaps, lettered
+        if fewest == 0 and most == len(vertices):
+            break
+    return best
 
 
 def _list_orders(places: Places) -> Iterable[Places]:
