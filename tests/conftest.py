@@ -20,6 +20,7 @@ from kinegrade.processes.garbage_collection import NEW_OBJECTS
 from tests.files_in_memory import leave_files_in_memory
 from tests.golden_files import BANK, GOLDEN, Hold, drop_tests_without_goldens
 from tests.kept_results import keep_results
+from tests.kept_volumes import keep_volumes
 from tests.one_process import work_in_one_process
 from tests.parts import group_tests
 from tests.problem.crank import crank_text
@@ -52,6 +53,7 @@ def pytest_configure(config: pytest.Config) -> None:
     if not _proves(config):
         repeat_secrets(config)
         keep_results()
+        keep_volumes()
         leave_files_in_memory()
         work_in_one_process()
 
