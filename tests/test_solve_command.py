@@ -79,6 +79,14 @@ def test_an_enclosure_has_no_exact_text() -> None:
     assert "(certified enclosure)" in kinegrade("solve", "slider-crank", "--set", "phi=40").stdout
 
 
+@pytest.mark.parametrize("options", [(), ("--exact",)])
+def test_a_long_exact_form_is_printed_on_request(options: tuple[str, ...]) -> None:
+    table = kinegrade("solve", "slider-crank", "--set", "phi=45", "--set", "k=7/3", *options).stdout
+    exact = next(line.split("  ")[-1].strip() for line in table.splitlines() if "a_B" in line)
+    assert ("sqrt" in exact) == bool(options)
+    assert exact.endswith(": --exact prints it)") != bool(options)
+
+
 def test_a_pole_at_infinity_is_shown_in_the_language_of_the_terminal(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

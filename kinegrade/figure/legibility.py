@@ -16,6 +16,7 @@ from kinegrade.figure.mechanism.view import crop_to_view
 from kinegrade.figure.sketch import Sketcher, sketch
 from kinegrade.language.message import Message
 from kinegrade.mechanics.mechanism import Mechanism
+from kinegrade.mechanics.shapes import Circle
 from kinegrade.problem.template.hints import FigureHints
 
 SMALLEST = 4.0  # millimetres on paper of a crank, an eccentricity, the radius of a wheel
@@ -61,19 +62,50 @@ def _list_parts(mechanism: Mechanism, hints: FigureHints) -> Iterator[_Part]:
     radii.
     """
     at = mechanism.points
+    marked = {frozenset((each.start, each.end)): each.symbol for each in hints.lengths}
     for body in mechanism.bodies:
         for start, end in combinations(body.points, 2):
-            yield _make_distance(hypot(*(at[start] - at[end])), start, end)
+            symbol = marked.get(frozenset((start, end)), "")
+            yield _make_distance(hypot(*(at[start] - at[end])), start, end, symbol)
     for given in hints.lengths:
         tail, tip = at[given.start], at[given.end]
         along = find_measured_direction(given.along, tail, tip)
-        yield _make_distance(abs((tip - tail).dot(along)), given.start, given.end)
+        size = abs((tip - tail).dot(along))
+        yield _make_distance(size, given.start, given.end, given.symbol)
     for joint in mechanism.joints:
         for circle in joint.list_circles():
-            refusal = Message("figure.radius-too-small", centre=circle.centre, least=_LEAST)
-            yield _Part(circle.radius, refusal)
+            symbol = _find_symbol(circle, mechanism, hints)
+            kind = "named-radius" if symbol else "radius"
+            parts = {"symbol": symbol} if symbol else {}
+            yield _Part(
+                circle.radius,
+                Message(f"figure.{kind}-too-small", centre=circle.centre, least=_LEAST, **parts),
+            )
 
 
-def _make_distance(size: float, start: str, end: str) -> _Part:
-    """The distance of two points."""
-    return _Part(size, Message("figure.distance-too-small", start=start, end=end, least=_LEAST))
+def _find_symbol(circle: Circle, mechanism: Mechanism, hints: FigureHints) -> str:
+    """The symbol of the mark at a radius; none where there is none, or it may be at another."""
+    at, others = (
+        mechanism.points,
+        {
+            each.radius
+            for joint in mechanism.joints
+            for each in joint.list_circles()
+            if each.centre == circle.centre
+        },
+    )
+    for mark in hints.radii:
+        if mark.centre == circle.centre:
+            through = at[mark.through] if mark.through else None
+            size = circle.radius if through is None else hypot(*(through - at[mark.centre]))
+            if abs(size - circle.radius) < _NOTHING and (through is not None or len(others) == 1):
+                return mark.symbol
+    return ""
+
+
+def _make_distance(size: float, start: str, end: str, symbol: str) -> _Part:
+    """The distance of two points, with its symbol where it has one."""
+    kind = "length" if symbol else "distance"
+    parts = {"symbol": symbol} if symbol else {}
+    refusal = Message(f"figure.{kind}-too-small", start=start, end=end, least=_LEAST, **parts)
+    return _Part(size, refusal)

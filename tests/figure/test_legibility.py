@@ -13,7 +13,7 @@ from kinegrade.language import ENGLISH
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.problem.template.hints import FigureHints
-from tests.figure.mechanisms import hinted, slider_crank
+from tests.figure.mechanisms import follower_circle, hinted, slider_crank
 
 
 def explain(ratio: float, **changes: object) -> str:
@@ -38,7 +38,7 @@ def test_an_ordinary_figure_is_legible() -> None:
     [
         ({"width": 75.1}, "the figure is larger than 75 mm by 55 mm"),
         ({"height": 55.1}, "the figure is larger than 75 mm by 55 mm"),
-        ({"scale": 39.0}, "the distance of O and A is less than 4 mm in the figure"),
+        ({"scale": 39.0}, "the length r from O to A is less than 4 mm in the figure"),
         ({"crowded": ("r", "k r")}, "r has no good place in the figure"),
     ],
 )
@@ -64,3 +64,18 @@ def test_what_is_too_small_on_any_paper_is_not_drawn() -> None:
         raise AssertionError(shown, marked)
 
     assert find_illegible(*slider_crank(0.1, 30.0, 60), draw) is not None
+
+
+@pytest.mark.parametrize(
+    ("through", "said"),
+    [
+        (None, "the radius R about C is less than 4 mm in the figure"),
+        ("O", "the radius about C is less than 4 mm in the figure"),  # it stands at another circle
+    ],
+)
+def test_a_radius_that_is_too_small_has_its_symbol(through: str | None, said: str) -> None:
+    mechanism, hints = follower_circle(0.05, 1.0, 30.0)
+    marked = replace(hints, radii=(replace(hints.radii[0], through=through),))
+    why = find_illegible(mechanism, marked)
+    assert why is not None
+    assert open_catalogue(ENGLISH).write(why) == said

@@ -30,6 +30,7 @@ if TYPE_CHECKING:
     from kinegrade.problem.template.template import Method
 
 _ALL = "all"
+_LONGEST = 30  # characters of an exact form that is read beside its decimal
 SETTINGS = click.option(
     "--set",
     "settings",
@@ -52,6 +53,11 @@ ASKS = click.option(
     "as_json",
     is_flag=True,
 )
+@click.option(
+    "--exact",
+    "whole",
+    is_flag=True,
+)
 @OPTIONAL_OUTPUT
 @METHOD
 @CYCLE
@@ -65,6 +71,7 @@ def solve(
     settings: tuple[str, ...],
     asked: str | None,
     as_json: bool,
+    whole: bool,
     output: Path | None,
     method: Method | None,
     cycle: bool,
@@ -78,7 +85,7 @@ def solve(
     solved = kinegrade.template(template_name).solve(**read_settings(settings))
     asks = None if asked is None else choose_asks(asked, solved)
     solution = solved if asks is None else solved.only(asks)
-    click.echo(_write_json(solution) if as_json else _write_table(solution))
+    click.echo(_write_json(solution) if as_json else _write_table(solution, whole=whole))
     if output is not None:
         from kinegrade.exam.printing.sample import print_worked_solution
         from kinegrade.files.output import write_file
@@ -133,19 +140,27 @@ def _write_json(solution: Solution) -> str:
         raise TemplateError(Message("terminal.beyond-json")) from error
 
 
-def _write_table(solution: Solution) -> str:
-    """The solution as a table: name, decimal, unit, exact."""
+def _write_table(solution: Solution, *, whole: bool) -> str:
+    """The solution as a table: name, decimal, unit, exact form; that of any length as a `whole`."""
     words, lines = terminal_words(), []
     for group in (solution.parameters, solution.answers):
-        lines += [_write_row(name, quantity, words) for name, quantity in group.items()]
+        for name, quantity in group.items():
+            lines.append(_write_row(name, quantity, _write_exact(quantity, words, whole=whole)))
         lines.append("")
     return "\n".join(lines[:-1])
 
 
-def _write_row(name: str, quantity: Quantity, words: Catalogue) -> str:
-    if quantity.at_infinity:
-        decimal = exact = words.text("terminal.infinity")
-    else:
-        decimal = quantity.decimal(10)
-        exact = quantity.exact or words.text("terminal.enclosure")
+def _write_row(name: str, quantity: Quantity, exact: str) -> str:
+    decimal = exact if quantity.at_infinity else quantity.decimal(10)
     return f"{name:<14} {decimal:>18} {quantity.measure.printed:<6}  {exact}"
+
+
+def _write_exact(quantity: Quantity, words: Catalogue, *, whole: bool) -> str:
+    """What stands beside the decimal: the exact form, or how long it is."""
+    if quantity.at_infinity:
+        return words.text("terminal.infinity")
+    if quantity.exact is None:
+        return words.text("terminal.enclosure")
+    if whole or len(quantity.exact) <= _LONGEST:
+        return quantity.exact
+    return words.text("terminal.long-form", number=len(quantity.exact))
