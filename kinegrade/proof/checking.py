@@ -39,7 +39,7 @@ from kinegrade.proof.report import SECRET, Report
 from kinegrade.proof.searching import find_breaking_values
 from kinegrade.proof.solutions import prove_solutions
 from kinegrade.proof.spread import Copied, Spread
-from kinegrade.proof.weighing import weigh_sample
+from kinegrade.proof.weighing import count_on, weigh_sample
 from kinegrade.students.following.connections import find_connections
 from kinegrade.students.near_mistakes import find_near_mistakes
 from kinegrade.students.rounding.accuracy import WIDEST
@@ -175,6 +175,7 @@ def _draw(report: Report, draws: Sequence[Combination]) -> None:
             case _:
                 assert_never(found)
     report.seconds = (perf_counter() - start) / max(report.instances, 1)
+    count_on(report, draw_filter)
 
 
 def choose_drawable(template: Template, sample: int, secret: str = SECRET) -> list[Combination]:

@@ -6,12 +6,17 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from kinegrade.draws.draw_filter import DrawFilter
+from kinegrade.draws.examining import Examined
 from kinegrade.language.message import Message
 from kinegrade.numbers.tolerance import ONE_PER_CENT, USUAL_CARRY
 from kinegrade.proof.report import Report
 from kinegrade.students.rounding.accuracy import USUALLY, WIDEST, find_usual_share
 
 _FEWEST = 500  # distinct instances: fewer, and a large class finds out the pattern behind the draws
+_FIRST_COUNTED = 200  # draws: fewer were asked for to have a quick look, and may not tell
+_MOST_COUNTED = 2000
+_COUNTED_TOGETHER = 100
 _SELDOM = 0.1  # of draws accepted: below it, exams take long to generate
 _FEW = 0.02  # a share of draws, or of all others, that chance may leave unlike the rest
 
@@ -34,12 +39,28 @@ def weigh_sample(report: Report) -> None:
     report.remarks += _find_rounding_remarks(report)
 
 
+def count_on(report: Report, draw_filter: DrawFilter) -> None:
+    """Count further draws until it is certain whether there are too few distinct instances, so that
+    the verdict does not depend on which were drawn.
+    """
+    deck = draw_filter.deck
+    most = min(deck.size, _MOST_COUNTED)
+    while (
+        _FIRST_COUNTED <= report.counted < most and report.bounds[0] < _FEWEST <= report.bounds[1]
+    ):
+        stop = min(report.counted + _COUNTED_TOGETHER, most)
+        draws = [deck.combination(each) for each in range(report.counted, stop)]
+        found = draw_filter.examine(draws)
+        report.further.update(isinstance(each, Examined) for each in found)
+
+
 def _weigh_number(report: Report) -> None:
-    """Too few instances are a fault; a remark where the sample is too small to tell."""
-    if report.distinct >= _FEWEST:
+    """Too few instances are a fault; a remark where too few draws were counted to tell."""
+    fewest, most = report.bounds
+    if fewest >= _FEWEST:
         return
-    if report.possible >= _FEWEST:
-        numbers = {"accepted": report.instances, "examined": report.examined, "least": _FEWEST}
+    if most >= _FEWEST:
+        numbers = {"accepted": report.accepted, "examined": report.counted, "least": _FEWEST}
         needed = report.count_needed(_FEWEST)
         report.remarks.append(Message("template.sample-too-small", needed=needed, **numbers))
     elif report.instances:

@@ -39,7 +39,7 @@ def test_an_answer_that_copies_a_given_is_a_fault() -> None:
     copying = crank(
         ("draw = [1, 2]", "draw = [1]"),
         ('[0, "1/2", 3]', "[0]"),
-        ("[2, 1000000, 20000000]", '"1 .. 600 step 1"'),
+        ("[2, 1000000, 20000000]", '"1 .. 900 step 1"'),
         (
             '"x(velocity(A))", unit = "m/s", sign = "+x"',
             '"y(velocity(A))", unit = "m/s", sign = "+y"',
@@ -52,7 +52,7 @@ def test_an_answer_that_copies_a_given_is_a_fault() -> None:
         "give it no points"
     ]
     assert report.remarks == []
-    assert report.distinct == 600
+    assert report.distinct == 900
 
 
 TWICE = (

@@ -60,8 +60,27 @@ def test_a_sample_without_an_accepted_draw_is_no_fault_and_never_sound() -> None
         "no published result for alpha_AB, a_B - [[published]] with values found otherwise would "
         "prove them",
         "accepted 0 of 1: too few draws to tell whether there are 500 distinct instances: "
-        "examine 99 with --sample",
+        "examine 357 with --sample",
     ]
+
+
+@pytest.mark.parametrize(("most", "enough", "secret"), [(480, False, "a"), (520, True, "b")])
+def test_the_verdict_on_the_number_of_instances_is_that_of_all_of_them(
+    most: int, enough: bool, secret: str
+) -> None:
+    """Of 700 combinations as many are accepted; a sample of 200 alone may tell either way."""
+    counted = crank(
+        ("draw = [1, 2]", "draw = [1]"),
+        ('[0, "1/2", 3]', '["1/2"]'),
+        ("[2, 1000000, 20000000]", '"1 .. 700 step 1"'),
+        ("omega < 10000000", f"omega <= {most}"),
+    )
+    report = check(counted, sample=200, secret=secret)
+    fault = (
+        f"about {most} distinct instances: at least 500 are needed for a class: widen the domains"
+    )
+    assert (fault in all_said(report.faults)) != enough
+    assert not any("too few draws to tell" in each for each in all_said(report.remarks))
 
 
 def test_a_given_that_is_zero_in_some_draws_alone_is_remarked() -> None:
