@@ -48,7 +48,7 @@ def draw_points(anatomy: Anatomy) -> Iterator[Primitive]:
     for name in sorted(centres):
         yield from draw_centre_mark(at[name])
     hollow = _find_in_slots(anatomy) - pins - centres
-    for name in sorted(hollow):
+    for name in sorted(hollow - _find_letterless(anatomy)):
         yield from draw_centre_mark(at[name])
     for name in sorted(owned - pins - centres - hollow - tips - _find_at_corners(anatomy)):
         yield from _draw_marked_point(anatomy, at[name])
@@ -173,6 +173,11 @@ def _find_in_slots(anatomy: Anatomy) -> set[str]:
 def _find_labelled(anatomy: Anatomy) -> set[str]:
     labels = anatomy.hints.labels.items()
     return {name for name, symbol in labels if symbol and name in anatomy.mechanism.points}
+
+
+def _find_letterless(anatomy: Anatomy) -> set[str]:
+    """The points whose letter is left out: a cross would ask what is there."""
+    return {name for name, symbol in anatomy.hints.labels.items() if not symbol}
 
 
 def _find_members(anatomy: Anatomy, name: str) -> tuple[list[Bar | Rod], list[Bar | Rod]]:
