@@ -6,6 +6,8 @@ import ast
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cache
+from io import BytesIO
 from pathlib import Path
 
 from babel.messages.catalog import Catalog, Message
@@ -24,19 +26,27 @@ NUMBER = "count"  # a part that may choose between texts without standing in the
 
 
 def read_catalogue(folder: Path) -> dict[str, Catalog]:
-    """The files of a language by their names."""
-    catalogues = {}
-    for file in sorted(folder.glob("*.po")):
-        with file.open("rb") as stream:
-            catalogues[file.stem] = read_po(stream, charset="utf-8", abort_invalid=True)
-    return catalogues
+    """The files of a language by their names, to be changed."""
+    return {file.stem: _parse(file.read_bytes()) for file in sorted(folder.glob("*.po"))}
+
+
+def _parse(text: bytes) -> Catalog:
+    return read_po(BytesIO(text), charset="utf-8", abort_invalid=True)
+
+
+_parse_once = cache(_parse)  # what nobody changes
+
+
+def _read_once(folder: Path) -> dict[str, Catalog]:
+    """The files of a language by their names, to be read."""
+    return {file.stem: _parse_once(file.read_bytes()) for file in sorted(folder.glob("*.po"))}
 
 
 def read_messages(folder: Path) -> dict[str, Message]:
     """The entries of a language by key."""
     return {
         f"{domain}.{message.context}": message
-        for domain, catalog in read_catalogue(folder).items()
+        for domain, catalog in _read_once(folder).items()
         for message in catalog
         if message.context is not None
     }
@@ -46,7 +56,7 @@ def find_catalogue_faults(folder: Path, source: Path) -> Iterator[str]:
     """What a translator has left undone or wrong, compared with the English source."""
     entries, english = read_messages(folder), read_messages(source)
     forms = _read_forms(entries)
-    plurals = {domain: each.num_plurals for domain, each in read_catalogue(folder).items()}
+    plurals = {domain: each.num_plurals for domain, each in _read_once(folder).items()}
     for domain in sorted({key.partition(".")[0] for key in english} - plurals.keys()):
         yield f"{folder.name}/{domain}.po: missing"
     for key in sorted(english.keys() - entries.keys()):
@@ -127,7 +137,7 @@ def find_named(files: Iterable[File]) -> Iterator[Named]:
 
 
 def _read_call(call: ast.Call, place: str) -> Iterator[Named]:
-    name = call.func.attr if isinstance(call.func, ast.Attribute) else ast.unparse(call.func)
+    name = getattr(call.func, "attr", getattr(call.func, "id", ""))
     if name in NAMED:
         for key in _read_keys(call.args[0]):
             if r"\." in key:

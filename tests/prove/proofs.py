@@ -1,6 +1,6 @@
 """All proofs: how much of each `make prove` and `make test` run.
 
-In full they take about 7,500 seconds of processor time, an hour on two free cores. "fair marks"
+In full they take about 8,000 seconds of processor time, an hour on two free cores. "fair marks"
 looks at 160 papers of every template; `make fairness` at 1,000.
 """
 
