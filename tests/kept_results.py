@@ -6,6 +6,7 @@ worked solutions and typeset pages of exams. `make prove` finds it anew, as user
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass, field, replace
@@ -16,6 +17,7 @@ from typing import Any, TypeVar
 from kinegrade.draws import draw_filter
 from kinegrade.draws.deal import DeckPart, Look, Verdicts, look_here
 from kinegrade.draws.draw_filter import DrawFilter, Verdict
+from kinegrade.errors import KinegradeError
 from kinegrade.exam.printing import printing, solution_pages
 from kinegrade.exam.quiz import paper
 from kinegrade.exam.setting import dealing
@@ -57,6 +59,7 @@ class KeptResults:
     """Templates by their texts, and the rest by all that it depends on."""
 
     templates: dict[object, Template] = field(default_factory=dict)
+    own: dict[str, Template] = field(default_factory=dict)
     separations: dict[object, Separation] = field(default_factory=dict)
     deals: dict[str, AlikeDeal] = field(default_factory=dict)
     verdicts: dict[str, dict[tuple[str, ...], Verdict]] = field(default_factory=dict)
@@ -75,10 +78,16 @@ class KeptResults:
         *,
         kept: bool,
     ) -> Template:
-        """As `read_template` of the library; a shipped one is read once."""
+        """As `read_template` of the library; a shipped one is read once, and so is one that an exam
+        keeps of it, or that stands beside a bank.
+        """
         given = text, mechanisms, translations
         if not isinstance(mechanisms, partial) or mechanisms.args != (_MECHANISMS,):
-            return read_template(name, *given, kept=kept)
+            read = partial(read_template, name, *given, kept=kept)
+            if (shared := _find_shared(text, mechanisms)) is None:
+                return read()
+            said = name, text, shared, sorted(translations.items()), kept
+            return _keep(self.own, sha256(repr(said).encode()).hexdigest(), read)
         key = name, text, tuple(sorted(translations.items())), kept
         if key not in self.templates:
             self.templates[key] = read_template(name, *given, kept=kept)
@@ -161,6 +170,17 @@ class KeptResults:
 
         press._pdf = keep  # type: ignore[method-assign]
         return press
+
+
+def _find_shared(text: str, mechanisms: Mechanisms) -> object:
+    """The mechanism that a template shares, or that there is none; None where it cannot be told."""
+    if not re.search(r"""mechanism["']?\s*=""", text):
+        return ""
+    name = re.search(r'(?m)^mechanism *= *"([a-z0-9-]+)"', text)
+    try:
+        return mechanisms(name[1]) if name else None
+    except KinegradeError:
+        return None
 
 
 def _look_by(workers: Executor, shared: Shared[Exam]) -> Look:
