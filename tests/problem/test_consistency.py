@@ -187,6 +187,13 @@ def test_an_ask_on_request_that_makes_no_sense_is_refused(
         ),
         (
             '"(0, h)"',
+            '"(0, h/r)"',
+            "20: points.P: its coordinates are a pure number or an angle - expected a length (m) - a "
+            "number becomes a length by one that is given: with the module m, a gear of z teeth has "
+            "the radius m*z/2",
+        ),
+        (
+            '"(0, h)"',
             '"(omega, h)"',
             "20: points.P: (x, y): an angular velocity (rad/s) and a length (m) do not go together - "
             "check the units",

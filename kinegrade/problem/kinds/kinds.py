@@ -13,7 +13,13 @@ from typing import assert_never
 from kinegrade.errors import FieldError
 from kinegrade.language.message import Message, Part, Quoted, Text
 from kinegrade.numbers.units import Unit
-from kinegrade.problem.kinds.dimension import Dimension, describe_dimension, find_dimension
+from kinegrade.problem.kinds.dimension import (
+    LENGTH,
+    NUMBER,
+    Dimension,
+    describe_dimension,
+    find_dimension,
+)
 
 
 @dataclass(frozen=True)
@@ -116,6 +122,13 @@ def unite_dimensions(where: Part, *kinds: Kind) -> Dimension | None:
         if found is not None and dimension != found:
             first, second = describe_dimension(found), describe_dimension(dimension)
             what = Message("template.dimensions-apart", where=where, first=first, second=second)
-            raise FieldError(what, do=Message("template.check-units"))
+            raise FieldError(what, do=advise_on_units(found, dimension))
         found = dimension
     return found
+
+
+def advise_on_units(*dimensions: Dimension) -> Message:
+    """What to do where two dimensions differ: a number of teeth is no length."""
+    if {*dimensions} == {LENGTH, NUMBER}:
+        return Message("template.make-length")
+    return Message("template.check-units")

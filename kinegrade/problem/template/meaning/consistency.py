@@ -38,6 +38,7 @@ from kinegrade.problem.kinds.kinds import (
     Side,
     Straight,
     Unknown,
+    advise_on_units,
     describe_kind,
     require_unit,
     unite_dimensions,
@@ -288,7 +289,7 @@ def _require_dimension(kind: Kind, expected: Dimension, having: _Having) -> None
         raise FieldError(
             Message(f"template.its-{having}", dimension=describe_dimension(found)),
             describe_dimension(expected),
-            Message("template.check-units"),
+            advise_on_units(found, expected),
         )
 
 
