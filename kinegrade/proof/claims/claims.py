@@ -11,7 +11,9 @@ from kinegrade.problem.solution import Solution
 from kinegrade.problem.template.template import Template
 from kinegrade.proof.claims.angles import find_wrong_angles
 from kinegrade.proof.claims.circles import find_wrong_circles
+from kinegrade.proof.claims.formulas import find_wrong_formulas
 from kinegrade.proof.claims.givens import find_wrong_givens
+from kinegrade.proof.claims.inclinations import find_wrong_inclinations
 from kinegrade.proof.claims.kinds import find_marks_of_other_kinds, find_wrong_signs
 from kinegrade.proof.claims.lines import find_wrong_lines
 from kinegrade.proof.claims.means import find_wrong_means
@@ -28,6 +30,8 @@ def find_false_claims(template: Template, examples: Sequence[Solution]) -> Itera
     said = (
         *find_wrong_places(template, examples),
         *find_wrong_lines(template, examples),
+        *find_wrong_formulas(template, examples),
+        *find_wrong_inclinations(template, examples),
         *find_wrong_senses(template, examples),
         *find_wrong_paces(template, examples),
         *find_wrong_references(template),

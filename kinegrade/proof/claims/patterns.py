@@ -28,6 +28,7 @@ _SHAPES = {
     "LINE": rf"\$(?P<start>{LETTER})(?P<end>{LETTER})\$",
     "LINEIS": rf"\$(?P<start>{LETTER})(?P<end>{LETTER})\s*=\s*\$",
     "GIVEN": r"\{\{\s*(?P<given>\w+)(?:\s*\.\s*(?P<part>value|size))?\s*\}\}",
+    "FORMULA": r"\$(?P<formula>[^$]*[a-z][^$]*)\$",
     "WORD": r"\w+",
     "REST": r"[^.;。；{}]*?",
     "BETWEEN": r"(?P<between>[^.;。；{}]*?)",
