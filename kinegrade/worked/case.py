@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any, assert_never
 
@@ -112,8 +112,10 @@ class Case:
         return write_sentence(message, self.language)
 
     def say(self, message: Message) -> Prose:
-        """A paragraph that says a message."""
-        return say(message, self.language)
+        """A paragraph that says a message, with the formulas that stand in it."""
+        said, written = say(message, self.language), self.findings.written
+        told = said.text.split("$")[1::2]
+        return replace(said, formulas=tuple(written[one] for one in told if one in written))
 
     def show(self, *equations: Equation) -> Display:
         """Equations one below the other."""
@@ -129,8 +131,10 @@ class Case:
 
     def _tell(self, row: Row) -> str:
         """A formula of a sentence, which the notebook keeps as such."""
+        text = write_row(row)
         self.findings.told.append(row)
-        return write_row(row)
+        self.findings.written[text] = row
+        return text
 
     def joint(self, term: Term) -> JointSentence | None:
         """The sentence of the joint that guides a sliding or circling point, None for a free

@@ -9,7 +9,7 @@ plain is printed as it is. Decimals have the mark of the language.
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Literal
 
 from kinegrade.figure.scene import Scene
@@ -35,9 +35,10 @@ class Heading:
 
 @dataclass(frozen=True)
 class Prose:
-    """A paragraph."""
+    """A paragraph; `formulas` are those in it that were written as trees."""
 
     text: str  # prose
+    formulas: tuple[Row, ...] = field(default=(), compare=False, repr=False)
 
 
 def say(message: Message, language: Language) -> Prose:

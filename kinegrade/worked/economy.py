@@ -4,14 +4,22 @@ triangle or a length has placed.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import assert_never
 
-from kinegrade.language.math.tree import Accent, Letter, Mark, Node, Row, Scripts
+from kinegrade.language.math.tree import (
+    Accent,
+    Letter,
+    Mark,
+    Node,
+    Number,
+    Row,
+    Scripts,
+    Sign,
+    list_nodes,
+)
 from kinegrade.worked.answers.boxes import find_value
-from kinegrade.worked.case import write_row
 from kinegrade.worked.document import Block, Display, Heading, Pictures, Prose, TermTable
 from kinegrade.worked.positions.parts import find_symbols
 
@@ -32,8 +40,8 @@ def leave_out_unused(blocks: Sequence[Block], told: Sequence[Row]) -> tuple[Bloc
                 left = page.select(lines)
                 bare = not left
                 kept += [Display(left)] if left else []
-            case Prose(text):
-                page.said.append(text)
+            case Prose(text, formulas):
+                page.said.extend(map(_flatten, formulas))
                 if not bare or not text.endswith((":", "：")):
                     kept.append(block)
                 bare = False
@@ -47,10 +55,10 @@ def leave_out_unused(blocks: Sequence[Block], told: Sequence[Row]) -> tuple[Bloc
 
 @dataclass(frozen=True)
 class _Page:
-    """What stands further down: the letters met, and what sentences say."""
+    """What stands further down: the letters met, and the formulas of sentences, node by node."""
 
     met: set[Node]
-    said: list[str]
+    said: list[Row]
 
     def select(self, lines: Sequence[Row]) -> tuple[Row, ...]:
         """The lines of the equations that are taken up; their letters count as met from then on."""
@@ -66,11 +74,22 @@ class _Page:
 
     def _needs(self, left: Row, lines: Sequence[Row]) -> bool:
         start, end = find_value(lines[0])
-        value = write_row(lines[0][start:end]).removeprefix("-")
+        value = _flatten(lines[0][start:end])
+        size = value[1:] if value[:1] == (Sign("-"),) else value
         boxed = any(isinstance(node, Accent) for line in lines for node in line)
-        number = re.compile(rf"(?<![\d.,]){re.escape(value)}")
-        said = value == "0" or any(map(number.search, self.said))
+        said = size == (Number("0"),) or any(_holds(formula, size) for formula in self.said)
         return boxed or said or left[0] in self.met
+
+
+def _flatten(formula: Row) -> Row:
+    """The nodes of a formula in the order in which they are written, those of parts among them."""
+    return tuple(list_nodes(formula))
+
+
+def _holds(formula: Row, size: Row) -> bool:
+    """Whether a number with its unit stands in a formula."""
+    places = range(len(formula) - len(size) + 1)
+    return any(formula[place : place + len(size)] == size for place in places)
 
 
 def _is_coordinate(left: Row) -> bool:

@@ -77,8 +77,8 @@ class Findings:
     worked out; `corners` the letters of polygons that have been explained; `told` the formulas
     within sentences; `spared` the rates that no answer and no later step needs, so that a check
     alone may ask for them; `rim_tracks` how a track moves that has the speed of a wheel's rim, by
-    the number of their joint; `translated` the bodies of which has been said that their points have
-    one velocity or acceleration.
+    the number of their joint; `written` the formulas of sentences by their text; `translated` the
+    bodies of which has been said that their points have one velocity or acceleration.
     """
 
     facts: dict[Key, Fact] = field(default_factory=dict)
@@ -99,6 +99,7 @@ class Findings:
     corners: set[str] = field(default_factory=set)
     rim_tracks: dict[int, Term] = field(default_factory=dict)
     told: list[Row] = field(default_factory=list)
+    written: dict[str, Row] = field(default_factory=dict)
     translated: dict[Level, set[str]] = field(
         default_factory=lambda: {"velocity": set(), "acceleration": set()}
     )

@@ -26,8 +26,14 @@ def test_a_coordinate_goes_unless_a_later_line_names_it() -> None:
 
 
 def test_a_coordinate_stays_whose_number_a_check_takes() -> None:
-    check = Prose(r"Check: left side $2\,\unit{m}$, right side $2\,\unit{m}$.")
+    side = read_math(r"-2\,\unit{m}", "test")
+    check = Prose(r"Check: left side $-2\,\unit{m}$, right side $-2\,\unit{m}$.", (side,))
     assert reread(PLACE, FOUND, check)[1:-1] == [r"    x_{S} &= 2\,\unit{m}"]
+
+
+def test_a_number_that_only_ends_alike_does_not_keep_a_coordinate() -> None:
+    check = Prose(r"Left side $12\,\unit{m}$.", (read_math(r"12\,\unit{m}", "test"),))
+    assert reread(PLACE, FOUND, check)[:-1] == []
 
 
 def test_a_coordinate_stays_that_is_zero_an_answer_or_named_by_a_sentence() -> None:
