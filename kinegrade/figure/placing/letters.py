@@ -9,7 +9,7 @@ import numpy as np
 
 from kinegrade.figure.placing.aligned import runs_on
 from kinegrade.figure.placing.obstacles import Obstacles, Segment
-from kinegrade.figure.placing.place import Placed, Wish, measure_gap, place_label
+from kinegrade.figure.placing.place import Placed, Wish, place_label
 from kinegrade.figure.placing.wedge import rate_cut_off
 from kinegrade.figure.plane import parts
 from kinegrade.figure.scene import Label
@@ -99,4 +99,6 @@ def trace_leader(
 
 def _measure_off(label: Label, point: Vector) -> float:
     """Millimetres of paper between a label and a point."""
-    return measure_gap(label, Label("", point, 0.0, 0.0))
+    across, upward = label.centre - point
+    wide, high = label.width / 2, label.height / 2
+    return hypot(max(abs(across) - wide, 0.0), max(abs(upward) - high, 0.0))

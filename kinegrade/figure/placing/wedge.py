@@ -6,6 +6,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import product
 from math import pi
 
 import numpy as np
@@ -23,11 +24,11 @@ _FARTHEST = 27.0  # millimetres from the vertex: beyond, a letter belongs to no 
 # Millimetres of paper between an arc and a letter at it, and the demerit of each one more
 _AT_ARC, _AWAY = 0.8, 1.6
 _ON_ARC = 4.0  # demerit of a letter through which its own arc would run
-# Shares of the angle at which a letter may stand along its arc, the middle first
-_SHARES = np.array((0.5, 0.38, 0.62, 0.25, 0.75))
-# Millimetres between the arc and a letter outside it, or inside it (negative)
-_GAPS = np.array((0.4, 0.52, -0.5, 1.2))
-_ENDS = np.array((0.13, 0.87))  # of the angle, for a letter near an end of a long arc
+# Shares of the angle at which a letter may stand along its arc, the middle first; for a letter near
+# an end of a long arc; and millimetres between the arc and a letter outside it, or inside it
+# (negative)
+_SHARES, _ENDS, _GAPS = (0.5, 0.38, 0.62, 0.25, 0.75), (0.13, 0.87), (0.4, 0.52, -0.5, 1.2)
+_PLACES = np.array([*product(_GAPS, _SHARES), *product(_GAPS[::2], _ENDS)])
 _ABOUT = np.array((0.0, 0.25, -0.25))  # of the angle, either side of its middle
 _FLAT = 3.0  # radians from which on an angle is as wide as a half plane
 _LATEST = 3.2  # millimetres of paper to its arc from which on a letter is lost
@@ -50,10 +51,7 @@ def list_spots_in_wedge(symbol: str, wedge: Wedge) -> Wish:
     enough for it, and last, where it is lost, outside the angle.
     """
     bow = wedge.bow
-    spots = np.concatenate(
-        [_list_spots_at(symbol, bow, _SHARES, gap) for gap in _GAPS]
-        + [_list_spots_at(symbol, bow, _ENDS, gap) for gap in _GAPS[[0, 2]]]
-    )
+    spots = _list_spots_at(symbol, bow)
     if measure_narrow(symbol, wedge) > bow.radius / 2:
         spots = np.concatenate((spots, _list_wide_spots(symbol, wedge)))
     away = _measure_away(symbol, spots, bow)
@@ -98,10 +96,11 @@ def _list_wide_spots(symbol: str, wedge: Wedge) -> Floats:
     return np.asarray(np.array(apex) + (steps * toward).reshape(-1, 2))
 
 
-def _list_spots_at(symbol: str, bow: Bow, shares: Floats, gap: float) -> Floats:
-    """Spots at parts of an arc, with a gap in millimetres outside it, or negative inside."""
+def _list_spots_at(symbol: str, bow: Bow) -> Floats:
+    """Spots along an arc, outside and inside it."""
+    gaps, shares = _PLACES.T
     toward = _point_toward(bow.start + bow.sweep * shares)
-    reach = gap + np.copysign(np.abs(toward) @ np.array(measure_symbol(symbol)) / 2, gap)
+    reach = gaps + np.copysign(np.abs(toward) @ np.array(measure_symbol(symbol)) / 2, gaps)
     return np.asarray(np.array(bow.centre) + toward * (bow.radius + reach)[:, None])
 
 
