@@ -56,17 +56,22 @@ def foot(point: Vector, line: Line) -> Vector:
 def nearest_of(point: Vector, start: Vector, end: Vector) -> Vector:
     """The point of the segment from `start` to `end` nearest to `point`."""
     step = end - start
-    share = (point - start).dot(step) / step.squared() if step.squared() > 0 else 0.0
+    size = step.squared()
+    share = (point - start).dot(step) / size if size > 0 else 0.0
     return start + step * min(1.0, max(0.0, share))
 
 
 def parts(start: Vector, end: Vector, one: Vector, other: Vector) -> bool:
     """Whether the segment from `start` to `end` passes between two points."""
-    way = other - one
-    if way.cross(start - one) * way.cross(end - one) >= 0:
-        return False
-    along = end - start
-    return bool(along.cross(one - start) * along.cross(other - start) < 0)
+    return _lie_on_both_sides(one, other, start, end) and _lie_on_both_sides(start, end, one, other)
+
+
+def _lie_on_both_sides(start: Vector, end: Vector, one: Vector, other: Vector) -> bool:
+    """Whether two points lie on both sides of a line; in plain numbers, as it is asked often."""
+    (x, y), (to_x, to_y) = start, end
+    along, rise = to_x - x, to_y - y
+    levels = [along * (at.y - y) - rise * (at.x - x) for at in (one, other)]
+    return bool(levels[0] * levels[1] < 0)
 
 
 def on_line(point: Vector, line: Line) -> bool:

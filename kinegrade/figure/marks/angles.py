@@ -163,7 +163,7 @@ def _rate_head(bow: Bow, hint: Angle, near: Neighbours) -> float:
 
 def _rate_merging(bow: Bow, circles: Iterable[Disc | Bow]) -> float:
     """The demerit of an arc that runs along a circle, of which it would seem to be a part."""
-    places = [bow.centre + polar(bow.start + bow.sweep * share, bow.radius) for share in _PROBES]
+    places = _list_probes(bow)
     for circle in circles:
         on_it = (abs(length(at - circle.centre) - circle.radius) < _MERGES for at in places)
         if sum(on_it) > 1:
@@ -171,15 +171,19 @@ def _rate_merging(bow: Bow, circles: Iterable[Disc | Bow]) -> float:
     return 0.0
 
 
+def _list_probes(bow: Bow) -> list[Vector]:
+    """Places along an arc."""
+    return [bow.centre + polar(bow.start + bow.sweep * share, bow.radius) for share in _PROBES]
+
+
 def _rate_within(bow: Bow, circles: Iterable[Disc | Bow]) -> float:
     """The demerit of an arc through a disc on none of its sides, as if it were a line of that."""
     ways = [polar(bow.start), polar(bow.start + bow.sweep)]
-    places = [bow.centre + polar(bow.start + bow.sweep * share, bow.radius) for share in _PROBES]
     for disc in circles:
         step = disc.centre - bow.centre
         aside = all(abs(step.cross(way)) > NEAR or step.dot(way) < 0 for way in ways)
         if isinstance(disc, Disc) and aside and length(step) > disc.radius:
-            within = (length(at - disc.centre) < disc.radius for at in places)
+            within = (length(at - disc.centre) < disc.radius for at in _list_probes(bow))
             if sum(within) > 1:
                 return _WITHIN_DISC
     return 0.0

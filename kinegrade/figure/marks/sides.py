@@ -105,9 +105,11 @@ def hide_sides(
 
 def _measure_along(vertex: Vector, toward: Vector, line: Segment) -> float:
     """How far, in millimetres, a line from near a vertex lies on a side in a direction."""
-    steps = sorted((end - vertex for end in line), key=toward.dot)
-    along = all(abs(step.cross(toward)) < NEAR for step in steps)
-    return steps[1].dot(toward) if along and steps[0].dot(toward) < LEFT else 0.0
+    steps = [end - vertex for end in line]
+    if any(abs(step.cross(toward)) >= NEAR for step in steps):
+        return 0.0
+    near, far = sorted(map(toward.dot, steps))
+    return far if near < LEFT else 0.0
 
 
 def _is_broad(vertex: Vector, toward: Vector, drawing: Drawing) -> bool:

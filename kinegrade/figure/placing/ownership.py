@@ -74,9 +74,10 @@ UNCLAIMED = Claims()
 def list_places(lines: Iterable[Segment], about: Vector, within: float) -> Iterator[Vector]:
     """Places along lines, as far as they are so many millimetres from a point at most."""
     for start, end in lines:
-        count = max(1, ceil(length(end - start) / _STEP))
+        way = end - start
+        count = max(1, ceil(length(way) / _STEP))
         for step in range(count + 1):
-            at = start + (end - start) * (step / count)
+            at = start + way * (step / count)
             if length(at - about) < within:
                 yield at
 

@@ -100,7 +100,7 @@ def widen(wish: Wish) -> Wish:
 
 def measure_gap(one: Label, other: Label) -> float:
     """Millimetres of paper between two labels."""
-    across, upward = one.centre - other.centre
+    across, upward = one.centre.x - other.centre.x, one.centre.y - other.centre.y
     wide, high = (one.width + other.width) / 2, (one.height + other.height) / 2
     return hypot(max(abs(across) - wide, 0.0), max(abs(upward) - high, 0.0))
 

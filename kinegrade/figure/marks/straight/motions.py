@@ -102,7 +102,7 @@ def _caption(
         wish = arrow.wish_apart(others, site.find_rails(arrow.point))
         own, places = arrow.list_stations(), list(list_places(lines, arrow.start, _ABOUT))
         near = [*own, own[-1] + arrow.toward * _PAST]
-        foreign = [at for at in places if min(length(at - each) for each in near) > _BESIDE]
+        foreign = [at for at in places if all(length(at - each) > _BESIDE for each in near)]
         around = tuple(disc for disc in discs if arrow.lies_in(disc))
         claims = Claims(around, bars, lines=tuple(foreign))
         worse = claims.rate(wish.symbol, wish.spots, own)
