@@ -98,6 +98,7 @@ class Findings:
     distances: set[Row] = field(default_factory=set)
     corners: set[str] = field(default_factory=set)
     rim_tracks: dict[int, Term] = field(default_factory=dict)
+    legs: dict[frozenset[str], tuple[str, str]] = field(default_factory=dict)
     told: list[Row] = field(default_factory=list)
     written: dict[str, Row] = field(default_factory=dict)
     translated: dict[Level, set[str]] = field(

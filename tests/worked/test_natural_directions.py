@@ -161,3 +161,11 @@ def test_a_track_that_an_angle_gives_serves_as_one_that_two_points_give() -> Non
     assert r"$-\theta$" in page
     assert r"(in the direction }180^\circ - \theta" in page
     assert "Check by the time derivative" in page
+
+
+def test_the_second_leg_of_an_isosceles_triangle_has_the_angle_of_the_first() -> None:
+    """It was found from coordinates, as the arctangent of 0.5774."""
+    page = "\n".join(lines(kept("scissor-lift")))
+    assert "isosceles with its apex at $M$, so $BM$ too makes the angle $\\theta$" in page
+    assert r"v_{M}\sin 2\theta &= v_{B}\cos\theta" in page
+    assert r"\psi" not in page

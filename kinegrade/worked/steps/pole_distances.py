@@ -47,13 +47,17 @@ class PoleTriangle:
 
     def explain_distances(self) -> Iterator[Block]:
         """The angles and the length that the distances take, and these."""
-        base, point = self.coupler.base, self.coupler.point
-        equations = tuple(self._state_distance(*pair) for pair in ((base, point), (point, base)))
+        equations = self._state_distances()
         self.case.findings.distances |= {equation.left.print() for equation in equations}
         if all(len(equation.links) > 1 for equation in equations):
             yield from self._introduce()
             yield self.case.say(self._name_law())
-        yield self.case.show(*equations)
+        yield self.case.show(*self._state_distances())  # by the angles that stand there now
+
+    def _state_distances(self) -> tuple[Equation, ...]:
+        """The distances of both points from the pole."""
+        base, point = self.coupler.base, self.coupler.point
+        return tuple(self._state_distance(*pair) for pair in ((base, point), (point, base)))
 
     def explain_coordinates(self) -> Iterator[Block]:
         """The coordinates of the pole, from the point that lies straight above, below or beside it

@@ -21,6 +21,7 @@ from kinegrade.worked.formulas.numbers import state_angle
 from kinegrade.worked.formulas.symbols import index_letter, join_letters
 from kinegrade.worked.positions.algebra import make_positive, over
 from kinegrade.worked.positions.instance import DEGREE, PURE, make_instance
+from kinegrade.worked.positions.isosceles import find_mirrored_angle, find_other_leg
 from kinegrade.worked.positions.marked_angles import measure_given
 from kinegrade.worked.positions.seen_angles import find_seen_acute
 from kinegrade.worked.positions.stated_angles import find_stated_angle, find_track_angle
@@ -177,7 +178,7 @@ def _find_line(ends: tuple[str, str], case: Case) -> tuple[Formula, int, float] 
         return None
     start, end = (case.motion.points[point] for point in ends)
     value = bearing(end - start)
-    stated = find_stated_angle(ends, case)
+    stated = find_stated_angle(ends, case) or find_mirrored_angle(ends, case)
     if stated is not None:
         return stated
     acute = min(value % 180, 180 - value % 180)
@@ -244,6 +245,11 @@ def introduce_angle(part: Part, case: Case) -> Iterator[Block]:
         return
     if _is_found(ends, case):
         return
+    leg = find_other_leg(ends, case)
+    if leg is not None:
+        case.findings.legs[frozenset(ends)] = leg
+        yield _explain_legs(ends, leg, case)
+        return
     case.findings.inclined.add(ends)
     instance = make_instance(case)
     pair = instance.axes.pair(Operation("-", Name(ends[1]), Name(ends[0])))
@@ -267,6 +273,17 @@ def introduce_angle(part: Part, case: Case) -> Iterator[Block]:
             *further.equation(symbol, Name(name), DEGREE),
         )
     )
+
+
+def _explain_legs(ends: tuple[str, str], leg: tuple[str, str], case: Case) -> Block:
+    """That a triangle is isosceles, and which angle its second leg has for that reason."""
+    foot, apex = leg
+    other = next(end for end in ends if end != apex)
+    corners = zip(("first", "second", "apex"), (foot, other, apex), strict=True)
+    names = {name: case.naming.point(corner) for name, corner in corners}
+    found = _find_line(leg, case)
+    angle = case.text(found[0]) if found else ""
+    return case.say(Message("solution.isosceles", angle=angle, **names))
 
 
 def _introduce_acute(ends: tuple[str, str], symbol: Symbol, case: Case) -> Block:
