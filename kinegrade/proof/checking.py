@@ -26,7 +26,7 @@ from kinegrade.proof.causes import find_causes, write_causes
 from kinegrade.proof.claims.circles import note_radii_of_bars
 from kinegrade.proof.claims.claims import find_false_claims
 from kinegrade.proof.claims.givens import note_angles_in_radians
-from kinegrade.proof.claims.kinds import note_other_kinds
+from kinegrade.proof.claims.kinds import note_kinds_said, note_other_kinds
 from kinegrade.proof.claims.swaps import note_printed_answers
 from kinegrade.proof.contacts import note_lost_contacts
 from kinegrade.proof.demanding import describe_demands
@@ -95,6 +95,7 @@ def _list_remarks(template: Template) -> Iterator[Message]:
     """What is to be weighed in the file itself."""
     yield from note_letters(template)
     yield from note_other_kinds(template)
+    yield from note_kinds_said(template)
     yield from note_angles_in_radians(template)
     for name in find_idle_givens(template):
         yield Message("template.idle-given", given=name)

@@ -14,7 +14,7 @@ from kinegrade.problem.template.hints import FigureHints, Moving, Turning
 from kinegrade.problem.template.meaning.senses import find_positive
 from kinegrade.problem.template.template import Ask, Parameter, Template
 from kinegrade.problem.template.translated import Translated
-from kinegrade.proof.claims.reading import name_senses
+from kinegrade.proof.claims.reading import name_senses, read_claims
 from kinegrade.sign_conventions import OPPOSITE
 
 _Powers = tuple[int, int, int]
@@ -44,6 +44,24 @@ def note_other_kinds(template: Template) -> Iterator[Message]:
         fitting = {own, "velocity"} if each.unit.counts_turns else {own}  # "speed" in r/min
         if own and any(kinds and not kinds & fitting for kinds in named):
             yield Message("template.another-kind", name=each.name, unit=each.unit.printed)
+
+
+def note_kinds_said(template: Template) -> Iterator[Message]:
+    """A remark for each given behind the word for another kind of rate than its unit has: `the
+    acceleration {{ v }}` of one in m/s.
+    """
+    claims = [*read_claims(template, "named")]
+    for claim in claims:
+        longer = (each["said"] for each in claims if each["said"] != claim["said"])
+        if any(said.endswith(claim["said"]) for said in longer):
+            continue  # the velocity of an angular velocity
+        given = template.parameters.get(claim["given"])
+        own = _KINDS.get(_list_powers(given.unit)) if given else None
+        named = {*list(name_kinds(claim["said"]))[-1:]}
+        fitting = {own, "velocity"} if given and given.unit.counts_turns else {own}
+        if given and own and named and not named & fitting:
+            said, unit = claim["said"], given.unit.printed
+            yield Message("template.said-another-kind", said=said, unit=unit)
 
 
 def find_wrong_signs(template: Template) -> Iterator[Fault]:

@@ -35,6 +35,7 @@ def find_wrong_means(template: Template, examples: Sequence[Solution]) -> Iterat
         place = f"asks.{name}.means"
         yield from (Fault(place, what) for what in _find_others(template, ask))
         yield from (Fault(place, what) for what in _find_other_senses(ask))
+        yield from (Fault(place, what) for what in _find_other_parts(ask))
 
 
 def _find_others(template: Template, ask: Ask) -> Iterator[Message]:
@@ -64,6 +65,15 @@ def _find_other_senses(ask: Ask) -> Iterator[Message]:
         if positive and name_senses(claim["sense"]) == {OPPOSITE[positive]}:
             said = claim["said"].strip(",(，（ ")
             yield Message("template.sign-other-way", said=said, sign=Quoted(positive))
+
+
+def _find_other_parts(ask: Ask) -> Iterator[Message]:
+    """`vertical component` of the component along the x axis."""
+    axis = (find_positive(ask) or "")[1:]
+    for other, kind in (("x", "vertical-part"), ("y", "horizontal-part")):
+        said = [word for text in ask.means.texts for word in list_words(kind) if word in text]
+        if axis == other and said:
+            yield Message("template.means-other-part", said=said[0], axis=axis)
 
 
 def _find_other_lengths(

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping
 from functools import cache
+from itertools import pairwise
 
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.known import known_languages
@@ -29,7 +30,7 @@ _SHAPES = {
     "LINEIS": rf"\$(?P<start>{LETTER})(?P<end>{LETTER})\s*=\s*\$",
     "GIVEN": r"\{\{\s*(?P<given>\w+)(?:\s*\.\s*(?P<part>value|size))?\s*\}\}",
     "FORMULA": r"\$(?P<formula>[^$]*[a-z][^$]*)\$",
-    "WORD": r"\w+",
+    "WORD": r"(?u:\w+)",
     "REST": r"[^.;。；{}]*?",
     "BETWEEN": r"(?P<between>[^.;。；{}]*?)",
     "END": r"(?=\s*(?:[.,;:。，；：]|$))",
@@ -71,14 +72,15 @@ def make_pattern(sentence: str, before: str) -> re.Pattern[str]:
     word begins within another, as in counter-clockwise.
     """
     pieces = re.findall(r"[A-Z]{2,}|\s+|(?:(?![A-Z]{2,})\S)+", sentence.strip())
-    return re.compile(before + "".join(map(_write_piece, pieces)), re.ASCII)
+    written = (_write_piece(piece, last) for last, piece in pairwise(["", *pieces]))
+    return re.compile(before + "".join(written), re.ASCII)
 
 
-def _write_piece(piece: str) -> str:
-    """A piece of a sentence as a pattern."""
+def _write_piece(piece: str, last: str) -> str:
+    """A piece of a sentence as a pattern; right behind a shape it ends a compound word."""
     if piece.isspace():
         return r"\s*"
-    within = r"(?<![\w-])" if piece[0].isalpha() else ""
+    within = r"(?<![\w-])" if piece[0].isalpha() and last not in _list_shapes() else ""
     return _list_shapes().get(piece) or within + re.escape(piece)
 
 

@@ -5,7 +5,7 @@ a number.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import combinations
 
 from kinegrade.errors import MechanismError
@@ -13,7 +13,7 @@ from kinegrade.language.message import Message
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.template import Parameter, Template
 from kinegrade.proof.claims.nouns import Nouns
-from kinegrade.proof.claims.patterns import write_words
+from kinegrade.proof.claims.patterns import list_words, write_words
 
 _SLOT = re.compile(r"\{\{\s*(\w+)[^}]*\}\}")
 _NAME = re.compile(  # of a part: gear 2, wheel A, the bar $AB$
@@ -30,14 +30,22 @@ def find_swapped_givens(template: Template) -> Iterator[Message]:
     """Two givens of one unit, each at the part that the other one means: `gear 2, with {{ z3 }}
     teeth, and gear 3, with {{ z2 }}`.
     """
-    meant = {name: _find_only_name(template, given) for name, given in template.parameters.items()}
+    letters = {name: _find_only_name(template, each) for name, each in template.parameters.items()}
+    sides = {name: _find_only_side(each) for name, each in template.parameters.items()}
     for text in template.words.statement.texts:
-        said = dict(_list_slots(text))
-        for one, other in combinations(said, 2):
-            names = (meant.get(one), meant.get(other))
-            units = {template.parameters[name].unit for name in (one, other) if name in meant}
-            if all(names) and len(units) == 1 and (said[other], said[one]) == names != names[::-1]:
-                yield Message("template.swapped", one=one, other=other)
+        yield from _find_swapped(template, letters, dict(_list_slots(text)))
+        yield from _find_swapped(template, sides, dict(_list_sides(text)))
+
+
+def _find_swapped(
+    template: Template, meant: Mapping[str, str | None], said: Mapping[str, str]
+) -> Iterator[Message]:
+    """Two givens of one unit that a text has at the parts that the other one means."""
+    for one, other in combinations(said, 2):
+        names = (meant.get(one), meant.get(other))
+        units = {template.parameters[name].unit for name in (one, other) if name in meant}
+        if all(names) and len(units) == 1 and (said[other], said[one]) == names != names[::-1]:
+            yield Message("template.swapped", one=one, other=other)
 
 
 def _find_only_name(template: Template, given: Parameter) -> str | None:
@@ -50,6 +58,30 @@ def _find_only_name(template: Template, given: Parameter) -> str | None:
         nouns = [noun for text in texts for noun in Nouns(template).read_nouns(text)]
         named = {thing.body for _, things in nouns for thing in things}
     return next(iter(named)) if len(named) == 1 else None
+
+
+def _find_only_side(given: Parameter) -> str | None:
+    """Which one of two things a given means: upper."""
+    named = {*_name_ones_of_two(" ".join(given.means.texts))}
+    return next(iter(named)) if len(named) == 1 else None
+
+
+def _list_sides(text: str) -> Iterator[tuple[str, str]]:
+    """The givens of a text, each with the last word between it and the one before, in its
+    sentence, that tells one of two things.
+    """
+    start = 0
+    for slot in _SLOT.finditer(text):
+        before = re.split(r"[.;。；]", text[start : slot.start()])[-1]
+        yield from ((slot[1], said) for said in [*_name_ones_of_two(before)][-1:])
+        start = slot.end()
+
+
+def _name_ones_of_two(text: str) -> Iterator[str]:
+    """The words of a text that tell one of two things from the other, in their order: upper."""
+    words = [one for pair in list_words("one-of-two") for one in pair.split("/")]
+    pattern = "|".join(rf"(?<![^\W\d_]){one}" if one.isascii() else one for one in words)
+    yield from (match[0].lower() for match in re.finditer(pattern, text, re.IGNORECASE))
 
 
 def _list_slots(text: str) -> Iterator[tuple[str, str]]:

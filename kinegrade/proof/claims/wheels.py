@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from kinegrade.language.message import Message
+from kinegrade.mechanics.joints.belt import Belt
 from kinegrade.mechanics.joints.touching_pair import TouchingPair
 from kinegrade.mechanics.shapes import Line
 from kinegrade.problem.solution import Solution
@@ -22,6 +23,7 @@ def find_wrong_wheels(template: Template, examples: Sequence[Solution]) -> Itera
                 if any(found and max(found) < 0 for found in _turn(sides, sign)):
                     yield Message("template.lies-otherwise", said=claim["said"])
     yield from _find_too_many_external(template)
+    yield from _find_other_belts(template)
 
 
 def _turn(sides: Sequence[Sequence[float]], sign: int) -> list[list[float]]:
@@ -59,3 +61,18 @@ def _find_too_many_external(template: Template) -> Iterator[Message]:
             word in said for word in list_words("internal")
         ):
             yield Message("template.external-too-often", number=number, external=external)
+
+
+def _find_other_belts(template: Template) -> Iterator[Message]:
+    """`an open belt` where all belts are crossed, or the other way round."""
+    belts = {
+        "crossed" in joint.options
+        for joint in template.scheme.joints
+        if issubclass(joint.stated, Belt)
+    }
+    words = {True: [*list_words("crossed-belt")], False: [*list_words("open-belt")]}
+    for text in template.words.statement.texts:
+        for crossed, said in words.items():
+            named = [each for each in said if each in text]
+            if belts == {not crossed} and named and not any(map(text.count, words[not crossed])):
+                yield Message("template.belt-otherwise", said=named[0])
