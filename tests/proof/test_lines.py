@@ -61,7 +61,10 @@ def find(said: str, phi: str = "60") -> list[str]:
         (r"$OA$ of length $\sqrt{2}\,r$", "", "60"),
         (r"$OA$ hat die Länge $3r/2$", "", "60"),
         (r"$OA$ 的长度为 $2r$", "", "60"),
-        (r"$A$ lies at the distance $r/2$", "60", ""),
+        (r"$A$ lies at the distance $r$ from $O$", "60", ""),
+        (r"$A$ liegt im Abstand $2r$ von $O$", "", "60"),
+        (r"the pin $A$, at the distance $3r$ from a wall", "60", ""),
+        (r"the pin $M$ lies between $O$ and $A$, above $A$", "-60", ""),
         (r"$O$ und $A$ haben den Abstand $2r$", "", "60"),
         (r"$O$ and $A$ have the distance $2 x$", "60", ""),  # no given
         ("$A$ is farther from $O$ than $M$", "60", ""),

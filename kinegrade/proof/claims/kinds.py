@@ -61,7 +61,7 @@ def note_kinds_said(template: Template) -> Iterator[Message]:
         fitting = {own, "velocity"} if given and given.unit.counts_turns else {own}
         if given and own and named and not named & fitting:
             said, unit = claim["said"], given.unit.printed
-            yield Message("template.said-another-kind", said=said, unit=unit)
+            yield Message("template.other-kind-said", said=said, unit=unit)
 
 
 def find_wrong_signs(template: Template) -> Iterator[Fault]:

@@ -23,7 +23,17 @@ def read_texts(texts: Iterable[str], kind: str, before: str = "") -> Iterator[di
     for text in texts:
         for sentence in list_words(kind):
             for match in make_pattern(sentence, before).finditer(text):
+                if before and _ends_between(text[: match.start()]):
+                    continue  # $M$ lies between $O$ and this one
                 yield {**match.groupdict(""), "said": " ".join(match[0].split())}
+
+
+def _ends_between(text: str) -> bool:
+    """Whether the next letter is the second of two between which something else lies."""
+    return any(
+        re.search(rf"{make_pattern(words, '').pattern}\s*$", text, re.ASCII)
+        for words in list_words("between")
+    )
 
 
 def name_senses(said: str) -> set[Convention]:
