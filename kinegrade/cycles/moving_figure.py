@@ -53,7 +53,7 @@ from kinegrade.problem.template.hints import FigureHints
 _A_TURN = 72  # positions
 _FEW = 36  # positions of each turn where there are several
 _MOST = 216
-_FAR = 2.2  # sizes of the mechanism that a part may go before the drawing is cut off; a crank goes 2
+_FAR = 2.2  # sizes of the mechanism that a part may go before the drawing is cut; a crank goes 2
 _FINE = 601  # positions of the points' ways
 _SEEN = 0.5  # millimetres: a way that is shorter is not drawn
 _TRACE = Pen(0.18, "dashed")
