@@ -157,7 +157,8 @@ def test_the_arrow_of_an_arm_begins_on_it_where_a_pulley_turns_about_the_same_pi
     for mechanism, (of_pulley, *of_arm) in _draw_arrows("crossed-belt-drive"):
         arm = angle_of(mechanism.points["A"] - mechanism.points["O"])
         assert len(of_arm) == 2
-        assert max(arrow.radius for arrow in of_arm) <= of_pulley.radius  # at O, not down the arm
+        reach = max(arrow.radius for arrow in of_arm)
+        assert reach < 1.1 * of_pulley.radius  # at O, not down the arm
         assert [arrow.start for arrow in of_arm] == pytest.approx([arm, arm])
 
 
