@@ -6,7 +6,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
-from math import ceil, pi
+from math import ceil, pi, sqrt
 
 from kinegrade.figure.plane import angle_of, length, polar, shorter_way, unit
 from kinegrade.figure.scene import (
@@ -64,6 +64,22 @@ def draw_half_pin(at: Vector, side: Vector) -> tuple[Primitive, ...]:
     flat = at + side * (BOLD.width / 2)
     arc = Bow(flat, _HALF_PIN, angle_of(side) - pi / 2, pi, FIRM)
     return (Outline(arc.path(), FIRM, "white"),)
+
+
+def reach_half_pin(away: Vector, side: Vector) -> float:
+    """Millimetres from the point of such a joint to its edge in a direction (a unit vector): to the
+    half circle, on the other side to the bar.
+    """
+    half, ahead = BOLD.width / 2, away.dot(side)
+    if ahead <= 0:
+        return half
+    return half * float(ahead) + sqrt(_HALF_PIN**2 - half**2 * (1 - ahead**2))
+
+
+def measure_in_sleeve(away: Vector, side: Vector) -> float:
+    """Millimetres from the point of such a joint to the edge of its sleeve in a direction."""
+    along, across = abs(float(away.cross(side))), abs(float(away.dot(side)))
+    return min(SLEEVE_LENGTH / 2 / max(along, 1e-9), WIDTH_ABOUT_PIN / 2 / max(across, 1e-9))
 
 
 def draw_boss(at: Vector) -> tuple[Primitive, ...]:

@@ -26,6 +26,7 @@ from tests.figure.more_mechanisms import (
     plate_on_fixed_corners,
     sleeve_with_arm,
     sliding_plate,
+    swivelling_rod,
 )
 
 ORIGIN = Vector(0.0, 0.0)
@@ -136,6 +137,15 @@ def test_the_pin_of_a_sleeve_is_a_half_circle_in_it_beside_its_bar_towards_what_
     assert toward.x > at.x
     assert min(aside) == BOLD.width / 2
     assert max(aside) < max(corner.x for corner in sleeve.corners) - at.x - FIRM.width / 2
+
+
+def test_the_legs_of_a_stand_lead_over_the_sleeve_that_turns_on_it_up_to_the_pin() -> None:
+    case = swivelling_rod()
+    drawing, at = drawing_of(case), place(case, "D")
+    (sleeve,), (half,) = blocks_about(drawing, at), half_circles(drawing)
+    outlines = [part for part in drawing.primitives if isinstance(part, Outline)]
+    (stand,) = (part for part in outlines if part.corners[0] == at)
+    assert layer(drawing, sleeve) < layer(drawing, stand) < layer(drawing, half)
 
 
 def test_the_bar_slides_over_the_pin_of_a_sleeve_with_an_arm() -> None:

@@ -38,6 +38,13 @@ def test_an_extension_line_begins_where_a_bar_beside_it_is_clear_of_it() -> None
     assert [_find_gap_beside(turn).reach for turn in (1.0, 20.0)] == [1.6, 1.6]
 
 
+def test_an_extension_line_begins_beyond_the_corner_of_the_sleeve_that_its_point_is_in() -> None:
+    """A sleeve of 6.4 mm by 4.4 mm: at 45 degrees it ends 2.2/sin(45 degrees) mm from its pin."""
+    around = Around(NOTHING, NOTHING, half_pins=((POINT, polar(radians(45))),))
+    assert find_gap(POINT, RIGHT, around).reach == pytest.approx(3.611, abs=1e-3)
+    assert find_gap(POINT + RIGHT, RIGHT, around).reach == pytest.approx(1.6)
+
+
 @pytest.mark.parametrize("pen", [BOLD, THIN])
 def test_the_symbol_of_a_bar_is_clearly_nearer_to_it_than_to_another_line(pen: Pen) -> None:
     """At a sharp angle: the symbol stands outside it, or where the two are well apart."""

@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 
 from kinegrade.figure.placing.layout import Layout
+from kinegrade.figure.placing.letters import trace_wished_leader
 from kinegrade.figure.placing.place import Wish
 from kinegrade.figure.scene import BOLD, FIRM, THIN, Label, Strokes
 from kinegrade.mechanics.vector import Vector
@@ -31,6 +32,14 @@ def test_a_leader_goes_from_a_letter_that_stands_off_to_just_before_its_point() 
     assert (start.y, end.y) == (0.0, 0.0)
     assert 1.0 < end.x < 1.6
     assert 5.0 < start.x < 6.5
+
+
+def test_a_leader_to_a_pin_beside_its_bar_ends_on_its_half_circle_or_at_the_bar() -> None:
+    wish = Wish("E", np.array([[7.0, 0.0]]), names=POINT)
+    for side, end in ((1.0, BOLD.width / 2 + 1.15), (-1.0, BOLD.width / 2)):
+        led = trace_wished_leader(replace(wish, pin_side=Vector(side, 0.0)), wish.label_at(0))
+        assert led is not None
+        assert led[1] == Vector(end, 0.0)
 
 
 def test_no_leader_crosses_a_bar() -> None:

@@ -14,7 +14,11 @@ from kinegrade.figure.joints.symbol import find_fixed_pins
 from kinegrade.figure.mechanism.anatomy import Anatomy
 from kinegrade.figure.mechanism.fitting import measure_span
 from kinegrade.figure.mechanism.paper import scale_to_paper
-from kinegrade.figure.mechanism.stands import choose_upright, draw_stands
+from kinegrade.figure.mechanism.stands import (
+    choose_upright,
+    draw_stands,
+    draw_stands_of_sleeves,
+)
 from kinegrade.figure.mechanism.view import crop_to_view
 from kinegrade.figure.plane import SIDE_VECTORS, unit
 from kinegrade.figure.scene import Strokes
@@ -59,7 +63,7 @@ def test_the_support_of_an_eccentric_disc_does_not_cross_its_rim(name: str) -> N
     for seed in range(2 * DRAWS):
         anatomy = draw_anatomy(template, seed)
         rims = [Point(rim.at).buffer(rim.radius, 60) for rim in anatomy.rims]
-        for stand in draw_stands(anatomy):
+        for stand in (*draw_stands(anatomy), *draw_stands_of_sleeves(anatomy)):
             lines = stand.lines if isinstance(stand, Strokes) else ()
             crossed = [rim for rim in rims for line in lines if LineString(line).crosses(rim)]
             assert crossed == [], seed

@@ -12,7 +12,11 @@ from kinegrade.figure.mechanism.anatomy import Anatomy
 from kinegrade.figure.mechanism.paper import scale_to_paper
 from kinegrade.figure.mechanism.rails import Rail, find_rails
 from kinegrade.figure.mechanism.sliders import draw_ground_sliders
-from kinegrade.figure.mechanism.stands import choose_upright, draw_stands
+from kinegrade.figure.mechanism.stands import (
+    choose_upright,
+    draw_stands,
+    draw_stands_of_sleeves,
+)
 from kinegrade.figure.plane import length, unit
 from kinegrade.figure.scene import THIN, Outline, Strokes
 from kinegrade.figure.sketch import sketch
@@ -34,7 +38,9 @@ def anatomy_of(mechanism: Mechanism) -> Anatomy:
 
 def uprights_of_stands(mechanism: Mechanism) -> list[Vector]:
     """The vectors from the fixed pins to the ground of their stands."""
-    stands = [part for part in draw_stands(anatomy_of(mechanism)) if isinstance(part, Outline)]
+    anatomy = anatomy_of(mechanism)
+    drawn = (*draw_stands(anatomy), *draw_stands_of_sleeves(anatomy))
+    stands = [part for part in drawn if isinstance(part, Outline)]
     return [(part.corners[1] + part.corners[2]) / 2 - part.corners[0] for part in stands]
 
 

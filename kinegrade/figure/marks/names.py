@@ -103,7 +103,8 @@ def label_point(
         *_list_grounds(at, drawing),
         *(chord for rim in drawing.rims if _lies_within(at, rim) for chord in _list_chords(rim)),
     )
-    return Wish(symbol, spots, demerits=demerits, names=at, amid=amid, closely=closely, walls=walls)
+    side = next((side for pin, side in drawing.half_pins if length(pin - at) < NEAR), None)
+    return Wish(symbol, spots, None, demerits, at, amid, closely, walls, side)
 
 
 def _keep_off_disc(wish: Wish, at: Vector, drawing: Drawing) -> Wish:

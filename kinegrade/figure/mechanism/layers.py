@@ -2,7 +2,8 @@
 plates, stands, bars, pins.
 
 Bars and plates lie above the blocks to whose pins they lead, slender bars also above slotted ones,
-and those that slide in sleeves above all others and above the pins of these.
+and those that slide in sleeves above all others and above the pins of these;
+the stand of a sleeve's pin lies above the sleeve.
 """
 
 from __future__ import annotations
@@ -13,13 +14,18 @@ from dataclasses import dataclass
 from kinegrade.figure.joints.symbol import Rim, Symbol
 from kinegrade.figure.mechanism.anatomy import Anatomy
 from kinegrade.figure.mechanism.belts import draw_belts, draw_ropes
-from kinegrade.figure.mechanism.pins import draw_motors, draw_points, draw_swivels
+from kinegrade.figure.mechanism.pins import (
+    draw_motors,
+    draw_points,
+    draw_swivels,
+    find_half_pins,
+)
 from kinegrade.figure.mechanism.plates import Plate
 from kinegrade.figure.mechanism.rails import Rail, find_rails
 from kinegrade.figure.mechanism.round.heads import draw_heads
 from kinegrade.figure.mechanism.round.round_bodies import draw_round_bodies
 from kinegrade.figure.mechanism.sliders import draw_blocks, draw_ground_sliders, draw_sleeves
-from kinegrade.figure.mechanism.stands import draw_stands
+from kinegrade.figure.mechanism.stands import draw_stands, draw_stands_of_sleeves
 from kinegrade.figure.mechanism.straight.gussets import draw_gussets, find_welded_arms
 from kinegrade.figure.mechanism.straight_bodies import draw_straight_part
 from kinegrade.figure.mechanism.straight_parts import (
@@ -49,6 +55,7 @@ class Drawing:
     parts: tuple[Part, ...]
     symbols: tuple[Symbol, ...]
     rails: tuple[Rail, ...]
+    half_pins: tuple[tuple[Vector, Vector], ...] = ()
 
 
 def draw(mechanism: Mechanism, hints: FigureHints) -> Drawing:
@@ -56,12 +63,17 @@ def draw(mechanism: Mechanism, hints: FigureHints) -> Drawing:
     anatomy = Anatomy.of(mechanism, hints)
     rails = find_rails(anatomy)
     sliders, stands = tuple(draw_ground_sliders(rails)), tuple(draw_stands(anatomy))
-    drawn = tuple(_draw_layers(anatomy, sliders, stands))
-    return Drawing(drawn, (*sliders, *stands), anatomy.rims, anatomy.parts, anatomy.symbols, rails)
+    before = tuple(draw_stands_of_sleeves(anatomy))
+    drawn = tuple(_draw_layers(anatomy, sliders, stands, before))
+    ground, pins = (*sliders, *stands, *before), find_half_pins(anatomy)
+    return Drawing(drawn, ground, anatomy.rims, anatomy.parts, anatomy.symbols, rails, pins)
 
 
 def _draw_layers(
-    anatomy: Anatomy, sliders: Sequence[Primitive], stands: Sequence[Primitive]
+    anatomy: Anatomy,
+    sliders: Sequence[Primitive],
+    stands: Sequence[Primitive],
+    stands_of_sleeves: Sequence[Primitive],
 ) -> Iterator[Primitive]:
     yield from draw_round_bodies(anatomy)
     yield from draw_belts(anatomy)
@@ -71,18 +83,19 @@ def _draw_layers(
     for part in anatomy.parts:
         if isinstance(part, Plate | SlottedDisc | GenevaWheel):
             yield from draw_straight_part(part, anatomy.rims)
-    behind, before = _sort_reference_lines(anatomy)
+    behind, over = _sort_reference_lines(anatomy)
     yield from behind
     yield from stands
     for part in anatomy.parts:
         if isinstance(part, Bar) and not is_slender(part):
             yield from draw_straight_part(part, anatomy.rims)
-    yield from before
+    yield from over
     yield from draw_blocks(anatomy)
     arms = [arm for arm, _ in find_welded_arms(anatomy.parts, anatomy.symbols)]
     for arm in arms:
         yield from draw_straight_part(arm, anatomy.rims)
     yield from draw_sleeves(anatomy)
+    yield from stands_of_sleeves
     yield from draw_motors(anatomy)
     bars = [part for part in anatomy.parts if is_slender(part) and part not in arms]
     sliding = [bar for bar in bars if isinstance(bar, Bar) and bar.use == "bar"]

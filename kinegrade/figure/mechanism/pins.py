@@ -75,16 +75,27 @@ def draw_swivels(anatomy: Anatomy) -> Iterator[Primitive]:
     """The pins about which sleeves turn: half circles beside the bars that slide through these,
     towards the members pinned there, or circles beneath the bars where sleeves are slim.
     """
-    slim = are_sleeves_slim(anatomy)
-    for name, along in sorted(find_swivels(anatomy).items()):
-        if slim:
+    if are_sleeves_slim(anatomy):
+        for name in sorted(find_swivels(anatomy)):
             yield Disc(anatomy.mechanism.points[name], _SWIVEL, FIRM, "white")
-            continue
+    for at, side in find_half_pins(anatomy):
+        yield from draw_half_pin(at, side)
+
+
+def find_half_pins(anatomy: Anatomy) -> tuple[tuple[Vector, Vector], ...]:
+    """The points of pins in sleeves that are half circles, each with the unit vector from the bar
+    to these.
+    """
+    if are_sleeves_slim(anatomy):
+        return ()
+    found = []
+    for name, along in sorted(find_swivels(anatomy).items()):
         joined, _ = _find_members(anatomy, name)
         ways = [(bar, unit(bar.end - bar.start)) for bar in joined]
         pinned = [bar for bar, way in ways if abs(along.cross(way)) > NEAR]
         side = _find_side(anatomy, name, pinned, along)
-        yield from draw_half_pin(anatomy.mechanism.points[name], side)
+        found.append((anatomy.mechanism.points[name], side))
+    return tuple(found)
 
 
 def are_sleeves_slim(anatomy: Anatomy) -> bool:

@@ -12,6 +12,7 @@ from kinegrade.errors import TemplateError
 from kinegrade.figure.joints.symbol import Rim, find_fixed_pins
 from kinegrade.figure.mechanism.anatomy import Anatomy
 from kinegrade.figure.mechanism.plates import Plate
+from kinegrade.figure.mechanism.straight.gussets import find_welded_arms
 from kinegrade.figure.mechanism.straight_parts import (
     Bar,
     GenevaWheel,
@@ -74,7 +75,18 @@ def draw_stands(anatomy: Anatomy) -> Iterator[Primitive]:
         if rim.body == GROUND and not rim.ring and rim.radius < _INSIDE
     }
     for name in fixed:
-        if name not in wheels and name not in anatomy.knife_edges:
+        bare = name in wheels or name in anatomy.knife_edges
+        if not bare and not _stands_before_sleeve(at[name], anatomy):
+            yield from draw_pivot(at[name], choose_upright(name, anatomy))
+
+
+def draw_stands_of_sleeves(anatomy: Anatomy) -> Iterator[Primitive]:
+    """The stands of fixed pins beside the bars in sleeves, whose legs lead over these up to the
+    pins.
+    """
+    at = anatomy.mechanism.points
+    for name in find_fixed_pins(anatomy.symbols):
+        if name not in anatomy.knife_edges and _stands_before_sleeve(at[name], anatomy):
             yield from draw_pivot(at[name], choose_upright(name, anatomy))
 
 
@@ -104,6 +116,13 @@ def _choose_height(anatomy: Anatomy) -> float:
 
 def _turns_a_sleeve(at: Vector, anatomy: Anatomy) -> bool:
     return any(length(sleeve.point - at) < 1.0 for sleeve in anatomy.sleeves)
+
+
+def _stands_before_sleeve(at: Vector, anatomy: Anatomy) -> bool:
+    """Whether a fixed pin is seen in a sleeve: in a slim one it is beneath the bar."""
+    return _turns_a_sleeve(at, anatomy) and not any(
+        find_welded_arms(anatomy.parts, anatomy.symbols)
+    )
 
 
 def _measure_hindrance(at: Vector, upright: Vector, anatomy: Anatomy) -> float:

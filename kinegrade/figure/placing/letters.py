@@ -11,8 +11,9 @@ from kinegrade.figure.placing.aligned import runs_on
 from kinegrade.figure.placing.obstacles import Obstacles, Segment
 from kinegrade.figure.placing.place import Placed, Wish, place_label
 from kinegrade.figure.placing.wedge import rate_cut_off
-from kinegrade.figure.plane import parts
+from kinegrade.figure.plane import parts, unit
 from kinegrade.figure.scene import Label
+from kinegrade.figure.symbols import reach_half_pin
 from kinegrade.mechanics.vector import Vector
 
 # Millimetres from which on a letter has a leader, and of paper at its two ends
@@ -74,7 +75,11 @@ def trace_wished_leader(wish: Wish, label: Label) -> Segment | None:
     """The leader of a letter that names a point and stands off from it."""
     if wish.names is None:
         return None
-    return trace_leader(label, wish.names, wish.walls, amid=wish.amid > 0)
+    line = trace_leader(label, wish.names, wish.walls, amid=wish.amid > 0)
+    if line is None or wish.pin_side is None:
+        return line
+    start, away = line[0], unit(line[0] - wish.names)
+    return start, wish.names + away * reach_half_pin(away, wish.pin_side)
 
 
 def trace_leader(

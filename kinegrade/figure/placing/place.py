@@ -48,6 +48,7 @@ class Wish:
     demerit as well. A letter far from the point that it `names` gets a leader, whose last
     millimetres may cross what the point lies `amid`; before that its places are looked for more
     `closely`, as they are where it would stand behind one of the `walls`.
+    The pin of the point may be beside its bar, on the `pin_side`.
     """
 
     symbol: str
@@ -58,6 +59,7 @@ class Wish:
     amid: float = 0.0
     closely: Callable[[float], Wish] | None = None
     walls: tuple[Segment, ...] = ()
+    pin_side: Vector | None = None
 
     def label_at(self, spot: int) -> Label:
         """The label at one of its spots."""

@@ -9,8 +9,9 @@ from dataclasses import dataclass
 from kinegrade.figure.mechanism.layers import Drawing
 from kinegrade.figure.mechanism.straight_parts import Bar, Rod, find_half_width, list_ways
 from kinegrade.figure.placing.obstacles import Obstacles
-from kinegrade.figure.plane import length, unit
+from kinegrade.figure.plane import NEAR, length, unit
 from kinegrade.figure.scene import BOLD
+from kinegrade.figure.symbols import measure_in_sleeve
 from kinegrade.mechanics.vector import Vector
 
 _LEAVING = 1.6  # millimetres from a point to its extension line, where nothing is in the way
@@ -27,11 +28,14 @@ _OFF_BAR, _NEAR_BY, _FAR_OFF = 0.7, 4.2, 12.0
 
 @dataclass(frozen=True)
 class Around:
-    """What there is about a dimension: the mechanism, its supports and guides, and its bars."""
+    """What there is about a dimension: the mechanism, its supports and guides, its bars, and its
+    half pins, which sit in sleeves.
+    """
 
     drawn: Obstacles
     ground: Obstacles
     bars: tuple[Bar | Rod, ...] = ()
+    half_pins: tuple[tuple[Vector, Vector], ...] = ()
 
     @staticmethod
     def of(drawn: Obstacles, drawing: Drawing) -> Around:
@@ -41,7 +45,7 @@ class Around:
             for part in drawing.parts
             if isinstance(part, Rod) or (isinstance(part, Bar) and part.use != "slot")
         )
-        return Around(drawn, Obstacles.of(drawing.ground), bars)
+        return Around(drawn, Obstacles.of(drawing.ground), bars, drawing.half_pins)
 
     def find_half_width(self, start: Vector, end: Vector) -> float:
         """Half the width of the broad link that is pinned at both points; 0 where there is none."""
@@ -78,7 +82,11 @@ def find_gap(point: Vector, away: Vector, around: Around) -> Gap:
         return Gap(max(along) + _OUTSIDE)
     beside = [(BOLD.width / 2 + _OFF_BAR) / abs(unit(way).cross(away)) for way in ways]
     parting = [reach for reach in beside if _NEAR_BY < reach < _FAR_OFF]
-    reach = max(_find_end_of_support(point, away, around), *parting, 0.0)
+    sides = (side for at, side in around.half_pins if length(at - point) < NEAR)
+    corners = [
+        end + _OUTSIDE for end in (measure_in_sleeve(away, side) for side in sides) if end > _BODY
+    ]
+    reach = max(_find_end_of_support(point, away, around), *parting, *corners, 0.0)
     return Gap(reach, 0.0 if reach <= _BODY + _OUTSIDE else reach - _LEAVING)
 
 
