@@ -40,8 +40,6 @@ def write_rate_chapters(
     velocities, accelerations = steps
     if velocities:
         yield Heading(case.write(Message("solution.velocities")), 1)
-        positive, rounded = Message("solution.positive"), Message("solution.rounded")
-        yield case.say(Message("solution.sentences", first=positive, next=rounded))
         wanted = [ask for ask in moving if _find_level(ask, case) == "velocity"]
         yield from _write_level_chapter(velocities, case, "velocity", _Answers(wanted, boxes))
     if accelerations:

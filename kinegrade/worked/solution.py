@@ -24,9 +24,11 @@ from kinegrade.problem.template.template import Ask, Method
 from kinegrade.worked.answers.boxes import AnswerBoxes
 from kinegrade.worked.answers.named_steps import explain_steps
 from kinegrade.worked.answers.poses import explain_pose_answers, is_positional
+from kinegrade.worked.asked_senses import count_as_asked
 from kinegrade.worked.case import Case
 from kinegrade.worked.checks.chapters import check_places
 from kinegrade.worked.contacts import find_contact, introduce_contacts
+from kinegrade.worked.conventions import find_convention
 from kinegrade.worked.document import Block, Heading, WorkedSolution
 from kinegrade.worked.economy import leave_out_unused
 from kinegrade.worked.findings import Ways
@@ -64,7 +66,7 @@ def write_worked_solution(
     """
     names = tuple(asks)
     counted, length = count_lengths_as_given(solution, names)
-    stated = restate(counted)
+    stated = count_as_asked(restate(counted), names)
     case = Case(stated, language, method or stated.template.about.method, length)
     asked = tuple(stated.template.asks[name] for name in names)
     claim_plain_symbols(asked, case)
@@ -122,11 +124,12 @@ def _write_blocks(case: Case, asked: Sequence[Ask], boxes: AnswerBoxes) -> Itera
     chapters = write_rate_chapters(case, moving, boxes, (velocities, accelerations))
     # In boxes before their turn: an answer is missing until its line has got its box
     later = tuple(boxes.frame(chapters))
+    if velocities:
+        later = (later[0], find_convention(later, case), *later[1:])
     checks = () if moving else tuple(check_places(still, case))
     used = (*list_lines((*poses, *later)), *case.findings.told[told:])
     if case.motion.rates:
-        yield Heading(case.write(Message("solution.kinds")), 1)
-        yield from describe_motions(case, used)
+        yield from describe_motions(case, used, (*velocities, *accelerations))
     sought = (read_symbol(ask.symbol).row for ask in still)
     where = placed.write_used((*used, *sought)) if moving else placed.write()
     yield from _head_positions((*contacts, *where), case)

@@ -18,13 +18,12 @@ def test_a_sum_has_its_value_before_the_law_of_sines_takes_it() -> None:
 
 
 def test_the_angles_of_a_projection_are_worked_out_once() -> None:
-    """The velocities use three of them, and the accelerations the same again."""
+    """The velocities use two of them, and the accelerations the same again."""
     told = proses(kept("pin-in-two-rings"))
     found = [text for text in told if "55.30" in text and text.startswith("Here")]
     assert found == [
-        r"Here $\psi_{CM} + \psi_{O_{2}M} = 18.43^\circ + 36.87^\circ \approx 55.30^\circ$, "
-        r"$\angle O_{2}O_{1}M + \psi_{O_{2}M} = 36.87^\circ + 36.87^\circ \approx 73.74^\circ$ "
-        r"and $\psi_{O_{2}M} - \psi_{AM} = 36.87^\circ - 18.43^\circ \approx 18.43^\circ$."
+        r"Here $\angle O_{2}O_{1}M + \psi_{CM} = 36.87^\circ + 18.43^\circ \approx 55.30^\circ$ and "
+        r"$\angle O_{2}O_{1}M - \psi_{AM} = 36.87^\circ - 18.43^\circ \approx 18.43^\circ$."
     ]
 
 

@@ -55,11 +55,10 @@ def test_a_composition_of_velocities() -> None:
     solution = solve_small(SLOT, omega="omega(OB) in rad/s")
     assert read_chapter("# Velocities", solution) == as_read(
         r"""
-        Rotations are positive counter-clockwise, and angles are measured counter-clockwise from the
-            $x$ axis. For an unknown vector the letter stands for its component in the direction
-            assumed for it (about another point: counter-clockwise, $\curvearrowleft$), for a known
-            one for its magnitude. Printed values are rounded; the calculation goes on with all
-            their digits.
+        Rotations are positive counter-clockwise. The letter of a vector stands for its component in
+            the direction that its first table gives ($\perp$ with $\curvearrowleft$: turned
+            counter-clockwise from what is named). Printed values are rounded; the calculation goes
+            on with all their digits.
         Given: the angular velocity of the crank $O_{1}A$.
         \omega_{O_{1}A} &= 2\,\unit{rad/s}\quad\text{(counter-clockwise)}
         ## Composition of motions: moving point $A$, moving frame on $OB$
@@ -106,7 +105,9 @@ def test_a_composition_of_accelerations_with_coriolis() -> None:
         [+] \boldsymbol{a}_{\mathrm{Cor}} | $2\omega\,v_{\mathrm{r}} = 12.288\,\unit{m/s^2}$ | $\perp
             \boldsymbol{v}_{\mathrm{r}},\curvearrowleft$
         Here $a_{\mathrm{a}}^{\mathrm{t}} = 0$.
-        Right-hand rule: $\boldsymbol{a}_{\mathrm{Cor}}$ has the direction of
+        Right-hand rule:
+            $\boldsymbol{a}_{\mathrm{Cor}}=2\,\boldsymbol{\omega}\times\boldsymbol{v}_{\mathrm{r}}$
+            has the direction of
             $\boldsymbol{v}_{\mathrm{r}}$ turned through $90^\circ$ counter-clockwise, with
             $\omega$.
         Projecting on the normal to $\boldsymbol{a}_{\mathrm{r}}$ (its positive direction

@@ -63,17 +63,15 @@ def test_meshing_seen_from_the_carrier() -> None:
     solution = solve_small(PLANETS, omega="omega(planet) in rad/s")
     assert read_chapter("# Velocities", solution) == as_read(
         r"""
-        Rotations are positive counter-clockwise, and angles are measured counter-clockwise from the
-            $x$ axis. For an unknown vector the letter stands for its component in the direction
-            assumed for it (about another point: counter-clockwise, $\curvearrowleft$), for a known
-            one for its magnitude. Printed values are rounded; the calculation goes on with all
-            their digits.
+        Rotations are positive counter-clockwise. Printed values are rounded; the calculation goes
+            on with all their digits.
         Given: the angular velocity of the arm $OA$.
         \omega_{OA} &= 2\,\unit{rad/s}\quad\text{(counter-clockwise)}
         Given: the angular velocity of the sun gear.
         \omega_{\text{sun}} &= -3\,\unit{rad/s}\quad\text{(clockwise)}
         ## The planet gear meshes with the sun gear
-        Relative to the arm $OA$ the pitch circles have equal speeds at the contact:
+        Relative to the arm $OA$ the pitch circles have equal speeds at the contact; in an external
+            mesh the gears turn in opposite senses:
         1\,\unit{m} \cdot (\omega - \omega_{OA}) &= -2\,\unit{m} \cdot (\omega_{\text{sun}} - \omega_{OA})
         \omega &= \omega_{OA} - \frac{2\,\unit{m}}{1\,\unit{m}} \cdot (\omega_{\text{sun}} - \omega_{OA}) =
             2\,\unit{rad/s} - \frac{2\,\unit{m}}{1\,\unit{m}} \cdot (-3\,\unit{rad/s} -
@@ -115,11 +113,8 @@ def test_a_given_relative_rate() -> None:
     solution = solve_small(LINK, omega="omega(link) in rad/s")
     assert read_chapter("# Velocities", solution) == as_read(
         r"""
-        Rotations are positive counter-clockwise, and angles are measured counter-clockwise from the
-            $x$ axis. For an unknown vector the letter stands for its component in the direction
-            assumed for it (about another point: counter-clockwise, $\curvearrowleft$), for a known
-            one for its magnitude. Printed values are rounded; the calculation goes on with all
-            their digits.
+        Rotations are positive counter-clockwise. Printed values are rounded; the calculation goes
+            on with all their digits.
         Given: the angular velocity of the arm $OA$.
         \omega_{OA} &= 2\,\unit{rad/s}\quad\text{(counter-clockwise)}
         ## The given motion

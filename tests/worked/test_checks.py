@@ -136,8 +136,8 @@ def test_the_velocities_of_a_rod_are_multiplied_by_the_vector_between_its_ends()
     (check,) = find_checks(write_worked_solution(published, asked, ENGLISH).blocks)
     assert check == Check(
         "the time derivative of the constant length $BD$, by coordinates",
-        r"\overrightarrow{BD} \cdot \boldsymbol{v}_{D} = -207.8\,\unit{mm} \cdot"
-        r" (-115.5\,\unit{mm/s}) = 24000\,\unit{mm^2/s}",
+        r"\overrightarrow{BD} \cdot \boldsymbol{v}_{D} = -(-207.8\,\unit{mm})"
+        r" \cdot 115.5\,\unit{mm/s} = 24000\,\unit{mm^2/s}",
         r"\overrightarrow{BD} \cdot \boldsymbol{v}_{B} = 0.4811\,\unit{rad/s} \cdot"
         r" (207.8 \cdot 120 + 120 \cdot 207.8)\,\unit{mm^2} = 24000\,\unit{mm^2/s}",
     )

@@ -18,7 +18,8 @@ def find_rules(name: str) -> list[str]:
 def test_a_frame_that_turns_clockwise_turns_the_relative_velocity_clockwise() -> None:
     # the cam turns with -8 rad/s; seen from it the contact moves left, so a_C points upwards
     assert find_rules("flat-faced-follower-curvature-radius") == [
-        r"Right-hand rule: $\boldsymbol{a}_{\mathrm{Cor}}$ has the direction of "
+        r"Right-hand rule: $\boldsymbol{a}_{\mathrm{Cor}}=2\,\boldsymbol{\omega}_{\text{cam}}\times"
+        r"\boldsymbol{v}_{\mathrm{r}}$ has the direction of "
         r"$\boldsymbol{v}_{\mathrm{r}}$ turned through $90^\circ$ clockwise, with $\omega_{\text{cam}}$."
     ]
 
@@ -26,9 +27,11 @@ def test_a_frame_that_turns_clockwise_turns_the_relative_velocity_clockwise() ->
 def test_the_directions_of_two_frames_are_said_in_one_sentence() -> None:
     first, *_ = find_rules("bent-rod-two-sleeves")
     assert first == (
-        r"Right-hand rule: $\boldsymbol{a}_{\mathrm{Cor}1}$ has the direction of "
+        r"Right-hand rule: $\boldsymbol{a}_{\mathrm{Cor}1}=2\,"
+        r"\boldsymbol{\omega}_{AE}\times\boldsymbol{v}_{\mathrm{r}1}$ has the direction of "
         r"$\boldsymbol{v}_{\mathrm{r}1}$ turned through $90^\circ$ counter-clockwise, with "
-        r"$\omega_{AE}$; $\boldsymbol{a}_{\mathrm{Cor}2}$ has the direction of "
+        r"$\omega_{AE}$; $\boldsymbol{a}_{\mathrm{Cor}2}=2\,"
+        r"\boldsymbol{\omega}_{CMD}\times\boldsymbol{v}_{\mathrm{r}2}$ has the direction of "
         r"$\boldsymbol{v}_{\mathrm{r}2}$ turned through $90^\circ$ counter-clockwise, with "
         r"$\omega_{CMD}$."
     )

@@ -89,7 +89,7 @@ def test_what_rolls_on_a_moving_body_is_linked_as_seen_from_there() -> None:
 
 def test_a_moving_frame_has_its_reason() -> None:
     idea = read_idea("pin-in-disc-slot-and-rod")
-    assert "Seen from the disc and the rod, $M$ moves along a known path each time." in idea
+    assert "Seen from the disc and the rod, $M$ moves along a straight line each time." in idea
 
 
 def test_a_problem_of_positions_names_its_way() -> None:
@@ -220,8 +220,8 @@ def test_a_driver_that_a_step_finds_with_other_relations_is_known_too() -> None:
 
 def test_two_frames_one_on_the_other_have_their_reason() -> None:
     assert read_idea("bent-rod-two-sleeves").endswith(
-        "Seen from $AE$, $M$ moves along a known path, and so does the fixed point $B$ seen from "
-        "$CMD$. The two compositions together leave two unknown magnitudes."
+        "Seen from $AE$, $M$ moves along a straight line, and so does the fixed point $B$ seen "
+        "from $CMD$. The two compositions together leave two unknown magnitudes."
     )
 
 

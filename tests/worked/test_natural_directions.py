@@ -159,7 +159,7 @@ def test_a_track_that_an_angle_gives_serves_as_one_that_two_points_give() -> Non
     page = "\n".join(lines(told(solve_template(read_template("cam", text, kept=True), {}))))
     assert r"v_{\mathrm{r}} &= -\frac{v_{\mathrm{e}}}{\cos\theta} = " in page
     assert r"$-\theta$" in page
-    assert r"(in the direction }180^\circ - \theta" in page
+    assert r"(at }180^\circ - \theta" in page
     assert "Check by the time derivative" in page
 
 

@@ -41,13 +41,13 @@ def test_a_given_motion_along_a_line_of_two_points_is_told_from_point_to_point()
 @pytest.mark.parametrize(
     ("language", "convention"),
     [
-        ("en", "With the sign convention of the question (positive clockwise about $C$):"),
-        ("zh", "按题目的符号规定（绕 $C$ 顺时针为正）："),
+        ("en", "With the sign that is asked for (positive clockwise about $C$):"),
+        ("zh", "按所求量的正方向（绕 $C$ 顺时针为正）："),
         # the author has no words in German
-        ("de", "Mit der Vorzeichenfestlegung der Aufgabe:"),
+        ("de", "Mit dem Vorzeichen, nach dem gefragt ist:"),
     ],
 )
-def test_an_answer_in_the_opposite_sense_names_the_convention_of_the_question(
+def test_an_answer_in_the_opposite_sense_names_the_sign_that_is_asked_for(
     language: Language, convention: str
 ) -> None:
     """One symbol has one value: v_r was -0.45 m/s by the step, then 0.45 m/s."""

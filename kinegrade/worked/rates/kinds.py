@@ -10,25 +10,32 @@ from kinegrade.language.message import Message, list_all, list_statements
 from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.laws import NoSlip
 from kinegrade.mechanics.mechanism import Body, Mechanism
+from kinegrade.mechanics.plan import Step
 from kinegrade.mechanics.shapes import Circle, Line
 from kinegrade.worked.case import Case
-from kinegrade.worked.document import Block
+from kinegrade.worked.contacts import find_contact
+from kinegrade.worked.document import Block, Heading
 from kinegrade.worked.positions.parts import find_symbols, is_met
 
 
-def describe_motions(case: Case, later: Iterable[Row]) -> Iterator[Block]:
-    """A sentence that says how each body moves, with the letter of its angular velocity where a
-    formula `later` refers to it or to its change.
+def describe_motions(case: Case, later: Iterable[Row], steps: Iterable[Step]) -> Iterator[Block]:
+    """Under its title, a sentence that says how each body moves, with the letter of its angular
+    velocity where a formula `later` refers to it or to its change; that it rolls where that is
+    used, in one of the steps or because its point of contact is its pole.
     """
     mechanism, met = case.motion.frames.mechanism, find_symbols(later)
-    motions = (_describe_motion(body, mechanism, met, case) for body in mechanism.bodies)
-    yield case.say(Message("solution.motion-list-closed", motions=list_statements(motions)))
+    used = frozenset(index for step in steps for index in step.relations)
+    bodies = [body for body in mechanism.bodies if not body.particle]
+    if bodies:
+        motions = (_describe_motion(body, mechanism, met, used, case) for body in bodies)
+        yield Heading(case.write(Message("solution.kinds")), 1)
+        yield case.say(Message("solution.motion-list-closed", motions=list_statements(motions)))
 
 
-def _describe_motion(body: Body, mechanism: Mechanism, met: Set[Node], case: Case) -> Message:
+def _describe_motion(
+    body: Body, mechanism: Mechanism, met: Set[Node], used: Set[int], case: Case
+) -> Message:
     """How one body moves, with the letter of its angular velocity where that is used."""
-    if body.particle:
-        return Message("solution.particle", point=case.naming.point(body.name))
     name = case.naming.body(body.name)
     if body.name in mechanism.resting:
         return Message("solution.rests", body=name)
@@ -40,13 +47,19 @@ def _describe_motion(body: Body, mechanism: Mechanism, met: Set[Node], case: Cas
     pivot = mechanism.find_pivots().get(body.name) or _find_common_centre(body, case)
     if pivot is not None:
         return Message("solution.rotates", body=name, point=case.naming.point(pivot))
-    laws = (relation.source for relation in case.motion.frames.relations)
-    rolls = (law.find_rolling() for law in laws if law)
-    own = (roll for roll in rolls if roll and roll.body == body.name)
-    tracks = dict.fromkeys(describe_track(roll, case) for roll in own)
+    tracks = dict.fromkeys(describe_track(roll, case) for roll in _list_rolls(body, used, case))
     if tracks:
         return Message("solution.rolls", body=name, other=list_all(tracks))
     return Message("solution.plane", body=name)
+
+
+def _list_rolls(body: Body, used: Set[int], case: Case) -> Iterator[NoSlip]:
+    """How a body rolls, as far as the solution uses it."""
+    on_ground = find_contact(body.name, case) is not None
+    for index, relation in enumerate(case.motion.frames.relations):
+        roll = relation.source.find_rolling() if relation.source else None
+        if roll and roll.body == body.name and (index in used or on_ground):
+            yield roll
 
 
 def _find_common_centre(body: Body, case: Case) -> str | None:

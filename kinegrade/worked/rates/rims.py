@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import assert_never
 
 from kinegrade.language.message import Message
 from kinegrade.mechanics.ground import GROUND
@@ -29,9 +30,20 @@ def state_meshing(mesh: EqualPitchSpeed, case: Case, level: Level) -> Statement:
     body, other = case.naming.body(mesh.body), case.naming.body(mesh.of)
     return Statement(
         Message("solution.title-mesh", body=body, other=other),
-        say_of_carrier(f"mesh-{level}", mesh.carrier, case),
+        say_of_carrier(_name_mesh(mesh, level), mesh.carrier, case),
         _equate_rim_speeds(mesh, case, level),
     )
+
+
+def _name_mesh(mesh: EqualPitchSpeed, level: Level) -> str:
+    """Which sentence says how gears turn: by the kind of mesh, then as said before."""
+    match level:
+        case "velocity":
+            return "mesh-internal-velocity" if mesh.inside else "mesh-external-velocity"
+        case "acceleration":
+            return "mesh-acceleration"
+        case _:
+            assert_never(level)
 
 
 def state_belt(belt: EqualBeltSpeed, case: Case, level: Level) -> Statement:

@@ -24,7 +24,7 @@ from kinegrade.mechanics.laws import (
     SharedPoint,
 )
 from kinegrade.mechanics.plan import Step
-from kinegrade.mechanics.vector_equation import VectorEquation
+from kinegrade.mechanics.vector_equation import Part, VectorEquation
 from kinegrade.problem.quantities.functions import find_motion_calls
 from kinegrade.problem.template.template import Ask
 from kinegrade.worked.case import Case
@@ -234,20 +234,36 @@ def _explain_frames(stage: Stage) -> Iterator[Message]:
     case, compositions = stage.case, stage.equations[0].compositions
     point = case.naming.point(compositions[0].point) if compositions else ""
     frames = [case.naming.body(part.frame) for part in compositions]
+    path = _describe_path(compositions, case)
     unknown = len(stage.equations[0].unknowns)
     if unknown == 1 and len(frames) == 1:
         yield Message("solution.idea-composed-known", point=point, frame=frames[0])
     elif unknown != 2:
         return
     elif len(frames) == 1:
-        yield Message("solution.idea-composed", point=point, frame=frames[0])
+        yield Message("solution.idea-composed", point=point, frame=frames[0], path=path)
     elif frames and len({part.point for part in compositions}) == 1:
-        yield Message("solution.idea-composed-twice", point=point, frames=list_all(frames))
+        every = list_all(frames)
+        yield Message("solution.idea-composed-twice", point=point, frames=every, path=path)
     elif frames:
         yield Message(
             "solution.idea-composed-on",
             first=point,
             frame=frames[0],
+            path=path,
             second=case.naming.point(compositions[1].point),
             other=frames[1],
         )
+
+
+def _describe_path(relatives: Sequence[Part], case: Case) -> Message:
+    """Along what points move relative to frames, where all do so along lines, or about one
+    centre.
+    """
+    terms = [part.term for part in relatives if part.term is not None]
+    centres = {term.base for term in terms}
+    if all(term.kind == "sliding" for term in terms):
+        return Message("solution.path-straight")
+    if all(term.kind == "arc" for term in terms) and len(centres) == 1:
+        return Message("solution.path-circle", centre=case.naming.point(*centres))
+    return Message("solution.path-known")

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
 from typing import NamedTuple
 
+from kinegrade.language.math.tree import Lettering, Row, Scripts
 from kinegrade.language.message import Message, list_all, list_statements
 from kinegrade.mechanics.rates import make_turning
 from kinegrade.mechanics.vector_equation import Part
-from kinegrade.worked.case import Case
+from kinegrade.worked.case import Case, write_row
 from kinegrade.worked.document import Block
 from kinegrade.worked.formulas.atoms import VectorSymbol
 from kinegrade.worked.formulas.measures import NEGLIGIBLE, double
@@ -81,4 +83,13 @@ def _describe_direction(one: Turned, case: Case) -> Message:
         relative=case.text(one.relative),
         sense=name_rotation_sense(omega > 0),
         omega=case.text(case.naming.omega(one.frame)),
+        bold=write_row(_write_bold(case.naming.omega(one.frame).row)),
     )
+
+
+def _write_bold(letters: Row) -> Row:
+    """The letters of an angular velocity as those of a vector."""
+    first, *rest = letters
+    if isinstance(first, Scripts) and first.base is not None:
+        return (replace(first, base=Lettering("boldsymbol", (first.base,))), *rest)
+    return (Lettering("boldsymbol", (first,)), *rest)

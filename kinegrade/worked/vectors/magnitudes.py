@@ -6,6 +6,7 @@ from typing import Any, assert_never
 
 from kinegrade.expressions.tree import Name
 from kinegrade.language.math.tree import Letter, Row, Sign
+from kinegrade.language.message import Message
 from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.rates import make_turning
 from kinegrade.mechanics.relations import Term
@@ -123,7 +124,10 @@ def describe_direction(equation: VectorEquation, part: Part, case: Case) -> str:
     """
     heading = find_heading(part)
     how = _find_orientation(equation, part, case) or _find_axis(heading)
-    return f"${write_row(how) if how else case.text(state_bearing(heading, part.term, case))}$"
+    if how:
+        return f"${write_row(how)}$"
+    angle = case.text(state_bearing(heading, part.term, case))
+    return case.write(Message("solution.heading-from-axis", angle=angle))
 
 
 def find_heading(part: Part) -> Vector:

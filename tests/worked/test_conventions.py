@@ -1,0 +1,55 @@
+"""What letters stand for is said where there are letters of vectors, and as far as it holds."""
+
+from __future__ import annotations
+
+from kinegrade.problem.solving import solve_template
+from kinegrade.problem.template.library.library import load_template
+from kinegrade.worked.document import Block, Heading, TermTable
+from kinegrade.worked.solution import write_worked_solution
+from tests.worked.draws import kept
+from tests.worked.telling import proses
+
+LETTERS = "The letter of a vector stands for its component in the direction that its first table"
+
+
+def test_a_solution_without_vectors_says_nothing_of_their_letters() -> None:
+    """It spoke of unknown vectors in a train of gears, and of angles from the x axis."""
+    blocks = kept("differential-epicyclic-train")
+    assert not any(isinstance(block, TermTable) for block in blocks)
+    assert not any(LETTERS in text for text in proses(blocks))
+    assert any(text.startswith("Rotations are positive") for text in proses(blocks))
+
+
+def test_letters_and_the_sign_of_a_turn_are_explained_before_the_first_table() -> None:
+    blocks = kept("rotary-engine")
+    (place,) = (at for at, text in enumerate(map(str, blocks)) if LETTERS in text)
+    assert isinstance(blocks[place - 1], Heading)
+    assert place < next(at for at, one in enumerate(blocks) if isinstance(one, TermTable))
+    assert r"$\perp$ with $\curvearrowleft$: turned counter-clockwise" in "".join(proses(blocks))
+
+
+def test_how_gears_mesh_says_in_which_sense_they_turn() -> None:
+    """Two equations had the same words and opposite signs."""
+    said = [
+        text for text in proses(kept("differential-epicyclic-train")) if "pitch circles" in text
+    ]
+    assert [text.partition("; ")[2] for text in said] == [
+        "in an external mesh the gears turn in opposite senses:",
+        "in an internal mesh the gears turn in the same sense:",
+    ]
+
+
+def _find_kinds(name: str, *asks: str) -> str:
+    solution = solve_template(load_template(name), {})
+    blocks: tuple[Block, ...] = write_worked_solution(solution, asks, "en").blocks
+    said = list(proses(blocks))
+    return said[said.index("Types of motion") + 1]
+
+
+def test_a_body_rolls_where_that_is_used() -> None:
+    assert "the roller: plane motion." in _find_kinds("tangent-cam-with-roller", "v_C")
+    assert "without slipping" in _find_kinds("tangent-cam-with-roller", "omega_C")
+
+
+def test_a_point_that_moves_is_no_body_of_a_kind() -> None:
+    assert "$M$" not in _find_kinds("pin-in-disc-slot-and-rod", "v_M_x")
