@@ -47,7 +47,7 @@ def _say_form(body: Body, shape: Shape, subject: Subject) -> Message | None:
             return Message("description.disc", body=name, centre=centre)
         case "gear" | "cam" | "rope" | "load" | "geneva":
             return Message(f"description.form-{shape}", body=name)
-        case "bar" | "bare" | "through" | "arc" | "jaw" | "rack":
+        case "bar" | "bare" | "through" | "cylinder" | "arc" | "jaw" | "rack":
             return None
         case _:
             assert_never(shape)

@@ -37,6 +37,8 @@ BLOCK_LENGTH, BLOCK_WIDTH = 5.0, 3.0
 SLOT_WIDTH, BAR_WIDTH, SLEEVE_WIDTH = 1.9, 3.5, 3.2
 SLEEVE_LENGTH, WIDTH_ABOUT_PIN = 6.4, 4.4  # of a sleeve; its width about a pin beside its bar
 _GUIDE_GAP = BOLD.width / 2 + 0.55  # from the axis of a rod to its guide
+# Millimetres: half the width of a cylinder, its length, and from its floor to the piston in it
+_BORE, _STROKE, _UNDER_PISTON = 2.0, 9.5, 3.8
 RACK_DEPTH = 2.6  # from the pitch line of a rack to its back
 # Millimetres: a tooth of a jaw, and the gap at the mouth; the slope between the two jaws
 _TOOTH, _MOUTH, _MOUTH_SLOPE = 0.9, 2.2, 0.3
@@ -222,6 +224,21 @@ def draw_guide(at: Vector, along: Vector, reach: float = 2.8) -> tuple[Primitive
         for part in draw_ground(
             at + side * _GUIDE_GAP - along * reach, at + side * _GUIDE_GAP + along * reach, side
         )
+    )
+
+
+def draw_cylinder(start: Vector, end: Vector) -> tuple[Primitive, ...]:
+    """A rod whose piston is in a closed cylinder, on ground of which the hatching ends at `end`."""
+    along = unit(end - start)
+    across, floor = along.turned(), end - along * HATCHING
+    side, mouth, piston = across * _BORE, floor - along * _STROKE, floor - along * _UNDER_PISTON
+    box = (mouth - side, mouth + side, floor + side, floor - side)
+    reach, head = across * (_BORE + 1.3), across * (_BORE - FIRM.width)
+    return (
+        *draw_ground(floor - reach, floor + reach, along),
+        Outline(box, FIRM, "white"),
+        Strokes(((piston - head, piston + head),), BOLD),
+        Strokes(((start, piston),), BOLD),
     )
 
 

@@ -12,8 +12,10 @@ from kinegrade.figure.mechanism.layers import Drawing, draw
 from kinegrade.figure.mechanism.paper import scale_to_paper
 from kinegrade.figure.mechanism.plates import Plate
 from kinegrade.figure.mechanism.straight_parts import Bar, Rod
+from kinegrade.figure.plane import unit
 from kinegrade.figure.scene import FIRM, PITCH, THIN, Bow, Disc, Outline, Scene, Strokes
 from kinegrade.figure.sketch import sketch
+from kinegrade.figure.symbols import draw_cylinder
 from kinegrade.mechanics.drivers import Component, Rotation
 from kinegrade.mechanics.joints import GROUND, Circle, Line, Pin, Roll, Slide
 from kinegrade.mechanics.mechanism import Body, Mechanism
@@ -183,6 +185,22 @@ def test_a_rod_through_its_point_has_two_free_ends_with_letters() -> None:
     at = mechanism.points["B"] * 100.0
     assert (rod.start - at).dot(rod.end - at) < 0
     assert hints.shapes == {}
+
+
+def test_the_piston_of_a_rod_is_in_a_closed_cylinder_and_its_end_has_no_letter() -> None:
+    mechanism, _ = slotted_bar(0.06, 30)
+    case = hinted(mechanism, shapes={"BD": "cylinder"})
+    assert "D" not in symbols(sketch(*case))
+    drawing = drawing_of(case)
+    rod = next(part for part in drawing.parts if isinstance(part, Rod) and part.body == "BD")
+    drawn = draw_cylinder(rod.start, rod.end)
+    assert set(drawn) <= set(drawing.primitives)
+    (cylinder,) = (part for part in drawn if isinstance(part, Outline))
+    along = unit(rod.end - rod.start)
+    mouth, _, floor, _ = ((corner - rod.start).dot(along) for corner in cylinder.corners)
+    *_, shaft = (part.lines[0] for part in drawn if isinstance(part, Strokes))
+    assert shaft[0] == rod.start
+    assert mouth < (shaft[1] - rod.start).dot(along) < floor
 
 
 def test_a_rack_has_its_pitch_line_and_its_back_on_the_side_away_from_the_gear() -> None:

@@ -31,6 +31,8 @@ def draw_straight_part(part: Part, rims: Sequence[Rim]) -> tuple[Primitive, ...]
             return draw_slotted_disc(part)
         case GenevaWheel():
             return (trace_geneva_wheel(part),)
+        case Rod(cylinder=True):
+            return symbols.draw_cylinder(part.start, part.end)
         case Rod():
             along = unit(part.end - part.start)
             return (

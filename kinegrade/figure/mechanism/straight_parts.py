@@ -82,14 +82,15 @@ class GenevaWheel:
 
 @dataclass(frozen=True)
 class Rod:
-    """A body that translates in a straight ground guide near its end; `free` are its ends without a
-    marked point.
+    """A body that translates in a straight ground guide near its end, or with a piston in a closed
+    cylinder, whose ground is at its end; `free` are its ends without a marked point.
     """
 
     body: str
     start: Vector
     end: Vector
     free: tuple[Vector, ...]
+    cylinder: bool = False
 
 
 Part = Bar | Plate | SlottedDisc | GenevaWheel | Rod

@@ -68,11 +68,15 @@ def _run_on(start: Vector, end: Vector, free: tuple[Vector, ...]) -> tuple[Vecto
 
 
 def _draw_rod(rod: Rod) -> Iterator[Primitive]:
-    """A rod between the two walls of its guide."""
+    """A rod between the two walls of its guide, or in its cylinder, which has a floor."""
     start, end = _run_on(rod.start, rod.end, rod.free)
-    yield Strokes(((start, end),), BODY)
     along = unit(end - start)
-    middle = end - along * (BLOCK / 2 + 4.0)
+    above = along * (_GUIDE if rod.cylinder else 0.0)
+    yield Strokes(((start, end - above),), BODY)
+    if rod.cylinder:
+        floor = (end - along.turned() * _GUIDE, end + along.turned() * _GUIDE)
+        yield Strokes((floor,), GROUND)
+    middle = end - along * (BLOCK / 2 + (0.0 if rod.cylinder else 4.0))
     for side in (along.turned() * _GUIDE, -along.turned() * _GUIDE):
         wall = (middle + side - along * (BLOCK / 2), middle + side + along * (BLOCK / 2))
         yield Strokes((wall,), GROUND)

@@ -12,6 +12,7 @@ from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
 
 _ROD = 14.0  # millimetres of a translating rod that are shown at least
+_IN_CYLINDER = 18.0  # millimetres of one from its point to the ground of its cylinder at least
 # millimetres a translating rod continues beyond its point when it has two free ends
 _THROUGH = 11.0
 _GUIDE_ROOM = 7.0  # millimetres between the middle of a rod's guide and the edge of a bar or wheel
@@ -34,13 +35,14 @@ def find_rods(
         others = list_others(mechanism, guide)
         side = guide.along.dot(mean(others + circles) - guide.at)
         toward = guide.along * (-1.0 if side > 0.01 * _ROD else 1.0)
-        start, end = (
-            guide.at,
-            guide.at + toward * (_ROD + _find_reach(guide.at, toward, bars, found)),
-        )
+        cylinder = shapes.get(guide.body) == "cylinder"
+        size = _IN_CYLINDER if cylinder else _ROD
+        reach = size + _find_reach(guide.at, toward, size, bars, found)
+        start, end = guide.at, guide.at + toward * reach
         if shapes.get(guide.body) == "through":
             start = start - toward * _THROUGH
-        yield Rod(guide.body, start, end, tuple(at for at in (end, start) if at != guide.at))
+        free = () if cylinder else tuple(at for at in (end, start) if at != guide.at)
+        yield Rod(guide.body, start, end, free, cylinder)
 
 
 def list_others(mechanism: Mechanism, guide: Guide) -> list[Vector]:
@@ -56,13 +58,15 @@ def find_guides_of_rods(symbols: Sequence[Symbol]) -> Iterator[Guide]:
     yield from (guide for guide in guides.values() if guide.body in level)
 
 
-def _find_reach(start: Vector, toward: Vector, bars: Sequence[Bar], found: Sequence[Rim]) -> float:
+def _find_reach(
+    start: Vector, toward: Vector, size: float, bars: Sequence[Bar], found: Sequence[Rim]
+) -> float:
     """The millimetres by which a rod is longer than usual to keep its guide clear of all bars and
     of the wheels that move; none when no length does.
     """
     wheels = [rim for rim in found if rim.body != GROUND and not rim.ring]
     for more in range(0, 20, 2):
-        guide = start + toward * (_ROD - 5.0 + more)
+        guide = start + toward * (size - 5.0 + more)
         gaps = [_measure_gap(guide, bar) for bar in bars]
         gaps += [length(guide - wheel.at) - wheel.radius for wheel in wheels]
         if min(gaps, default=_GUIDE_ROOM) >= _GUIDE_ROOM:
