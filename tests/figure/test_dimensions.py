@@ -250,3 +250,15 @@ def test_a_letter_does_not_stand_beyond_a_dimension_line() -> None:
     wish = Wish("A", np.array([[0.0, 8.0]]), names=Vector(0.0, 3.0))
     kept = keep_from_marks(wish, [CROSSED])
     assert kept.walls == (CROSSED.line(),)
+
+
+def test_the_letter_of_a_dimension_near_a_pin_stands_on_the_side_without_pins() -> None:
+    pin = Vector(19.0, 0.0)
+    for start, end in ((0.0, 40.0), (40.0, 0.0)):
+        points, feet = ((Vector(start, y), Vector(end, y)) for y in (-8.0, 5.0))
+        mark = DimensionLine(points, feet, "d", 1.0, (0.0, 0.0), pins=(pin,))
+        wish = mark.wish()
+        assert wish.demerits is not None
+        below = wish.spots[:, 1] < 5.0
+        assert min(wish.demerits[below]) > 0 == min(wish.demerits[~below])
+        assert not any(replace(mark, pins=(Vector(19.0, -9.0),)).wish().demerits)

@@ -284,12 +284,12 @@ def test_an_arrow_does_not_end_at_a_rim_as_a_radius_does() -> None:
         assert (end.x > at.x + 11.0) == longer
 
 
-def test_the_letter_of_an_angle_leaves_its_side_to_the_arrow_along_it() -> None:
+def test_an_angle_leaves_its_side_to_the_arrow_along_it_and_begins_past_its_tip() -> None:
     mechanism = slider(-1, 0)
     at = mechanism.points["B"]
     [part] = draw_likely_motions(list_likely_motions(Site(mechanism), BOTH[:1]))
     assert isinstance(part, Strokes)
-    assert {round(end.x - at.x, 6) for _, end in part.lines} == {-9.0}
+    assert {round(end.x - at.x, 6) for _, end in part.lines} == {-12.05}
     assert sorted(round(start.y - at.y, 6) for start, _ in part.lines) == [-0.85, 0.85]
     assert draw_likely_motions(()) == ()
 

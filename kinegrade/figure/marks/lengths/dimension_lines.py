@@ -23,6 +23,7 @@ _ONE_FOOT = 0.1  # millimetres within which the ends of two dimension lines are 
 _BESIDE = 3.6  # millimetres between parallel dimension lines side by side
 # Millimetres from a pin to the middle of a symbol that would seem to name it, and demerit of one
 _AT_PIN, _NAMING = 6.0, 0.3
+_AMONG = 0.1  # demerit of a symbol on the side of other pins, where one of them is near
 _OF_OTHER = 3.0  # demerit of a symbol no nearer to its own line than to something else
 
 
@@ -86,10 +87,19 @@ class DimensionLine:
         return any(length(point - nearest_of(point, *line)) < aside for line in self._extensions)
 
     def wish(self) -> Wish:
-        """Beside the dimension line, rather not where it would seem to name a pin."""
-        spots = list_spots_beside(self.symbol, *self.line())
+        """Beside the dimension line, rather not where it would seem to name a pin, then rather on
+        the side without other pins, whose dimensions end there.
+        """
+        start, end = self.line()
+        spots = list_spots_beside(self.symbol, start, end)
         near = [any(length(Vector(*spot) - pin) < _AT_PIN for pin in self.pins) for spot in spots]
-        return Wish(self.symbol, spots, demerits=_NAMING * np.array(near))
+        demerits = _NAMING * np.array(near)
+        if any(near):
+            across = np.array((end - start).turned())
+            sides = np.sign([(pin - start).dot((end - start).turned()) for pin in self.pins])
+            levels = np.sign((spots - np.array(start)) @ across)
+            demerits += _AMONG * np.array([np.all(sides == level) for level in levels])
+        return Wish(self.symbol, spots, demerits=demerits)
 
     def primitives(self) -> tuple[Primitive, ...]:
         """Thin lines and two arrowheads, from outside where there is no room between the feet."""

@@ -26,6 +26,7 @@ from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import Moving
 
 _LANE = 0.85  # millimetres on either side of an arrow to come that are kept clear of letters
+_PAST_TIP = 2.0  # millimetres past its tip, where the arc of an angle would seem to end it
 # Millimetres about a tail in which thin lines may seem to own a symbol, and beside the arrow itself
 _ABOUT, _BESIDE = 18.0, 1.2
 _PAST = 2.4  # millimetres past its tip in which a line on its own line is no other one
@@ -149,7 +150,8 @@ def draw_likely_motions(arrows: Iterable[Segment]) -> tuple[Primitive, ...]:
     lanes = []
     for at, tip in arrows:
         toward = unit(tip - at)
+        past = toward * (AT_PIN + ARROW + _PAST_TIP)
         for aside in (_LANE, -_LANE):
             beside = at + toward.turned() * aside
-            lanes.append((beside + toward * LEAVING, beside + toward * ARROW))
+            lanes.append((beside + toward * LEAVING, beside + past))
     return (Strokes(tuple(lanes), THIN),) if lanes else ()
