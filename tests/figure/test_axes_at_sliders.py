@@ -61,3 +61,12 @@ def test_a_dimension_line_does_not_cross_an_axis_of_a_frame() -> None:
     height = 1.06 * scene.scale
     (dimension,) = (line for line in list_thin(scene) if abs(line.length - height) < 0.1)
     assert not dimension.intersects(find_axis(scene, "y_2"))
+
+
+def test_the_axes_on_which_the_corners_of_a_plate_slide_reach_beyond_these() -> None:
+    template = load_template("triangle-pose-three-frames")
+    solution = solve_template(template, {"l": "1", "alpha": "60", "phi_1": "35"})
+    mechanism = solution.motion.frames.mechanism.map(float)
+    scene = sketch(mechanism, mark_question(template, template.asked()))
+    assert find_tip(scene, "x").x > mechanism.points["C"].x * scene.scale
+    assert find_tip(scene, "y").y > mechanism.points["B"].y * scene.scale

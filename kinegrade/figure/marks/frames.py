@@ -60,7 +60,8 @@ def add_frames(
 ) -> Layout:
     """The layout with the axes that stand at points: those of bodies, then x and y at the
     origin; their letters keep clear of lines that are still to come. An axis along a bar or the
-    ground runs on beyond it, as does one to a block; along the long edge of a plate it lies beside
+    ground runs on beyond it, as does one to a block, however far that is where bodies have frames;
+    along the long edge of a plate it lies beside
     that, along a long link on that, which is broad; one that is the leg of an angle reaches beyond
     its arc, one along the `likely` arrow of a motion beyond its tip.
     """
@@ -94,7 +95,8 @@ def _list_ways(
         ways = _list_axes(beside + toward * _AT_PIN, toward, symbol, usual)
         return [replace(way, away=toward + outward * _OUTWARD, bare=True) for way in ways]
     begins, ends = find_block(origin, toward, drawing)
-    if begins and (begins < _BEFORE_BLOCK or _has_line(at, hints, origin, origin + toward * ends)):
+    led = bool(hints.frames) or _has_line(at, hints, origin, origin + toward * ends)
+    if begins and (begins < _BEFORE_BLOCK or led):
         line = (origin + toward * PIN, origin + toward * begins)
         shafts = _list_axes(origin + toward * ends, toward, symbol, _BEYOND_BAR)
         return [replace(shaft, before=(line,)) for shaft in shafts]
