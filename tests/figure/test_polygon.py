@@ -105,7 +105,7 @@ def test_a_lengthy_equation_is_within_the_paper_with_all_its_symbols() -> None:
     ]
     total = sum((arrow.value for arrow in right), Vector(0.0, 0.0))
     scene = draw_polygon([Arrow("a_B", total)], right)
-    assert sum(not label.symbol.isdigit() for label in scene.labels) == 11
+    assert sum(len(label.symbol) > 1 for label in scene.labels) == 10
     assert faults(scene, PICTURE.width, PICTURE.height) == []
 
 
@@ -147,9 +147,29 @@ def test_vectors_keep_their_places_where_none_runs_along_another() -> None:
     assert find_order(*TRIANGLE) == (range(1), range(2))
 
 
-def test_a_corner_without_a_letter_is_numbered() -> None:
+def test_a_corner_that_is_no_points_has_a_letter_and_no_number_as_bodies_have() -> None:
     left, right = TRIANGLE
-    assert symbols(draw_polygon(left, right, {"b": B})) == ["1", "b", "o", "v_A", "v_B", "v_{BA}"]
+    assert symbols(draw_polygon(left, right, {"b": B})) == ["b", "n", "o", "v_A", "v_B", "v_{BA}"]
+    assert "x" in symbols(draw_polygon(left, right, {"b": B}, spare="xy"))
+
+
+def test_a_corner_beside_one_with_a_letter_has_none() -> None:
+    tick = Vector(0.1, 0.02)
+    right = [Arrow("v_1", A), Arrow("v_2", tick), Arrow("v_3", B - A - tick)]
+    scene = draw_polygon([Arrow("v_B", B)], right, {"a": A, "b": B})
+    assert [one for one in symbols(scene) if len(one) == 1] == ["a", "b", "o"]
+
+
+def test_the_letter_of_a_corner_is_nearest_to_it() -> None:
+    # A short vector from the origin: its tip and the origin are 3 mm apart
+    first, across = Vector(3.0, 1.0), Vector(0.0, -30.0)
+    scene = draw_polygon(
+        [Arrow("a", first + across)], [Arrow("a_1", first), Arrow("a_2", across)], {"m'": first}
+    )
+    (origin,) = dots(scene)
+    (label,) = (label for label in scene.labels if label.symbol == "o")
+    tip = origin + first * scene.scale
+    assert hypot(*(label.centre - origin)) < hypot(*(label.centre - tip))
 
 
 def test_corners_have_the_letters_of_their_points() -> None:

@@ -68,12 +68,12 @@ def _draw(left: list[Arrow], right: list[Arrow]) -> Pictures:
 
 
 def _draw_bare(left: list[Arrow], right: list[Arrow]) -> Pictures:
-    """A polygon without the numbers of its corners."""
+    """A polygon without the letters of its corners."""
     (picture,) = _draw(left, right).pictures
     kept = (
         part
         for part in picture.scene.primitives
-        if not isinstance(part, Label) or not part.symbol.isdigit()
+        if not isinstance(part, Label) or len(part.symbol) > 1
     )
     return Pictures((replace(picture, scene=replace(picture.scene, primitives=tuple(kept))),))
 

@@ -4,14 +4,15 @@ common end.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import replace
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
 from itertools import pairwise, product
+from string import ascii_lowercase
 from types import MappingProxyType
 
 from kinegrade.figure.mechanism.fitting import make_scene
 from kinegrade.figure.placing.layout import Layout
-from kinegrade.figure.placing.place import Wish, list_spots_around
+from kinegrade.figure.placing.place import Wish, list_spots_around, rate_nearness
 from kinegrade.figure.plane import length
 from kinegrade.figure.scene import Disc, Scene
 from kinegrade.figure.vectors.arrows import VectorArrow, put_side_by_side
@@ -31,9 +32,21 @@ _OFFSETS = (2.0, -6.0, 8.0, -12.0, 14.0)  # millimetres between arrows that woul
 _NEXT = 2.51  # times a round number, the next one is not above it
 _LEAST = 10.0  # millimetres: no polygon is made smaller than this, whatever its symbols take
 _ORIGINS = ("o", "p")  # letters of the origin: another where it is that of a corner
+# Letters of the other corners: usual ones first, none that is an origin's or a vector's
+SPARE = tuple("nkqsuw" + "".join(sorted(set(ascii_lowercase) - set("nkqsuwavop"))))
+CLOSE = 2.0  # millimetres: letters of corners that close would stand in a heap
+_MISTAKEN = 20.0  # demerit of a letter that may be read as that of another corner
 _TRIES = 4  # orders in which the symbols are placed
 _SAME = 0.05  # millimetres within which two corners coincide
 _ZERO = Vector(0.0, 0.0)
+
+
+@dataclass(frozen=True)
+class _Names:
+    """The letters of corners, and those that are left for the others."""
+
+    vertices: Mapping[str, Vector]
+    spare: tuple[str, ...]
 
 
 def draw_polygon(
@@ -41,6 +54,7 @@ def draw_polygon(
     right: Sequence[Arrow],
     vertices: Mapping[str, Vector] = MappingProxyType({}),
     scale: float | None = None,
+    spare: Sequence[str] = SPARE,
 ) -> Scene:
     """The polygon of "sum of `left` = sum of `right`" from the common origin o.
 
@@ -48,20 +62,21 @@ def draw_polygon(
     shorter than a hundredth of the longest are not drawn. The vectors of a side follow one another
     as they are given; those that would run along another are drawn beside it, with thin lines to
     their true positions. `vertices` are letters (LaTeX math) for the tips of vectors from the
-    origin; corners that have none are numbered. The scale of the scene is millimetres per m/s (or
-    m/s^2), a round number: `scale`, that of other polygons, unless this one would be too large or
-    too small, or its symbols have no place at it. The figure is within PICTURE of
-    `plain_mechanism`.
+    origin; the other corners have `spare` ones, unless a letter stands there already. The scale of
+    the scene is millimetres per m/s (or m/s^2), a round number: `scale`, that of other polygons,
+    unless this one would be too large or too small, or its symbols have no place at it. The figure
+    is within PICTURE of `plain_mechanism`.
     """
+    names = _Names(vertices, tuple(letter for letter in spare if letter not in vertices))
     across, upward = measure_spans(left, right)
     if across + upward == 0.0:
-        return _fit(left, right, vertices, 1.0, 0.0)
+        return _fit(left, right, names, 1.0, 0.0)
     largest = find_scale(left, right)
     common = min(scale or largest, largest)
     least = _LEAST / max(across, upward)
     scenes: list[Scene] = []
     for size in _list_sizes(common if common > least else largest, largest):
-        scenes.append(_fit(left, right, vertices, size, least))
+        scenes.append(_fit(left, right, names, size, least))
         if not scenes[-1].crowded:
             break
     return min(scenes, key=lambda scene: len(scene.crowded))
@@ -78,7 +93,7 @@ def _list_sizes(first: float, last: float) -> Iterator[float]:
 def _fit(
     left: Sequence[Arrow],
     right: Sequence[Arrow],
-    vertices: Mapping[str, Vector],
+    names: _Names,
     scale: float,
     least: float,
 ) -> Scene:
@@ -86,7 +101,7 @@ def _fit(
     PICTURE.
     """
     while True:
-        layout = _compose(left, right, vertices, scale)
+        layout = _compose(left, right, names, scale)
         scene = replace(make_scene(layout.primitives, scale), crowded=layout.crowded)
         if scale <= least or (scene.width <= PICTURE.width and scene.height <= PICTURE.height):
             return scene
@@ -96,20 +111,19 @@ def _fit(
 def _compose(
     left: Sequence[Arrow],
     right: Sequence[Arrow],
-    vertices: Mapping[str, Vector],
+    names: _Names,
     scale: float,
 ) -> Layout:
     """The arrows with their symbols and the letters of their corners."""
     least = _NEGLIGIBLE * max((length(arrow.value) for arrow in (*left, *right)), default=0.0)
     laid = [arrow for side in (left, right) for arrow in _lay_arrows(side, scale, least)]
     arrows = put_side_by_side(laid, (), _OFFSETS)
-    leaving = sum((arrow.end for arrow in arrows), _ZERO)
-    origin = next(letter for letter in _ORIGINS if letter not in vertices)
-    origin_letter = Wish(origin, list_spots_around(origin, _ZERO, away=-leaving))
-    corners = [arrow.end for arrow in arrows]
-    lettered = tuple(_name_corners(vertices, corners, scale))
-    layout = _name_arrows(arrows, (origin_letter, *lettered))
-    return _number_corners(layout, corners, lettered)
+    corners = _list_corners(arrows)
+    lettered = _name_corners(names.vertices, corners, scale)
+    layout = _name_arrows(arrows, [_wish_letter(*one, corners) for one in lettered.items()])
+    for letter, corner in zip(names.spare, _list_apart(corners, lettered.values()), strict=False):
+        layout = layout.written((_wish_letter(letter, corner, corners),))
+    return layout
 
 
 def _name_arrows(arrows: Sequence[VectorArrow], letters: Sequence[Wish]) -> Layout:
@@ -147,36 +161,45 @@ def _write_symbols(bare: Layout, arrows: Sequence[VectorArrow], crossed: float) 
     return layout
 
 
+def _list_corners(arrows: Sequence[VectorArrow]) -> list[Vector]:
+    """The origin and the other corners, each once."""
+    corners = [_ZERO]
+    corners.extend(arrow.end for arrow in arrows if not _is_among(arrow.end, corners))
+    return corners
+
+
+def _is_among(place: Vector, places: Iterable[Vector], within: float = _SAME) -> bool:
+    return any(length(place - other) < within for other in places)
+
+
+def _list_apart(corners: Iterable[Vector], named: Iterable[Vector]) -> Iterator[Vector]:
+    """The corners that have no letter and stand clear of those that have: a letter of their own
+    would be in a heap with the other one.
+    """
+    places = list(named)
+    for corner in corners:
+        if not _is_among(corner, places, CLOSE):
+            places.append(corner)
+            yield corner
+
+
 def _name_corners(
     vertices: Mapping[str, Vector], corners: Sequence[Vector], scale: float
-) -> Iterator[Wish]:
-    """The letters of those vertices that the polygon has, outside it."""
-    middle = sum(corners, _ZERO) * (1 / max(len(corners), 1))
-    for letter, vertex in vertices.items():
-        place = vertex * scale
-        if length(place) > _SAME and any(length(corner - place) < _SAME for corner in corners):
-            spots = list_spots_around(letter, place, away=place - middle)
-            yield Wish(letter, spots, names=place)
+) -> dict[str, Vector]:
+    """The letters of the origin and of those vertices that the polygon has."""
+    origin = next(letter for letter in _ORIGINS if letter not in vertices)
+    places = {letter: vertex * scale for letter, vertex in vertices.items()}
+    others = {one: place for one, place in places.items() if _is_among(place, corners[1:])}
+    return {origin: _ZERO} | others
 
 
-def _number_corners(layout: Layout, corners: Sequence[Vector], lettered: Sequence[Wish]) -> Layout:
-    """The layout with numbers outside the corners that have no letters, each once, where there is
-    a place free of everything else; a number without such a place counts as crowded.
-    """
-    middle = sum(corners, _ZERO) * (1 / max(len(corners), 1))
-    named = [_ZERO, *(wish.names for wish in lettered if wish.names is not None)]
-    number = 1
-    for corner in corners:
-        if any(length(corner - place) < _SAME for place in named):
-            continue
-        named.append(corner)
-        spots = list_spots_around(str(number), corner, away=corner - middle)
-        written = layout.written((Wish(str(number), spots, names=corner),))
-        if written.crowded == layout.crowded:
-            layout, number = written, number + 1
-        else:
-            layout = replace(layout, crowded=written.crowded)
-    return layout
+def _wish_letter(letter: str, corner: Vector, corners: Sequence[Vector]) -> Wish:
+    """A letter outside its corner, nearer to it than to any other."""
+    middle = sum(corners, _ZERO) * (1 / len(corners))
+    spots = list_spots_around(letter, corner, away=corner - middle)
+    others = [other for other in corners if length(other - corner) > CLOSE]
+    mistaken = _MISTAKEN * rate_nearness(letter, spots, (corner,), others)
+    return Wish(letter, spots, None, mistaken, names=corner)
 
 
 def _lay_arrows(chain: Sequence[Arrow], scale: float, least: float) -> Iterator[VectorArrow]:

@@ -7,7 +7,7 @@ from dataclasses import replace
 from decimal import Decimal
 
 from kinegrade.figure.vectors.chains import Arrow, find_order, find_scale
-from kinegrade.figure.vectors.polygon import draw_polygon
+from kinegrade.figure.vectors.polygon import SPARE, draw_polygon
 from kinegrade.language.message import Message
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Part, VectorEquation, is_whole
@@ -45,7 +45,7 @@ def draw_equation(equation: VectorEquation, stage: Stage, scale: float | None) -
     """The polygon of a vector equation, to a scale that its caption states."""
     case = stage.case
     sides = _list_sides(order_vectors(equation, case), case)
-    scene = draw_polygon(*sides, _name_vertices(equation, case), scale)
+    scene = draw_polygon(*sides, _name_vertices(equation, case), scale, _list_spare(case))
     scale_words = Message(
         f"solution.polygon-{stage.level}",
         scale=Decimal(f"{1 / scene.scale:.3g}"),
@@ -100,16 +100,29 @@ def _name_vertices(equation: VectorEquation, case: Case) -> dict[str, Vector]:
             if part.role == "rotation" and part.base:
                 vertices.setdefault(_write_small(case.naming.letter(part.base), case), reached)
             if part.role == "relative":
-                vertices.setdefault(name_shared_corner(part, case), reached)
+                vertices.setdefault(name_shared_corner(part, equation, case), reached)
             reached = reached + make_floats(part.value)
         if side and not side[-1].coincident:
             vertices.setdefault(_write_small(case.naming.letter(side[-1].point), case), reached)
     return vertices
 
 
-def name_shared_corner(relative: Part, case: Case) -> str:
-    """The letter of the moving frame's point at which the point of a composition is: b' of B."""
-    return _write_small(prime(case.naming.letter(relative.point)), case)
+def name_shared_corner(relative: Part, equation: VectorEquation, case: Case) -> str:
+    """The letter of the moving frame's point at which the point of a composition is: b' of B, and
+    b'' in the second frame of the same point.
+    """
+    same = (each for each in equation.compositions if each.point == relative.point)
+    frames = list(dict.fromkeys(each.frame for each in same))
+    letter = case.naming.letter(relative.point)
+    for _ in range(frames.index(relative.frame) + 1):
+        letter = prime(letter)
+    return _write_small(letter, case)
+
+
+def _list_spare(case: Case) -> tuple[str, ...]:
+    """Letters of corners that are no point's in small."""
+    points = {point.lower() for point in case.motion.points}
+    return tuple(letter for letter in SPARE if letter not in points)
 
 
 def _write_small(letter: Symbol, case: Case) -> str:

@@ -269,16 +269,16 @@ def _explain_mark(equation: VectorEquation, case: Case) -> Iterator[Block]:
 
 
 def _explain_corner(equation: VectorEquation, case: Case) -> Iterator[Block]:
-    """Which point the primed letter in a polygon stands for, said once."""
-    relative = next(iter(equation.compositions), None)
+    """Which points the primed letters in a polygon stand for, said once."""
     marked = any(part.coincident for part in equation.parts) and not _find_shifted(equation, case)
-    if relative is None or marked or not spans_polygon(equation):
+    if marked or not spans_polygon(equation):
         return
-    corner = name_shared_corner(relative, case)
-    if corner not in case.findings.corners:
-        case.findings.corners.add(corner)
-        point, frame = case.naming.point(relative.point), case.naming.body(relative.frame)
-        yield case.say(Message("solution.corner", corner=corner, point=point, frame=frame))
+    for relative in equation.compositions:
+        corner = name_shared_corner(relative, equation, case)
+        if corner not in case.findings.corners:
+            case.findings.corners.add(corner)
+            point, frame = case.naming.point(relative.point), case.naming.body(relative.frame)
+            yield case.say(Message("solution.corner", corner=corner, point=point, frame=frame))
 
 
 def _list_equations(equations: Iterable[Text]) -> Text:

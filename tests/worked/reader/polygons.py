@@ -11,6 +11,7 @@ from math import hypot
 from typing import Literal
 
 from kinegrade.figure.scene import BOLD, THIN, Disc, Label, Outline, Scene, Strokes
+from kinegrade.figure.vectors.polygon import CLOSE
 from kinegrade.language.math.reading import read_math
 from kinegrade.mechanics.vector import Vector
 from kinegrade.worked.document import Block, Picture, Pictures
@@ -20,7 +21,7 @@ from tests.worked.reader.formula_reader import name_magnitude, name_symbol, read
 _IN_PLACE = Vector(0.0, 0.0)
 _APART = 0.05  # millimetres within which two corners coincide
 _ROUNDED = 0.005  # of a length, what four digits leave open
-_CORNER = re.compile(r"[a-z]'*(_\{\d+\})?'*|\d")  # the small letter or the number of a corner
+_CORNER = re.compile(r"[a-z]'*(_\{\d+\})?'*")  # the small letter of a corner
 _BETWEEN = 2.0  # millimetres by which a symbol longer than its arrow may be nearer to another
 _LEAVES = 0.4  # millimetres from a label to the leader that leaves it
 _ORIGIN = 0.5  # millimetres, radius of the dot at the origin
@@ -123,10 +124,10 @@ def _meet(one: Vector, other: Vector) -> bool:
 def _judge_corners(
     origin: Vector, arrows: tuple[_Arrow, ...], picture: Picture
 ) -> Iterator[PolygonFault]:
-    """There are as many letters and numbers of corners as corners."""
+    """There are as many letters of corners as corners that stand clear of one another."""
     corners = [origin]
     for arrow in arrows:
-        if not any(_meet(arrow.ends[1], corner) for corner in corners):
+        if not any(hypot(*(arrow.ends[1] - corner)) < CLOSE for corner in corners):
             corners.append(arrow.ends[1])
     named = sum(bool(_CORNER.fullmatch(label.symbol)) for label in picture.scene.labels)
     if named < len(corners):
