@@ -17,14 +17,16 @@ from kinegrade.mechanics.vector import Vector
 
 Dash = Literal["solid", "dashed", "dash-dotted"]
 Fill = Literal["none", "white", "grey", "black"]
+Ink = Literal["black", "grey"]
 
 
 @dataclass(frozen=True)
 class Pen:
-    """A line style; `width` in millimetres."""
+    """A line style; `width` in millimetres; grey is what lies behind black arrows."""
 
     width: float
     dash: Dash = "solid"
+    ink: Ink = "black"
 
 
 BOLD = Pen(0.8)

@@ -12,10 +12,11 @@ import pytest
 import typst
 
 from kinegrade.errors import TypesetError
+from kinegrade.figure.back_ends.svg import to_svg
 from kinegrade.figure.back_ends.tikz import write_tikz
 from kinegrade.figure.back_ends.typst import write_typst
 from kinegrade.figure.placing.extent import measure_symbol
-from kinegrade.figure.scene import Label, Scene
+from kinegrade.figure.scene import Label, Pen, Scene, Strokes
 from kinegrade.figure.sketch import sketch
 from kinegrade.mechanics.vector import Vector
 from kinegrade.press.latex.xetex import run
@@ -39,6 +40,22 @@ def test_typst_draws_all_eight_figures() -> None:
         map(write_typst, eight_scenes())
     )
     assert typst.compile(page.encode(), format="pdf").startswith(b"%PDF")
+
+
+@pytest.mark.parametrize(
+    ("back_end", "grey"),
+    [
+        (write_typst, "luma(65%)"),
+        (to_svg, "#a6a6a6"),
+        (write_tikz, r"\pgfsetstrokecolor{black!35}"),
+    ],
+)
+def test_a_grey_line_is_grey_and_the_next_one_black(back_end: BackEnd, grey: str) -> None:
+    line = ((Vector(0.0, 0.0), Vector(9.0, 0.0)),)
+    first, second = Strokes(line, Pen(0.8, ink="grey")), Strokes(line, Pen(0.8))
+    alone = back_end(Scene(9.0, 1.0, 1.0, (second,)))
+    both = back_end(Scene(9.0, 1.0, 1.0, (first, second)))
+    assert (alone.count(grey), both.count(grey)) == (0, 1)
 
 
 @pytest.mark.needs_tex

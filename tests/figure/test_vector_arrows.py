@@ -72,7 +72,6 @@ def test_arrows_on_one_line_stand_side_by_side_on_its_upper_side_and_are_tied_to
             VectorArrow("b", X, HERE),
             VectorArrow("c", HERE, Vector(0.0, 5.0)),
         ],
-        (),
         (2.0,),
     )
     assert (first.aside, second.aside, third.aside) == (HERE, Vector(0.0, 2.0), HERE)
@@ -82,18 +81,19 @@ def test_arrows_on_one_line_stand_side_by_side_on_its_upper_side_and_are_tied_to
     assert ties.lines == ((X, Vector(10.0, 2.0)), (HERE, Vector(0.0, 2.0)))
 
 
-def test_an_arrow_leaves_a_bold_line() -> None:
-    (arrow,) = put_side_by_side(
-        [VectorArrow("a", HERE, Vector(0.0, 8.0))], [(HERE, Vector(0.0, 30.0))], (1.5, -1.5)
-    )
-    assert arrow.line == (Vector(1.5, 0.0), Vector(1.5, 8.0))
-
-
 def test_without_any_room_an_arrow_stays_where_it_belongs() -> None:
-    (arrow,) = put_side_by_side(
-        [VectorArrow("a", HERE, X)], [(HERE, X), (HERE, Vector(10.0, 0.5))], (0.3,)
-    )
-    assert arrow.aside == HERE
+    _, second = put_side_by_side([VectorArrow("a", HERE, X), VectorArrow("b", HERE, X)], (0.3,))
+    assert second.aside == HERE
+
+
+def test_arrows_of_one_point_and_direction_stay_there_where_their_tips_are_apart() -> None:
+    long, short = VectorArrow("a", HERE, X), VectorArrow("b", HERE, X * 0.5)
+    almost = VectorArrow("c", HERE, X * 0.9)
+    placed = put_side_by_side([long, short, almost], (1.5,), nested=True)
+    assert [arrow.aside for arrow in placed] == [HERE, HERE, Vector(0.0, 1.5)]
+    label = short.wish_at_tip([long, short])
+    assert label.demerits is not None
+    assert not label.demerits[:8].all()
 
 
 def test_a_symbol_is_to_be_nearer_to_its_own_arrow() -> None:

@@ -10,10 +10,8 @@ from math import hypot
 import pytest
 
 from kinegrade.figure.back_ends.typst import write_typst
-from kinegrade.figure.mechanism.layers import draw
-from kinegrade.figure.mechanism.paper import scale_to_paper
 from kinegrade.figure.placing.layout import Layout
-from kinegrade.figure.scene import FIRM, THIN, Bow, Disc, Strokes
+from kinegrade.figure.scene import BOLD, FIRM, THIN, Bow, Disc, Strokes
 from kinegrade.figure.vectors import mechanism as vectors_on_mechanisms
 from kinegrade.figure.vectors.arrows import VectorArrow
 from kinegrade.figure.vectors.mechanism import (
@@ -43,7 +41,7 @@ ARROWS = [
 
 
 def test_arrows_are_to_one_scale_and_start_at_their_points() -> None:
-    long, short = place_arrows(ARROWS, 100.0, draw(scale_to_paper(MECHANISM, 100.0), HINTS))
+    long, short = place_arrows(ARROWS, 100.0)
     assert (long.symbol, short.symbol) == ("v_A", "v_B")
     assert hypot(*(long.end - long.start)) == pytest.approx(LONGEST)
     assert hypot(*(short.end - short.start)) == pytest.approx(LONGEST / 2)
@@ -57,11 +55,14 @@ def test_the_letters_stay_and_the_givens_go() -> None:
     assert faults(scene, PICTURE.width, PICTURE.height) == []
 
 
-def test_an_arrow_along_a_bar_is_drawn_beside_it() -> None:
-    drawing = draw(scale_to_paper(MECHANISM, 100.0), HINTS)
-    (arrow,) = place_arrows([PointArrow(r"a_{A}^{\mathrm{n}}", AT_A, ALONG * -3.0)], 100.0, drawing)
-    assert hypot(*arrow.aside) == pytest.approx(1.5)
-    assert arrow.aside.dot(ALONG) == pytest.approx(0.0, abs=1e-9)
+def test_an_arrow_along_a_bar_is_drawn_upon_it_and_the_bar_is_grey() -> None:
+    along = PointArrow(r"a_{A}^{\mathrm{n}}", AT_A, ALONG * -3.0)
+    (arrow,) = place_arrows([along], 100.0)
+    assert arrow.aside == Vector(0.0, 0.0)
+    parts = draw_with_vectors(MECHANISM, HINTS, [along]).primitives
+    pens = [part.pen for part in parts if isinstance(part, Strokes)]
+    assert {pen.ink for pen in pens if pen.width >= BOLD.width} == {"grey"}
+    assert {pen.ink for pen in pens if pen.width < BOLD.width} == {"black"}
 
 
 def test_arrows_come_out_from_under_the_pin_at_which_they_start() -> None:
@@ -91,7 +92,7 @@ def test_many_arrows_at_one_point_are_longer_and_all_named() -> None:
         PointArrow(name, AT_A, Vector(1.0 - number, 1.0 + number))
         for number, name in enumerate(names)
     ]
-    longest = place_arrows(arrows, 100.0, draw(scale_to_paper(MECHANISM, 100.0), HINTS))[0]
+    longest = place_arrows(arrows, 100.0)[0]
     assert hypot(*(longest.end - longest.start)) == pytest.approx(CROWDED)
     scene = draw_with_vectors(MECHANISM, HINTS, arrows)
     assert set(names) < set(symbols(scene))

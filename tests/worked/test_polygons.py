@@ -4,9 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from kinegrade.problem.solving import solve_template
+from kinegrade.problem.template.library.library import load_template
 from kinegrade.worked.case import write_row
-from kinegrade.worked.document import Block, Pictures, TermTable
+from kinegrade.worked.document import Block, Picture, Pictures, Prose, TermTable
+from kinegrade.worked.solution import write_worked_solution
 from tests.worked.draws import stated
+
+
+def list_drawings(blocks: Sequence[Block], caption: str) -> list[Picture]:
+    """The pictures whose captions begin so."""
+    shown = [
+        picture for block in blocks if isinstance(block, Pictures) for picture in block.pictures
+    ]
+    return [picture for picture in shown if picture.caption.startswith(caption)]
 
 
 def list_tables(blocks: Sequence[Block]) -> list[list[str]]:
@@ -31,3 +42,31 @@ def test_vectors_that_change_places_in_a_polygon_do_so_in_the_table() -> None:
 def test_a_point_of_two_bodies_has_one_acceleration_and_no_polygon() -> None:
     blocks = stated("planetary-gear-external-rim-accelerations")
     assert [block for block in blocks if isinstance(block, Pictures)] == []
+
+
+def test_a_rotation_that_is_not_worked_out_is_in_no_picture() -> None:
+    # BC and the ram are asked for; the rod AB turns, too
+    solution = solve_template(load_template("toggle-press"), {})
+    blocks = write_worked_solution(solution, ("omega_BC", "v_D"), "en").blocks
+    first, second = list_drawings(blocks, "velocities")
+    symbols = {label.symbol for picture in (first, second) for label in picture.scene.labels}
+    assert r"\omega_{BC}" in symbols
+    assert not {r"\omega_{AB}", r"\omega_{BD}"} & symbols
+
+
+def test_vectors_too_short_to_draw_are_named_below_the_picture() -> None:
+    values = {"R": "1/5", "phi": "30", "v_O": "-2/5", "a_O": "1/2"}
+    blocks = stated("rolling-wheel-pin-slotted-rocker", **values)
+    (picture,) = list_drawings(blocks, "accelerations")
+    assert picture.caption == (r"accelerations (too short to draw: $a_{\mathrm{e}}^{\mathrm{n}}$)")
+
+
+def test_corners_of_two_frames_have_letters_of_their_own_and_are_explained_where_they_are() -> None:
+    values = {"b": "0.18", "phi": "-26", "omega_1": "-6", "omega_2": "6"}
+    letters = {"m'", "m''", "m"}
+    for given, wanted in (({}, letters - {"m''"}), (values, letters)):
+        blocks = stated("pin-in-disc-slot-and-rod", **given)
+        (polygon,) = list_drawings(blocks, "velocity polygon")
+        assert letters & {label.symbol for label in polygon.scene.labels} == wanted
+        told = "".join(block.text for block in blocks if isinstance(block, Prose))
+        assert ("$m''$ denotes" in told) == ("m''" in wanted)

@@ -19,6 +19,7 @@ from kinegrade.figure.scene import (
     Dash,
     Disc,
     Fill,
+    Ink,
     Label,
     Outline,
     Pen,
@@ -30,6 +31,7 @@ from kinegrade.language.math.runs import Run, split_symbol
 from kinegrade.mechanics.vector import Vector
 
 FONTS = "Libertinus Serif, STIX Two Text, Times New Roman, Times, Liberation Serif, serif"
+_INKS: dict[Ink, str] = {"black": "", "grey": ' stroke="#a6a6a6"'}
 _FILLS: dict[Fill, str] = {"none": "", "white": "#fff", "grey": "#e8e8e8", "black": "#000"}
 _DASHES: dict[Dash, str] = {
     "solid": "",
@@ -129,7 +131,7 @@ def _write_style(pen: Pen | None, fill: Fill) -> str:
     if pen is None:
         return f'{inside} stroke="none"'
     dash = f' stroke-dasharray="{_DASHES[pen.dash]}"' if _DASHES[pen.dash] else ""
-    return f'{inside} stroke-width="{_write_millimetres(pen.width)}"{dash}'
+    return f'{inside}{_INKS[pen.ink]} stroke-width="{_write_millimetres(pen.width)}"{dash}'
 
 
 def _label(label: Label, height: float) -> str:

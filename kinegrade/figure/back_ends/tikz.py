@@ -17,6 +17,7 @@ from kinegrade.figure.scene import (
     Bow,
     Disc,
     Fill,
+    Ink,
     Label,
     Outline,
     Pen,
@@ -28,6 +29,7 @@ from kinegrade.figure.scene import (
 from kinegrade.language.math.latex import write_latex_math
 from kinegrade.mechanics.vector import Vector
 
+_INKS: dict[Ink, str] = {"black": "black", "grey": "black!35"}
 _FILLS: dict[Fill, str] = {"none": "", "white": "white", "grey": "black!9", "black": "black"}
 _DASHES = {"solid": "", "dashed": "{3pt}{3pt}", "dash-dotted": "{3pt}{2pt}{0.01pt}{2pt}"}
 # The longest sweep of one Bezier curve: it leaves the circle by 0.03 % of the radius
@@ -79,6 +81,8 @@ def _write_commands(primitives: tuple[Primitive, ...]) -> list[list[str]]:
 
 def _write_pen(pen: Pen, before: Pen | None) -> str:
     width = rf"\pgfsetlinewidth{{{_write_millimetres(pen.width)}}}"
+    if pen.ink != (before.ink if before else "black"):
+        width += rf"\pgfsetstrokecolor{{{_INKS[pen.ink]}}}"
     same = pen.dash == (before.dash if before else "solid")
     return width if same else rf"{width}\pgfsetdash{{{_DASHES[pen.dash]}}}{{0pt}}"
 

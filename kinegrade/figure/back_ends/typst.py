@@ -16,6 +16,7 @@ from kinegrade.figure.scene import (
     Dash,
     Disc,
     Fill,
+    Ink,
     Label,
     Outline,
     Pen,
@@ -32,6 +33,7 @@ _DASHES: dict[Dash, str] = {
     "dash-dotted": ', dash: "dash-dotted"',
 }
 _SAGITTA = 0.02  # millimetres that the chords of an arc leave it at most
+_INKS: dict[Ink, str] = {"black": "", "grey": ", paint: luma(65%)"}
 _FILLS: dict[Fill, str] = {"none": "none", "white": "white", "grey": "luma(91%)", "black": "black"}
 
 
@@ -143,8 +145,8 @@ def _write_style(pen: Pen | None, fill: Fill) -> str:
 def _write_stroke(pen: Pen | None) -> str:
     if pen is None:
         return "none"
-    dash = _DASHES[pen.dash]
-    return f'(thickness: {_write_millimetres(pen.width)}, cap: "round", join: "round"{dash})'
+    more = _DASHES[pen.dash] + _INKS[pen.ink]
+    return f'(thickness: {_write_millimetres(pen.width)}, cap: "round", join: "round"{more})'
 
 
 def _write_position(across: float, downward: float) -> str:

@@ -21,6 +21,8 @@ _IN_PLACE = Vector(0.0, 0.0)
 _HEAD_LENGTH, _HEAD_WIDTH = 2.4, 1.4  # millimetres: larger than the heads of dimensions
 DASHED = Pen(0.3, "dashed")
 _HEAD_SHARE = 0.6  # of a short arrow that its head takes at most
+_SAME = 0.01  # millimetres within which two arrows start at one point
+_HEADS_APART = 3.0  # millimetres between the tips of two arrows on one line
 _CLOSE = 0.9  # millimetres: lines nearer than this over a stretch look like one
 _STRETCH = 0.8  # millimetres that two lines may run close together
 _NEARER = 0.3  # millimetres by which a symbol has to be nearer to its arrow than to any other
@@ -46,6 +48,13 @@ class VectorArrow:
     def line(self) -> Segment:
         """The straight line that is drawn."""
         return (self.start + self.aside, self.end + self.aside)
+
+    def shares_start(self, other: VectorArrow) -> bool:
+        """Whether another arrow on one line with this one starts where it does, and has its head
+        elsewhere on that line.
+        """
+        (start, tip), (begin, end) = self.line, other.line
+        return length(begin - start) < _SAME and length(end - tip) > _HEADS_APART
 
     def primitives(self) -> tuple[Primitive, ...]:
         """Shaft and head; the head is open where the vector is unknown."""
@@ -100,13 +109,21 @@ class VectorArrow:
         return list_spots_around(self.symbol, end, away=end - start)
 
     def _wish(self, spots: Floats, others: Iterable[VectorArrow]) -> Wish:
-        lines = [other.line for other in others if other is not self]
+        lines = [self._find_rest(other) for other in others if other is not self]
         return Wish(
             self.symbol,
             spots,
             None,
             _MISTAKEN * rate_nearness_to_lines(self.symbol, spots, self.line, lines),
         )
+
+    def _find_rest(self, other: VectorArrow) -> Segment:
+        """The line of another arrow; of one that goes on where this one ends, its last part."""
+        (start, tip), (_, end) = self.line, other.line
+        longer = length(end - start) > length(tip - start)
+        if longer and self.shares_start(other) and look_like_one(self.line, other.line):
+            return ((tip + end) / 2, end)
+        return other.line
 
 
 def rate_nearness_to_lines(
@@ -136,23 +153,29 @@ def _measure_distances(spots: Floats, half: Floats, lines: Sequence[Segment]) ->
 
 
 def put_side_by_side(
-    arrows: Iterable[VectorArrow], drawn: Iterable[Segment], offsets: Sequence[float]
+    arrows: Iterable[VectorArrow], offsets: Sequence[float], *, nested: bool = False
 ) -> tuple[VectorArrow, ...]:
-    """The arrows in order, each displaced by the first of the offsets at which it lies on no line
-    and no other arrow.
+    """The arrows in order, each displaced by the first of the offsets at which it lies on no other
+    arrow; where they may be `nested`, arrows of one point and direction stay there, if their tips
+    are apart.
 
     Offsets are millimetres to the upper side of the arrow's line (to the right of a vertical one).
     """
-    lines, placed = list(drawn), []
+    placed: list[VectorArrow] = []
     for arrow in arrows:
         upper = _find_upper_side(unit(arrow.end - arrow.start))
         ways = [replace(arrow, aside=upper * offset) for offset in (0.0, *offsets)]
-        chosen = next(
-            (way for way in ways if not any(look_like_one(way.line, line) for line in lines)), arrow
-        )
+        chosen = next((way for way in ways if _is_clear(way, placed, nested)), arrow)
         placed.append(chosen)
-        lines.append(chosen.line)
     return tuple(placed)
+
+
+def _is_clear(arrow: VectorArrow, others: Iterable[VectorArrow], nested: bool) -> bool:
+    """Whether an arrow is told from all others."""
+    return not any(
+        look_like_one(arrow.line, other.line) and not (nested and arrow.shares_start(other))
+        for other in others
+    )
 
 
 def _find_upper_side(along: Vector) -> Vector:

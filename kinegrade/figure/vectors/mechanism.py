@@ -22,7 +22,6 @@ from kinegrade.figure.vectors.arrows import VectorArrow, put_side_by_side
 from kinegrade.figure.vectors.plain_mechanism import (
     PICTURE,
     BareMechanism,
-    find_bold_lines,
     find_pins,
 )
 from kinegrade.mechanics.mechanism import Mechanism
@@ -36,7 +35,7 @@ LARGE = Room(80.0, 64.0)  # millimetres, for a picture whose arrows leave too li
 _SHORTEST = 1.2  # millimetres: a shorter arrow would not be visible and is left out
 _LEAST_SCALE = 0.6  # of the scale without arrows: a smaller mechanism is not told apart
 _TOO_SMALL = 2  # as bad as so many crowded symbols
-# Millimetres between arrows, or an arrow and a bar, on one line
+# Millimetres between arrows on one line
 _OFFSETS = (1.5, -1.5, 3.0, -3.0, 4.5)
 
 
@@ -107,13 +106,12 @@ def _rate_faults(scene: Scene, bare: float) -> int:
 def place_arrows(
     arrows: Sequence[PointArrow],
     scale: float,
-    drawing: Drawing,
     *,
     shortest: float = _SHORTEST,
     share: float = 1.0,
 ) -> tuple[VectorArrow, ...]:
-    """The arrows on paper to one common scale, next to bold lines and to each other, the longest
-    first; `share` of their full length.
+    """The arrows on paper to one common scale, next to each other where they would hide one
+    another, the longest first; `share` of their full length.
     """
     longest = max((length(arrow.value) for arrow in arrows), default=0.0)
     most = max(Counter(arrow.at for arrow in arrows).values(), default=0)
@@ -129,7 +127,7 @@ def place_arrows(
         )
         for arrow in ordered
     ]
-    return put_side_by_side(on_paper, find_bold_lines(drawing.primitives), _OFFSETS)
+    return put_side_by_side(on_paper, _OFFSETS, nested=True)
 
 
 def add_arrows(layout: Layout, arrows: Sequence[VectorArrow], drawing: Drawing) -> Layout:
@@ -175,7 +173,7 @@ class _Stage:
     ) -> _Stage:
         """The mechanism at a scale, the arrows with that `share` of their full length."""
         paper, drawing = plain.at(scale)
-        placed = place_arrows(arrows, scale, drawing, share=share)
+        placed = place_arrows(arrows, scale, share=share)
         letters = tuple(label_points(paper, plain.hints, drawing))
         return _Stage(paper, plain.hints, drawing, placed, letters)
 

@@ -18,6 +18,7 @@ from kinegrade.problem.template.hints import FigureHints
 
 PICTURE = Room(64.0, 44.0)  # smaller than the figure of the question: text stands beside it
 _LARGEST_PIN = PIN + 0.1  # millimetres, radius of the symbol at a point
+_BAR = replace(BOLD, ink="grey")
 _SURROUND = 12.0  # millimetres that symbols take beside the mechanism, as a first estimate
 
 
@@ -70,13 +71,22 @@ class BareMechanism:
         return guess * min(1.0, room.width / drawn.width, room.height / drawn.height)
 
     def at(self, scale: float) -> tuple[Mechanism, Drawing]:
-        """The mechanism in millimetres on paper, and its drawing."""
+        """The mechanism in millimetres on paper, and its drawing with grey bars: an arrow along one
+        is seen upon it.
+        """
         paper = scale_to_paper(self.mechanism, scale)
-        return paper, draw(paper, self.hints)
+        drawing = draw(paper, self.hints)
+        return paper, replace(drawing, primitives=tuple(map(_fade, drawing.primitives)))
+
+
+def _fade(primitive: Primitive) -> Primitive:
+    if isinstance(primitive, Strokes) and primitive.pen.width >= BOLD.width:
+        return replace(primitive, pen=_BAR)
+    return primitive
 
 
 def find_bold_lines(primitives: Iterable[Primitive]) -> Iterator[Segment]:
-    """The straight bold lines, on which no arrow would be visible."""
+    """The straight bold lines, on which no thin line would be visible."""
     for primitive in primitives:
         if isinstance(primitive, Strokes) and primitive.pen.width >= BOLD.width:
             yield from primitive.lines

@@ -89,7 +89,7 @@ class _Construction:
         of bodies.
         """
         paper, drawing = plain.at(scale)
-        placed = place_arrows(self.rays, scale, drawing, shortest=_LEAST)
+        placed = place_arrows(self.rays, scale, shortest=_LEAST)
         bars = tuple(find_bold_lines(drawing.primitives))
         layout = Layout.of((*drawing.primitives, *self.lines(placed, scale, bars)))
         layout = add_arrows(layout, placed, drawing).drawn(self.mark(paper, scale))

@@ -117,7 +117,7 @@ def _compose(
     """The arrows with their symbols and the letters of their corners."""
     least = _NEGLIGIBLE * max((length(arrow.value) for arrow in (*left, *right)), default=0.0)
     laid = [arrow for side in (left, right) for arrow in _lay_arrows(side, scale, least)]
-    arrows = put_side_by_side(laid, (), _OFFSETS)
+    arrows = put_side_by_side(laid, _OFFSETS)
     corners = _list_corners(arrows)
     lettered = _name_corners(names.vertices, corners, scale)
     layout = _name_arrows(arrows, [_wish_letter(*one, corners) for one in lettered.items()])

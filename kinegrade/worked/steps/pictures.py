@@ -9,7 +9,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from kinegrade.figure.vectors.mechanism import PointArrow, draw_with_vectors
 from kinegrade.figure.vectors.pole_construction import Pole, draw_pole_construction
 from kinegrade.language.math.tree import Text, list_nodes
-from kinegrade.language.message import Message
+from kinegrade.language.message import Message, list_all
 from kinegrade.mechanics.rates import Rate, make_turning
 from kinegrade.mechanics.vector_equation import Level, Part, VectorEquation
 from kinegrade.problem.template.hints import Turning
@@ -46,8 +46,8 @@ def draw_stage(stage: Stage, scale: float | None = None) -> Iterator[Pictures]:
 
 
 def _draw_vectors(equations: Sequence[VectorEquation], stage: Stage) -> Picture:
-    """The mechanism with all vectors of the step at their points, and the rotations that the step
-    gives.
+    """The mechanism with all vectors of the step at their points, those too short for it named
+    below, and the rotations that are worked out.
     """
     case = stage.case
     mechanism = case.motion.frames.mechanism.map(float)
@@ -56,14 +56,18 @@ def _draw_vectors(equations: Sequence[VectorEquation], stage: Stage) -> Picture:
         for equation in equations
         for arrow in _find_point_arrows(equation.parts, equation, case)
     }
-    rates = dict.fromkeys(rate for equation in equations for rate in equation.unknowns)
+    rates = dict.fromkeys(
+        rate for equation in equations for rate in equation.unknowns if not stage.leaves_out(rate)
+    )
     scene = draw_with_vectors(
         mechanism,
         case.template.figure,
         tuple(arrows.values()),
         _find_turnings(rates, case, stage.level),
     )
-    return Picture(scene, _name_picture(stage.level, case))
+    drawn = {label.symbol for label in scene.labels}
+    short = [f"${arrow.symbol}$" for arrow in arrows.values() if arrow.symbol not in drawn]
+    return Picture(scene, _name_picture(stage.level, short, case))
 
 
 def _find_point_arrows(
@@ -115,6 +119,9 @@ def _draw_pole(body: str, rays: Sequence[PointArrow], case: Case) -> Picture:
     return Picture(scene, case.write(caption))
 
 
-def _name_picture(level: Level, case: Case) -> str:
-    """The caption of a picture of the mechanism with its vectors."""
-    return case.write(Message(f"solution.picture-vectors-{level}"))
+def _name_picture(level: Level, short: Sequence[str], case: Case) -> str:
+    """The caption of a picture of the mechanism with its vectors but for those too short."""
+    caption = Message(f"solution.picture-vectors-{level}")
+    if not short:
+        return case.write(caption)
+    return case.write(Message("solution.picture-without", picture=caption, short=list_all(short)))

@@ -119,6 +119,12 @@ def name_shared_corner(relative: Part, equation: VectorEquation, case: Case) -> 
     return _write_small(letter, case)
 
 
+def has_corner(letter: str, equation: VectorEquation, case: Case) -> bool:
+    """Whether a letter stands at a corner of the polygon of an equation."""
+    place = _name_vertices(order_vectors(equation, case), case).get(letter)
+    return place is not None and is_seen(place)
+
+
 def _list_spare(case: Case) -> tuple[str, ...]:
     """Letters of corners that are no point's in small."""
     points = {point.lower() for point in case.motion.points}

@@ -28,7 +28,12 @@ from kinegrade.worked.formulas.numbers import state_number
 from kinegrade.worked.rates.scalars import explain_scalar_step, state_relations
 from kinegrade.worked.senses import state_way
 from kinegrade.worked.steps.base_points import start_from_known
-from kinegrade.worked.steps.polygons import name_shared_corner, order_vectors, spans_polygon
+from kinegrade.worked.steps.polygons import (
+    has_corner,
+    name_shared_corner,
+    order_vectors,
+    spans_polygon,
+)
 from kinegrade.worked.steps.titles import describe_meanings, introduce_equation, select_scalars
 from kinegrade.worked.translations import say_translation
 from kinegrade.worked.vectors.arms import find_arms, introduce_lengths
@@ -275,7 +280,7 @@ def _explain_corner(equation: VectorEquation, case: Case) -> Iterator[Block]:
         return
     for relative in equation.compositions:
         corner = name_shared_corner(relative, equation, case)
-        if corner not in case.findings.corners:
+        if corner not in case.findings.corners and has_corner(corner, equation, case):
             case.findings.corners.add(corner)
             point, frame = case.naming.point(relative.point), case.naming.body(relative.frame)
             yield case.say(Message("solution.corner", corner=corner, point=point, frame=frame))

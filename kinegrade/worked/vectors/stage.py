@@ -50,9 +50,12 @@ class Stage:
     def spares(self, deduction: Deduction) -> bool:
         """Whether a deduction gives what stands in no other equation and nothing else needs."""
         rate, *others = deduction.unknowns
-        if others or deduction.scalars or not self.case.findings.spares(rate, self.level):
-            return False
-        return sum(rate in equation.unknowns for equation in self.equations) == 1
+        return not others and not deduction.scalars and self.leaves_out(rate)
+
+    def leaves_out(self, rate: Rate) -> bool:
+        """Whether an unknown stands in no other equation and nothing else needs it."""
+        once = sum(rate in equation.unknowns for equation in self.equations) == 1
+        return once and self.case.findings.spares(rate, self.level)
 
     def uses(self, rate: Rate, later: Sequence[Deduction]) -> bool:
         """Whether an answer, a later step or one of the later deductions needs a rate."""
