@@ -28,6 +28,7 @@ from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.measures import double
 from kinegrade.worked.formulas.notation import Notation
 from kinegrade.worked.nearby import find_nearby_motion, find_nearby_points
+from kinegrade.worked.positions.construction_steps import Step, list_steps
 from kinegrade.worked.words.naming import Naming
 
 
@@ -74,6 +75,11 @@ class Case:
     def naming(self) -> Naming:
         """The names of bodies, points and rates."""
         return Naming(self.template, self.language)
+
+    @cached_property
+    def construction(self) -> tuple[Step, ...]:
+        """The points of the template with their constructions, step by step."""
+        return list_steps(self.template)
 
     @cached_property
     def nearby(self) -> Mapping[str, Vector] | None:

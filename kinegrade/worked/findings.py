@@ -12,9 +12,11 @@ from kinegrade.mechanics.relations import Term
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Level
 from kinegrade.worked.formulas.atoms import Symbol, VectorSymbol
+from kinegrade.worked.formulas.formula import Formula
 
 Ways: TypeAlias = tuple[tuple[Rate, str, str], ...]  # what distinguishes chains of terms
 Key: TypeAlias = tuple[Level, Ways]
+Stated: TypeAlias = tuple[Formula, int, float]  # an angle, its sign, its degrees
 
 
 @dataclass(frozen=True)
@@ -74,11 +76,12 @@ class Findings:
     are places of poles that normals lead to, so that speeds are left out; `seen` the directions
     that triangles have given, each from one point to another; `poles_sought` the bodies about whose
     poles answers are; `distances` the printed symbols of the distances of poles that have been
-    worked out; `corners` the letters of polygons that have been explained; `told` the formulas
-    within sentences; `spared` the rates that no answer and no later step needs, so that a check
-    alone may ask for them; `rim_tracks` how a track moves that has the speed of a wheel's rim, by
-    the number of their joint; `written` the formulas of sentences by their text; `translated` the
-    bodies of which has been said that their points have one velocity or acceleration.
+    worked out; `corners` the letters of polygons that have been explained; `stated` the angles by
+    which givens state lines; `told` the formulas within sentences; `spared` the rates that no
+    answer and no later step needs, so that a check alone may ask for them; `rim_tracks` how a track
+    moves that has the speed of a wheel's rim, by the number of their joint; `written` the formulas
+    of sentences by their text; `translated` the bodies of which has been said that their points
+    have one velocity or acceleration.
     """
 
     facts: dict[Key, Fact] = field(default_factory=dict)
@@ -99,6 +102,7 @@ class Findings:
     corners: set[str] = field(default_factory=set)
     rim_tracks: dict[int, Term] = field(default_factory=dict)
     legs: dict[frozenset[str], tuple[str, str]] = field(default_factory=dict)
+    stated: dict[tuple[str, str], Stated | None] = field(default_factory=dict)
     told: list[Row] = field(default_factory=list)
     written: dict[str, Row] = field(default_factory=dict)
     translated: dict[Level, set[str]] = field(

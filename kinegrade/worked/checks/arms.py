@@ -13,7 +13,6 @@ from kinegrade.worked.formulas.atoms import AXES, AxisName
 from kinegrade.worked.formulas.measures import double, length
 from kinegrade.worked.formulas.numbers import measure
 from kinegrade.worked.positions.axes import choose_axes
-from kinegrade.worked.positions.construction_steps import list_steps
 from kinegrade.worked.vectors.arms import find_stated_length, name_length
 from kinegrade.worked.vectors.components import state_arm
 from kinegrade.worked.vectors.summands import PLACES
@@ -46,7 +45,7 @@ def point_from_base(term: Term, case: Case) -> Multiplier:
 
 def _find_arm(term: Term, case: Case) -> Pair:
     """The coordinates of a rotation's point from its base point: a difference of two as it is."""
-    axes = choose_axes(list_steps(case.template))
+    axes = choose_axes(case.construction)
     components: dict[AxisName, Amount] = {}
     for axis in AXES:
         letters = state_arm(axis, term, axes, case)

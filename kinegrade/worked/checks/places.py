@@ -21,7 +21,6 @@ from kinegrade.worked.formulas.formula import Formula, Function
 from kinegrade.worked.formulas.measures import length
 from kinegrade.worked.formulas.numbers import measure, state_angle, state_quantity
 from kinegrade.worked.formulas.symbols import collect_symbols, read_symbol
-from kinegrade.worked.positions.construction_steps import list_steps
 from kinegrade.worked.positions.instance import make_instance
 from kinegrade.worked.vectors.arms import find_stated_length
 
@@ -61,7 +60,7 @@ def _list_placed(construction: str, case: Case) -> Iterator[_Distance]:
     """The distances of points placed on a circle, or at a distance, from the centre: of two circles
     the second one comes first, since the first one has led to the point.
     """
-    for step in reversed(list_steps(case.template)):
+    for step in reversed(case.construction):
         for call in reversed(tuple(walk(step.tree))):
             match call:
                 case Call(function=function, arguments=(Name(centre), radius, *_)):

@@ -45,7 +45,7 @@ from kinegrade.worked.formulas.symbols import (
 )
 from kinegrade.worked.positions.algebra import Pair
 from kinegrade.worked.positions.axes import Axes, choose_axes
-from kinegrade.worked.positions.construction_steps import Step, list_steps
+from kinegrade.worked.positions.construction_steps import Step
 from kinegrade.worked.positions.parts import Derived
 
 METRE, RADIAN, DEGREE, PURE = read_unit("m"), read_unit("rad"), read_unit("deg"), read_unit("1")
@@ -197,7 +197,7 @@ def make_instance(case: Case) -> Instance:
         case.arithmetic.fork(),
         {name: find_si_unit(one.unit) for name, one in case.template.parameters.items()},
     )
-    return add_steps(instance, list_steps(case.template))
+    return add_steps(instance, case.construction)
 
 
 def add_steps(instance: Instance, more: Iterable[Step]) -> Instance:

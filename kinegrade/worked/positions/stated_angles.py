@@ -14,14 +14,14 @@ from kinegrade.mechanics.relations import Term
 from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.angle import Angle
 from kinegrade.worked.case import Case
-from kinegrade.worked.findings import Seen
+from kinegrade.worked.findings import Seen, Stated
 from kinegrade.worked.formulas.atoms import add_terms
 from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.leaves import formulate
 from kinegrade.worked.formulas.measures import bearing, tidy
 from kinegrade.worked.formulas.numbers import state_angle
 from kinegrade.worked.formulas.symbols import collect_symbols
-from kinegrade.worked.positions.construction_steps import Step, list_steps
+from kinegrade.worked.positions.construction_steps import Step
 from kinegrade.worked.positions.marked_angles import find_marked_angle
 from kinegrade.worked.positions.right_angles import split_right_angles
 
@@ -35,25 +35,29 @@ _WORK: Mapping[str, Callable[[float, float], float]] = {
 _RIGHT = 90.0
 
 
-def find_stated_angle(ends: tuple[str, str], case: Case) -> tuple[Formula, int, float] | None:
+def find_stated_angle(ends: tuple[str, str], case: Case) -> Stated | None:
     """The angle that states the line through two points: in symbols and without right angles, the
     sign with which it counts counter-clockwise from +x, and its degrees; None where none does.
     """
-    steps = list_steps(case.template)
-    angles = (find_given_angle(angle, case) for angle in _list_stated(ends, steps))
+    stated = case.findings.stated
+    if ends not in stated:
+        stated[ends] = _find_among_givens(ends, case)
+    seen = _find_seen(ends, case)
+    if stated[ends] is not None or seen is None:
+        return stated[ends]
+    sign, plain, _ = split_right_angles(seen.tree)
+    return _state(sign, plain, case, seen)
+
+
+def _find_among_givens(ends: tuple[str, str], case: Case) -> Stated | None:
+    """The same by the construction, or by the marks of the figure."""
+    angles = (find_given_angle(angle, case) for angle in _list_stated(ends, case.construction))
     given = next((angle for angle in angles if angle is not None), None)
-    if given is not None:
-        return given
-    marked, seen = find_marked_angle(ends, case), _find_seen(ends, case)
-    if marked is not None:
-        return _state(*marked, case)
-    if seen is not None:
-        sign, plain, _ = split_right_angles(seen.tree)
-        return _state(sign, plain, case, seen)
-    return None
+    marked = find_marked_angle(ends, case) if given is None else None
+    return _state(*marked, case) if marked is not None else given
 
 
-def find_given_angle(angle: Expression, case: Case) -> tuple[Formula, int, float] | None:
+def find_given_angle(angle: Expression, case: Case) -> Stated | None:
     """An angle that is made of givens, without right angles and with its sign; None for others."""
     if not _is_given(angle, case):
         return None
@@ -61,9 +65,7 @@ def find_given_angle(angle: Expression, case: Case) -> tuple[Formula, int, float
     return _state(sign, plain, case)
 
 
-def _state(
-    sign: int, angle: Expression, case: Case, seen: Seen | None = None
-) -> tuple[Formula, int, float]:
+def _state(sign: int, angle: Expression, case: Case, seen: Seen | None = None) -> Stated:
     """An angle of givens, and of one that a triangle has given."""
     symbols, values = dict(collect_symbols(case.template)), dict(case.solution.assembly.values)
     if seen is not None:
@@ -83,7 +85,7 @@ def state_bearing(heading: Vector, term: Term | None, case: Case) -> Formula:
     return add_terms((*right, angle.signed(sign)))
 
 
-def find_track_angle(term: Term, case: Case) -> tuple[Formula, int, float] | None:
+def find_track_angle(term: Term, case: Case) -> Stated | None:
     """The angle of givens that gives the line along which a point slides: in symbols and without
     right angles, its sign counter-clockwise from +x, and its degrees; None where none does.
     """

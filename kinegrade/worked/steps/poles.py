@@ -17,7 +17,6 @@ from kinegrade.worked.formulas.numbers import measure, state_number
 from kinegrade.worked.formulas.symbols import name_coordinate
 from kinegrade.worked.positions.algebra import ZERO as NOTHING
 from kinegrade.worked.positions.axes import choose_axes
-from kinegrade.worked.positions.construction_steps import list_steps
 from kinegrade.worked.vectors.components import find_known, list_component
 from kinegrade.worked.vectors.points import find_point, find_vector
 from kinegrade.worked.vectors.summands import PLACES
@@ -73,7 +72,7 @@ def _state_coordinate(
             ((one.in_numbers for one in shares if one.counts), measure(rate, "rad/s")),
         )
     )
-    if choose_axes(list_steps(case.template)).coordinate(axis, base) != NOTHING:
+    if choose_axes(case.construction).coordinate(axis, base) != NOTHING:
         symbols, numbers = [start, *symbols], [measure(place, "m"), *numbers]
     sums = map(add_terms, (symbols, numbers) if double(across) else (symbols,))
     place = case.motion.pole(body, case.arithmetic)[PLACES[axis]]

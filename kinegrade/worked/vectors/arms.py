@@ -15,7 +15,6 @@ from kinegrade.worked.formulas.numbers import state_quantity
 from kinegrade.worked.formulas.symbols import collect_symbols, join_letters, read_symbol
 from kinegrade.worked.positions.algebra import TWO, is_negated, make_positive
 from kinegrade.worked.positions.axes import length_of
-from kinegrade.worked.positions.construction_steps import list_steps
 from kinegrade.worked.positions.instance import METRE, Instance, make_instance
 from kinegrade.worked.vectors.vectors import vanishes
 
@@ -50,7 +49,7 @@ def _find_opposite_side(start: str, end: str, case: Case) -> tuple[str, str] | N
     """The side of a parallelogram across from that between two points, of which one completes it:
     C = B + D - A.
     """
-    for step in list_steps(case.template):
+    for step in case.construction:
         match step.tree:
             case Operation("-", Operation("+", Name(first), Name(second)), Name(corner)):
                 for beside, across in ((first, second), (second, first)):
@@ -110,7 +109,7 @@ def _measure_distance(start: str, end: str, instance: Instance) -> Expression | 
 
 def _find_radius(start: str, end: str, case: Case) -> Expression | None:
     """The distance at which one point is placed from the other, a sum or product of givens."""
-    for step in list_steps(case.template):
+    for step in case.construction:
         for call in walk(step.tree):
             match call:
                 case Call(function="polar" | "circle", arguments=(Name(centre), radius, *_)):
@@ -126,7 +125,7 @@ def _find_half(start: str, end: str, case: Case) -> Expression | None:
     the other one their midpoint.
     """
     given = collect_symbols(case.template)
-    for step in list_steps(case.template):
+    for step in case.construction:
         match step.tree:
             case Call(function="midpoint", arguments=(Name(first), Name(second))):
                 whole = find_stated_length(first, second, case)

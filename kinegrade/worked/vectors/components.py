@@ -22,7 +22,6 @@ from kinegrade.worked.formulas.numbers import measure
 from kinegrade.worked.formulas.symbols import name_coordinate
 from kinegrade.worked.positions.algebra import ZERO
 from kinegrade.worked.positions.axes import Axes, choose_axes
-from kinegrade.worked.positions.construction_steps import list_steps
 from kinegrade.worked.vectors.inclinations import (
     Inclination,
     find_cosine,
@@ -144,7 +143,7 @@ def list_turning_summands(
     turn = {"x": -1, "y": 1}[axis]
     rate, body = case.motion.rates[term.rate], term.rate.body
     letters, value = case.naming.turning(body, level), case.rates(level)[term.rate]
-    axes = choose_axes(list_steps(case.template))
+    axes = choose_axes(case.construction)
     across, along = (state_arm(one, term, axes, case) for one in (other, axis))
     if double(value) and across is not None:
         arm = measure(term.vector[PLACES[other]] * across.sign, "m")
