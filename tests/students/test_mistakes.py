@@ -360,7 +360,7 @@ def test_the_report_of_a_check_tells_them() -> None:
     told = "coriolis-dropped 100.0%, coriolis-halved 100.0%, coriolis-reversed 100.0%"
     assert f"  a_rel: {told}" in lines[kept:]
     assert not [line for line in lines[kept:] if line.startswith("  omega_AB: ")]
-    assert [line for line in lines[refused:kept] if line.startswith("  a_rel: sine-for-cosine ")]
+    assert [line for line in lines[refused:kept] if line.startswith("  omega_AB: sine-for-cosine ")]
     assert re.search(r"refused: .*mistake \d+", "".join(lines))
 
 
