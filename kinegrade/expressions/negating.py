@@ -22,6 +22,11 @@ def negate_names(tree: Expression, names: Set[str]) -> Expression:
 
     >>> negate_names(Operation("-", Number(fmpq(0)), Name("omega")), {"omega"})
     Name(name='omega')
+
+    A cosine and a square take the letter without the minus.
+
+    >>> negate_names(Call("cos", (Name("phi"),)), {"phi"})
+    Call(function='cos', arguments=(Name(name='phi'),))
     """
     match tree:
         case Number():
@@ -30,8 +35,12 @@ def negate_names(tree: Expression, names: Set[str]) -> Expression:
             return Operation("-", Number(fmpq(0)), tree) if name in names else tree
         case Operation("-", _, Name(name) as named) if is_literal_zero(tree) and name in names:
             return named
+        case Operation("**", left, Number(value)) if value == 2:
+            return Operation("**", _drop_minus(negate_names(left, names)), tree.right)
         case Operation(sign, left, right):
             return Operation(sign, negate_names(left, names), negate_names(right, names))
+        case Call("cos", (angle,)):
+            return Call("cos", (_drop_minus(negate_names(angle, names)),))
         case Call():
             return negate_arguments(tree, names)
         case _:
@@ -41,3 +50,7 @@ def negate_names(tree: Expression, names: Set[str]) -> Expression:
 def negate_arguments(call: Call, names: Set[str]) -> Call:
     """A call with a minus before each of these names in its arguments."""
     return Call(call.function, tuple(negate_names(part, names) for part in call.arguments))
+
+
+def _drop_minus(tree: Expression) -> Expression:
+    return tree.right if isinstance(tree, Operation) and is_literal_zero(tree) else tree

@@ -33,6 +33,24 @@ def test_a_rounded_number_has_four_digits_and_an_angle_two_decimals(name: str) -
                     assert len(digits.replace(".", "").lstrip("0")) <= 4
 
 
+IDLE = re.compile(r"\\cos\(-[\\a-z]|\(-\\?[a-z]+\)\^\{2\}|\\left\|\d")
+
+
+@pytest.mark.sampled(12, first=1)
+@pytest.mark.parametrize("name", find_template_names())
+def test_no_sign_stands_where_it_changes_nothing(name: str) -> None:
+    """cos(-theta), (-l)^2, the absolute value of a positive number."""
+    for blocks in every_page(name):
+        assert [line for line in displayed(blocks) if IDLE.search(line)] == []
+
+
+@pytest.mark.parametrize(
+    ("name", "symbol"), [("rod-ground-and-incline", "OB"), ("tangent-cam-with-roller", "OC")]
+)
+def test_a_length_that_is_asked_is_found_once(name: str, symbol: str) -> None:
+    assert [line.startswith(f"{symbol} &=") for line in displayed(kept(name))].count(True) == 1
+
+
 @pytest.mark.sampled(24, first=1)
 @pytest.mark.parametrize("language", ["zh", "de"])
 @pytest.mark.parametrize("name", find_template_names())

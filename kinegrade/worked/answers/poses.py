@@ -23,7 +23,12 @@ from kinegrade.worked.document import Block, Display
 from kinegrade.worked.formulas.atoms import Symbol
 from kinegrade.worked.formulas.equation import Link, drop_repetition, equate
 from kinegrade.worked.formulas.numbers import state_quantity
-from kinegrade.worked.formulas.symbols import INFINITY, name_coordinate, read_symbol
+from kinegrade.worked.formulas.symbols import (
+    INFINITY,
+    collect_symbols,
+    name_coordinate,
+    read_symbol,
+)
 from kinegrade.worked.positions.algebra import ONE, cross, dot, minus, over
 from kinegrade.worked.positions.algebra import ZERO as NOTHING
 from kinegrade.worked.positions.axes import find_line, length_of
@@ -58,7 +63,12 @@ def explain_pose_answers(case: Case, ask_names: Iterable[str]) -> tuple[Block, .
 
 
 def _has_been_placed(ask: Ask, case: Case) -> bool:
-    """Whether an answer is a coordinate that the positions have given in its own letters."""
+    """Whether an answer is a length or a coordinate that the positions have given in its own
+    letters.
+    """
+    lengths = (collect_symbols(case.template)[name] for name in case.template.scheme.lengths)
+    if any(length.looks_like(read_symbol(ask.symbol)) for length in lengths):
+        return True
     match ask.quantity:
         case Call(function="x" | "y" as axis, arguments=(Name(point),)):
             letter = case.naming.letter(point)
@@ -180,7 +190,7 @@ def _reduce_length(vector: Expression, working: Working) -> tuple[Expression, Wo
     """The length of a vector: as a formula where it is the answer, else worked out before."""
     size = length_of(vector, working.instance.axes)
     if working.symbol:
-        return length_of(Call("", working.pair(vector)), working.instance.axes), working
+        return working.instance.measure(working.pair(vector)), working
     lines, working = working.sized(size)
     return size, working.shown(lines)
 

@@ -30,7 +30,6 @@ from kinegrade.worked.positions.algebra import (
     square,
     times,
 )
-from kinegrade.worked.positions.axes import length_of
 from kinegrade.worked.positions.instance import DEGREE, METRE, PURE, Instance
 from kinegrade.worked.positions.right_angles import split_right_angles
 from kinegrade.worked.positions.shapes import describe_circle
@@ -95,7 +94,7 @@ def _find_side(first: Expression, second: Expression, instance: Instance) -> _Si
     if back is not None:
         return _Side(back.length, plus(back.direction, STRAIGHT))
     vector = instance.axes.pair(Operation("-", second, first)) or _NOTHING
-    size = length_of(Call("", vector), instance.axes)
+    size = instance.measure(vector)
     if vector[1] == ZERO:
         return _Side(size, ZERO if instance.sign(vector[0]) > 0 else STRAIGHT)
     return _Side(size, Call("direction", (first, second)))

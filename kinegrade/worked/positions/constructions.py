@@ -157,4 +157,4 @@ def write_length_lines(size: Expression, instance: Instance) -> tuple[Row, ...]:
     instance.note_distance(size)
     first, second = size.arguments
     vector = instance.axes.pair(Operation("-", second, first)) or (ZERO, ZERO)
-    return instance.equation(instance.formula(size), length_of(Call("", vector), instance.axes))
+    return instance.equation(instance.formula(size), instance.measure(vector))

@@ -43,8 +43,8 @@ from kinegrade.worked.formulas.symbols import (
     name_coordinate,
     name_point,
 )
-from kinegrade.worked.positions.algebra import Pair
-from kinegrade.worked.positions.axes import Axes, choose_axes
+from kinegrade.worked.positions.algebra import Pair, make_positive
+from kinegrade.worked.positions.axes import Axes, choose_axes, length_of
 from kinegrade.worked.positions.construction_steps import Step
 from kinegrade.worked.positions.parts import Derived
 
@@ -103,6 +103,11 @@ class Instance:
         """The sign of an expression's value: -1, 0 or 1."""
         value = float(write_decimal(self.value(tree), 1))
         return (value > 0) - (value < 0)
+
+    def measure(self, pair: Pair) -> Expression:
+        """The length of a vector with these coordinates: one alone by its size, x or -x."""
+        seen = [make_positive(one, sign) for one in pair if (sign := self.sign(one))]
+        return seen[0] if len(seen) == 1 else length_of(Call("", pair), self.axes)
 
     def say(self, message: Message) -> Prose:
         """A paragraph that says a message."""

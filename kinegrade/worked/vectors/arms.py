@@ -13,8 +13,7 @@ from kinegrade.worked.formulas.atoms import Symbol
 from kinegrade.worked.formulas.equation import Equation, drop_repetition
 from kinegrade.worked.formulas.numbers import state_quantity
 from kinegrade.worked.formulas.symbols import collect_symbols, join_letters, read_symbol
-from kinegrade.worked.positions.algebra import TWO, is_negated, make_positive
-from kinegrade.worked.positions.axes import length_of
+from kinegrade.worked.positions.algebra import TWO, is_negated
 from kinegrade.worked.positions.instance import METRE, Instance, make_instance
 from kinegrade.worked.vectors.vectors import vanishes
 
@@ -99,12 +98,9 @@ def _state_length(start: str, end: str, case: Case) -> Equation | None:
 
 
 def _measure_distance(start: str, end: str, instance: Instance) -> Expression | None:
-    """The distance by the differences of coordinates, without those that are zero."""
+    """The distance by the differences of coordinates; None where these are not found."""
     pair = instance.axes.pair(Operation("-", Name(end), Name(start)))
-    if pair is None:
-        return None
-    seen = [make_positive(one, sign) for one in pair if (sign := instance.sign(one))]
-    return seen[0] if len(seen) == 1 else length_of(Call("", pair), instance.axes)
+    return None if pair is None else instance.measure(pair)
 
 
 def _find_radius(start: str, end: str, case: Case) -> Expression | None:
