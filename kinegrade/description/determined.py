@@ -35,7 +35,7 @@ from kinegrade.numbers.floats import Floats
 from kinegrade.problem.template.hints import Angle as MarkedAngle
 from kinegrade.problem.template.hints import Length
 from kinegrade.problem.template.sentences import JointSentence
-from kinegrade.worked.positions.construction_steps import Step
+from kinegrade.worked.construction_steps import Step
 
 _Points = Mapping[str, Vector]
 Condition = Callable[[_Points], tuple[float, ...]]  # zero where it is met

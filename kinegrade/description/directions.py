@@ -9,7 +9,7 @@ from collections.abc import Collection
 from kinegrade.description.subject import Subject
 from kinegrade.expressions.tree import Call, Expression, Name, Number, find_names, walk
 from kinegrade.language.message import Message
-from kinegrade.worked.positions.construction_steps import Step
+from kinegrade.worked.construction_steps import Step
 from kinegrade.worked.positions.polar import find_polar_way
 
 _OF_CONSTRUCTIONS = frozenset({0, 1, 2})  # halves and doubles

@@ -6,9 +6,9 @@ from typing import Literal, assert_never
 
 from kinegrade.expressions.tree import Call, Expression, Name, Number, Operation, list_parts
 from kinegrade.language.message import Message
+from kinegrade.worked.construction_steps import Step
 from kinegrade.worked.positions.algebra import ZERO
 from kinegrade.worked.positions.circles_meeting import turns_left
-from kinegrade.worked.positions.construction_steps import Step
 from kinegrade.worked.positions.instance import Instance
 from kinegrade.worked.positions.polar import find_polar_way, write_positive
 from kinegrade.worked.positions.shapes import describe_circle, describe_line, describe_side

@@ -23,7 +23,7 @@ from kinegrade.description.places import say_place
 from kinegrade.description.subject import Subject
 from kinegrade.expressions.tree import Call, Expression, find_names, walk
 from kinegrade.language.message import Message
-from kinegrade.worked.positions.construction_steps import Step
+from kinegrade.worked.construction_steps import Step
 
 _TAKEN_FROM_TRIANGLES = frozenset({"sin", "cos", "tan", "asin", "acos", "atan"})
 

@@ -25,7 +25,7 @@ from kinegrade.problem.template.hints import FigureHints
 from kinegrade.problem.template.sentences import JointSentence
 from kinegrade.problem.template.template import Template
 from kinegrade.worked.case import Case
-from kinegrade.worked.positions.construction_steps import Step
+from kinegrade.worked.construction_steps import Step
 from kinegrade.worked.positions.instance import RADIAN, Instance, make_instance
 
 

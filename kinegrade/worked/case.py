@@ -21,6 +21,7 @@ from kinegrade.problem.quantities.reader import MotionReader
 from kinegrade.problem.solution import Solution
 from kinegrade.problem.template.sentences import JointSentence
 from kinegrade.problem.template.template import Method, Template
+from kinegrade.worked.construction_steps import Step, list_steps
 from kinegrade.worked.document import Display, Prose, say, write_sentence
 from kinegrade.worked.findings import Findings
 from kinegrade.worked.formulas.equation import Equation
@@ -28,7 +29,6 @@ from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.measures import double
 from kinegrade.worked.formulas.notation import Notation
 from kinegrade.worked.nearby import find_nearby_motion, find_nearby_points
-from kinegrade.worked.positions.construction_steps import Step, list_steps
 from kinegrade.worked.words.naming import Naming
 
 

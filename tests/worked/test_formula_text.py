@@ -19,10 +19,10 @@ from kinegrade.numbers.floats import Floats
 from kinegrade.problem.template.library.library import find_template_names, load_template
 from kinegrade.problem.template.template import Template
 from kinegrade.worked.case import write_row
+from kinegrade.worked.construction_steps import list_steps
 from kinegrade.worked.formulas.leaves import formulate
 from kinegrade.worked.formulas.symbols import collect_symbols, read_symbol
 from kinegrade.worked.positions.axes import choose_axes
-from kinegrade.worked.positions.construction_steps import list_steps
 from tests.worked.latex_value import value_of
 from tests.worked.telling import tidy
 

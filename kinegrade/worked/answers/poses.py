@@ -19,6 +19,7 @@ from kinegrade.problem.template.template import Ask
 from kinegrade.worked.answers.pose_angles import find_angle, find_angle_between
 from kinegrade.worked.answers.pose_working import AXIS_X, AXIS_Y, Working
 from kinegrade.worked.case import Case
+from kinegrade.worked.construction_steps import Step, unnest
 from kinegrade.worked.document import Block, Display
 from kinegrade.worked.formulas.atoms import Symbol
 from kinegrade.worked.formulas.equation import Link, drop_repetition, equate
@@ -32,7 +33,6 @@ from kinegrade.worked.formulas.symbols import (
 from kinegrade.worked.positions.algebra import ONE, cross, dot, minus, over
 from kinegrade.worked.positions.algebra import ZERO as NOTHING
 from kinegrade.worked.positions.axes import find_line, length_of
-from kinegrade.worked.positions.construction_steps import Step, unnest
 from kinegrade.worked.positions.constructions import write_chapter
 from kinegrade.worked.positions.instance import DEGREE, METRE, Instance, add_steps, make_instance
 

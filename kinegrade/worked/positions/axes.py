@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from typing import Literal, assert_never
 
 from kinegrade.expressions.tree import Call, Expression, Name, Number, Operation
+from kinegrade.worked.construction_steps import PLACED, Step
 from kinegrade.worked.positions.algebra import (
     ONE,
     TWO,
@@ -25,7 +26,6 @@ from kinegrade.worked.positions.algebra import (
     square,
     times,
 )
-from kinegrade.worked.positions.construction_steps import PLACED, Step
 from kinegrade.worked.positions.right_angles import make_unit, turn_back
 
 

@@ -12,12 +12,12 @@ from typing import assert_never
 from kinegrade.expressions.tree import Call, Expression, Name, Number, Operation, list_parts, walk
 from kinegrade.language.math.tree import Row
 from kinegrade.language.message import Message
+from kinegrade.worked.construction_steps import Step
 from kinegrade.worked.document import Block
 from kinegrade.worked.formulas.atoms import Symbol
 from kinegrade.worked.positions.algebra import ZERO, over, plus
 from kinegrade.worked.positions.axes import length_of, scale
 from kinegrade.worked.positions.circles_meeting import find_direction
-from kinegrade.worked.positions.construction_steps import Step
 from kinegrade.worked.positions.instance import Instance
 from kinegrade.worked.positions.intersections import explain_foot, explain_meeting
 from kinegrade.worked.positions.parts import Coordinates, Derived, Part, Stated, write_parts

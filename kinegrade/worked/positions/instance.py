@@ -25,6 +25,7 @@ from kinegrade.numbers.units import Unit, read_unit
 from kinegrade.problem.kinds.dimension import find_si_unit
 from kinegrade.problem.quantity import Quantity, express_in_unit
 from kinegrade.worked.case import Case
+from kinegrade.worked.construction_steps import Step
 from kinegrade.worked.document import Prose
 from kinegrade.worked.formulas.atoms import AXES, Symbol
 from kinegrade.worked.formulas.equation import (
@@ -45,7 +46,6 @@ from kinegrade.worked.formulas.symbols import (
 )
 from kinegrade.worked.positions.algebra import Pair, make_positive
 from kinegrade.worked.positions.axes import Axes, choose_axes, length_of
-from kinegrade.worked.positions.construction_steps import Step
 from kinegrade.worked.positions.parts import Derived
 
 METRE, RADIAN, DEGREE, PURE = read_unit("m"), read_unit("rad"), read_unit("deg"), read_unit("1")

@@ -11,6 +11,7 @@ from kinegrade.expressions.tree import Call, Expression, Name, Operation, list_p
 from kinegrade.language.math.tree import Row
 from kinegrade.language.message import Message
 from kinegrade.numbers.units import Unit
+from kinegrade.worked.construction_steps import Step
 from kinegrade.worked.document import Block, Display
 from kinegrade.worked.formulas.atoms import AXES, AxisName, Symbol
 from kinegrade.worked.formulas.atoms import TWO as NUMBER_TWO
@@ -33,7 +34,6 @@ from kinegrade.worked.positions.algebra import (
 )
 from kinegrade.worked.positions.axes import find_line, length_of
 from kinegrade.worked.positions.circles_meeting import explain_circles
-from kinegrade.worked.positions.construction_steps import Step
 from kinegrade.worked.positions.instance import AREA, METRE, PURE, Instance
 from kinegrade.worked.positions.shapes import describe_chord_end, describe_line, describe_side
 from kinegrade.worked.positions.vectors import describe_vector

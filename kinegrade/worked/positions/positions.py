@@ -13,8 +13,8 @@ from kinegrade.language.math.tree import Row
 from kinegrade.language.message import Message
 from kinegrade.numbers.angle import Angle
 from kinegrade.worked.case import Case
+from kinegrade.worked.construction_steps import select_needed
 from kinegrade.worked.document import Block
-from kinegrade.worked.positions.construction_steps import select_needed
 from kinegrade.worked.positions.constructions import explain_constructions
 from kinegrade.worked.positions.instance import METRE, RADIAN, Instance, make_instance
 from kinegrade.worked.positions.parts import (

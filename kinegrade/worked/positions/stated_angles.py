@@ -14,6 +14,7 @@ from kinegrade.mechanics.relations import Term
 from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.angle import Angle
 from kinegrade.worked.case import Case
+from kinegrade.worked.construction_steps import Step
 from kinegrade.worked.findings import Seen, Stated
 from kinegrade.worked.formulas.atoms import add_terms
 from kinegrade.worked.formulas.formula import Formula
@@ -21,7 +22,6 @@ from kinegrade.worked.formulas.leaves import formulate
 from kinegrade.worked.formulas.measures import bearing, tidy
 from kinegrade.worked.formulas.numbers import state_angle
 from kinegrade.worked.formulas.symbols import collect_symbols
-from kinegrade.worked.positions.construction_steps import Step
 from kinegrade.worked.positions.marked_angles import find_marked_angle
 from kinegrade.worked.positions.right_angles import split_right_angles
 
