@@ -35,10 +35,13 @@ class Heading:
 
 @dataclass(frozen=True)
 class Prose:
-    """A paragraph; `formulas` are those in it that were written as trees."""
+    """A paragraph; `formulas` are those in it that were written as trees; a `compact` one has the
+    full width of the page rather than many lines beside a drawing.
+    """
 
     text: str  # prose
     formulas: tuple[Row, ...] = field(default=(), compare=False, repr=False)
+    compact: bool = field(default=False, compare=False, repr=False)
 
 
 def say(message: Message, language: Language) -> Prose:

@@ -247,3 +247,21 @@ def test_what_stays_together_begins_a_page_where_it_has_no_room() -> None:
     high = sum(part.height for part in course(*together))
     courses = arrange_courses([question], TextArea(PAGE, high + 1))
     assert courses.pages == pytest.approx(1 + high / (high + 1))
+
+
+def test_a_compact_paragraph_has_the_full_width_rather_than_many_lines_beside_a_drawing() -> None:
+    long, short = (Prose(" ".join([SAID.text] * count), compact=True) for count in (8, 3))
+    row, below = course(pictures(1), long)
+    assert isinstance(row, DrawingRow)
+    assert row.beside == ()
+    assert isinstance(below, Setting)
+    assert len(course(pictures(1), short)) == 1
+    assert len(course(pictures(1), LONG_SAID)) == 1
+
+
+def test_a_compact_paragraph_is_no_part_of_the_one_before() -> None:
+    check = Prose("Check.", compact=True)
+    assert list(join_sentences([SAID, SAID, check])) == [
+        Prose(f"{SAID.text} {SAID.text}"),
+        check,
+    ]

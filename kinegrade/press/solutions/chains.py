@@ -62,11 +62,12 @@ def join_sentences(blocks: Sequence[Block]) -> Iterator[Block]:
     said = ""
     for block, following in zip_longest(blocks, blocks[1:]):
         alone = isinstance(following, Display) and len(following.lines) == 1
-        if said and (alone or not isinstance(block, Prose)):
+        joined = block.text if isinstance(block, Prose) and not block.compact else None
+        if said and (alone or joined is None):
             yield Prose(said)
             said = ""
-        if isinstance(block, Prose):
-            said = _join_texts(said, block.text)
+        if joined is not None:
+            said = _join_texts(said, joined)
         elif block is not None:
             yield block
     if said:

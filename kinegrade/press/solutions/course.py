@@ -236,6 +236,8 @@ def _fill_row(row: DrawingRow, chains: Sequence[Chain], page: Column) -> tuple[D
     column = replace(page, width=page.width - row.width - GAP)
     chains = chains if column.width >= _NARROWEST else ()
     for taken, chain in enumerate(chains):
+        if not column.has_width_for(chain):
+            return row, taken
         settings = column.set_chain(chain)
         longer = replace(row, beside=(*row.beside, *settings))
         below = add_heights(page.set_chain(chain))

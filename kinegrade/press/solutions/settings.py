@@ -29,6 +29,7 @@ _TALLEST_IN_LINE = 0.7  # of the height of a display is that of the same formula
 _GAP = 1.7  # millimetres between two blocks
 _REACHING = 1.2  # em: an equation that is higher reaches beyond the line of its sentence
 _TALL_ROOM = 1.2  # millimetres more above and below it, as in the layouts
+_COMPACT = 2.5  # lines of a compact paragraph, which formulas that are not broken make one more
 _BEFORE_HEADING: dict[int, float] = {1: 2.4, 2: 1.6}
 
 
@@ -105,6 +106,12 @@ class Column:
     def set_chain(self, chain: Chain) -> tuple[Setting, ...]:
         """The settings of blocks that stay together."""
         return tuple(self._set_each(chain))
+
+    def has_width_for(self, chain: Chain) -> bool:
+        """Whether the compact paragraphs of a chain take few lines."""
+        prose = (placed.block for placed in chain if isinstance(placed.block, Prose))
+        longest = max((measure_text(one.text) for one in prose if one.compact), default=0.0)
+        return longest * EM <= _COMPACT * self.width
 
     def _set_each(self, chain: Chain) -> Iterator[Setting]:
         place = 0

@@ -98,7 +98,8 @@ class Check:
         for one in self.lacking:
             yield from one.explain()
         left, right = map(case.tell, (self.left, self.right))
-        yield case.say(Message("solution.check", way=self.way, left=left, right=right))
+        said = case.say(Message("solution.check", way=self.way, left=left, right=right))
+        yield replace(said, compact=True)
 
 
 @dataclass(frozen=True)
