@@ -7,7 +7,7 @@ from __future__ import annotations
 import pytest
 
 from kinegrade.figure.scene import Scene
-from kinegrade.language.math.tree import Mark, Row
+from kinegrade.language.math.tree import LineBreak, Mark, Row, list_nodes
 from kinegrade.press.sheet import WorkedQuestion
 from kinegrade.press.solutions.chains import Placed, chain_blocks, join_sentences
 from kinegrade.press.solutions.course import TextArea, arrange_courses
@@ -265,3 +265,15 @@ def test_a_compact_paragraph_is_no_part_of_the_one_before() -> None:
         Prose(f"{SAID.text} {SAID.text}"),
         check,
     ]
+
+
+def test_an_equation_too_wide_for_the_page_is_folded_and_none_beside_a_drawing() -> None:
+    wide = read_display([r"x &= \frac{" + " + ".join(["a_{BA}"] * 40) + "}{b}"])
+    alone, row, below = course(wide, pictures(1), wide)
+    assert isinstance(row, DrawingRow)
+    assert row.beside == ()
+    assert isinstance(alone, Setting)
+    assert alone.body == below.body
+    assert isinstance(alone.body, EquationGroups)
+    assert fits(alone)
+    assert LineBreak() in list_nodes(alone.body.groups[0].rows[0])

@@ -233,7 +233,7 @@ def _fill_row(row: DrawingRow, chains: Sequence[Chain], page: Column) -> tuple[D
     """A row with chains beside it, as long as that takes less of the page than to set them below,
     and how many they are.
     """
-    column = replace(page, width=page.width - row.width - GAP)
+    column = replace(page, width=page.width - row.width - GAP, folds=False)
     chains = chains if column.width >= _NARROWEST else ()
     for taken, chain in enumerate(chains):
         if not column.has_width_for(chain):

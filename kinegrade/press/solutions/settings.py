@@ -94,14 +94,14 @@ def add_heights(settings: Iterable[Setting]) -> float:
 @dataclass(frozen=True)
 class Column:
     """A column of text: its width in millimetres, the script of its language, and how far apart
-    its blocks and lines stand; and whether equations that are too wide are folded, where no letter
-    may be made smaller.
+    its blocks and lines stand; and whether equations that are too wide are folded, as they are over
+    the full width, so that no letter is made smaller.
     """
 
     width: float
     script: str
     spread: Spread = USUAL
-    folds: bool = False
+    folds: bool = True
 
     def set_chain(self, chain: Chain) -> tuple[Setting, ...]:
         """The settings of blocks that stay together."""

@@ -112,7 +112,7 @@ def _arrange(sheet: SolutionSheet, size: PaperSize, spread: Spread) -> Courses:
     script = open_catalogue(sheet.language).raw("language", "page.")["script"]
     (width, height), scale = _PAPER[size], _LARGER if sheet.large else 1.0
     across, along = _LARGE_MARGINS if sheet.large else _MARGINS
-    column = Column((width - across) / scale, script, spread, folds=sheet.large)
+    column = Column((width - across) / scale, script, spread)
     return arrange_courses(sheet.questions, TextArea(column, (height - along) / scale))
 
 
