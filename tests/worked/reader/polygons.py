@@ -76,7 +76,8 @@ def _read_scale_unit(caption: str) -> float:
 def _find_origin(scene: Scene) -> Vector | None:
     """The dot from which both sides start; None for a picture of something else."""
     discs = [part for part in scene.primitives if isinstance(part, Disc)]
-    bold = any(isinstance(part, Strokes) and part.pen == BOLD for part in scene.primitives)
+    drawn = [part.pen.width for part in scene.primitives if isinstance(part, Strokes)]
+    bold = any(width >= BOLD.width for width in drawn)
     if bold or [disc.radius for disc in discs] != [_ORIGIN]:
         return None
     return discs[0].centre
