@@ -6,10 +6,13 @@ from __future__ import annotations
 
 import pytest
 
+from kinegrade.problem.solving import solve_template
+from kinegrade.problem.template.library.library import find_shipped
+from kinegrade.problem.template.library.reading import read_template
 from kinegrade.worked.document import Pictures
 from kinegrade.worked.solution import write_worked_solution
 from tests.worked.chapters import solve_small, write_blocks
-from tests.worked.draws import drawn, kept, told
+from tests.worked.draws import drawn, kept, stated, told
 from tests.worked.telling import displayed, lines, proses
 
 SCISSORS = """
@@ -148,3 +151,25 @@ def test_the_arm_to_a_midpoint_is_half_of_a_given_length() -> None:
 @pytest.mark.parametrize("name", ["toggle-press", "two-rods-driven-ends"])
 def test_a_rod_placed_by_a_given_angle_needs_no_angle_from_coordinates(name: str) -> None:
     assert not [line for line in displayed(kept(name)) if r"\tan\psi" in line]
+
+
+def test_a_slanting_line_meets_a_circle_by_half_a_chord() -> None:
+    """It took the circle's equation, a quadratic one and two letters more."""
+    blocks = stated("rotary-engine", r="50", l="140", phi="30", n="600")
+    (said,) = (text for text in proses(blocks) if "half the chord" in text)
+    assert (
+        r"the projection of $\overrightarrow{OA}$ on it plus half the chord (Pythagoras):" in said
+    )
+    told = displayed(blocks)
+    place = next(at for at, line in enumerate(told) if line.startswith("s &="))
+    assert told[place] == r"s &= x_{A}\cos\varphi + \sqrt{l^{2} - (x_{A}\sin\varphi)^{2}}"
+    assert told[place + 1].endswith(r"\approx 0.1811\,\unit{m}")
+    assert told[place + 2].startswith("x_{B} &=")
+
+
+def test_the_other_end_of_a_chord_takes_half_the_chord_off() -> None:
+    text = (find_shipped("templates") / "rotary-engine.toml").read_text(encoding="utf-8")
+    template = read_template("rotary-engine", text.replace(", upper)", ", lower)"))
+    solution = solve_template(template, {"r": "50", "l": "140", "phi": "30", "n": "600"})
+    (place,) = (line for line in displayed(told(solution)) if line.startswith("s &="))
+    assert place == r"s &= x_{A}\cos\varphi - \sqrt{l^{2} - (x_{A}\sin\varphi)^{2}}"

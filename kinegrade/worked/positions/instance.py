@@ -49,7 +49,6 @@ from kinegrade.worked.positions.axes import Axes, choose_axes, length_of
 from kinegrade.worked.positions.parts import Derived
 
 METRE, RADIAN, DEGREE, PURE = read_unit("m"), read_unit("rad"), read_unit("deg"), read_unit("1")
-AREA = read_unit("m^2")
 
 
 @dataclass(frozen=True)

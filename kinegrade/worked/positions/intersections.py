@@ -14,8 +14,6 @@ from kinegrade.numbers.units import Unit
 from kinegrade.worked.construction_steps import Step
 from kinegrade.worked.document import Block, Display
 from kinegrade.worked.formulas.atoms import AXES, AxisName, Symbol
-from kinegrade.worked.formulas.atoms import TWO as NUMBER_TWO
-from kinegrade.worked.formulas.atoms import ZERO as NUMBER_ZERO
 from kinegrade.worked.formulas.equation import Equation, equate
 from kinegrade.worked.formulas.symbols import name_coordinate, name_quantity
 from kinegrade.worked.positions.algebra import (
@@ -34,7 +32,7 @@ from kinegrade.worked.positions.algebra import (
 )
 from kinegrade.worked.positions.axes import find_line, length_of
 from kinegrade.worked.positions.circles_meeting import explain_circles
-from kinegrade.worked.positions.instance import AREA, METRE, PURE, Instance
+from kinegrade.worked.positions.instance import METRE, PURE, Instance
 from kinegrade.worked.positions.shapes import describe_chord_end, describe_line, describe_side
 from kinegrade.worked.positions.vectors import describe_vector
 
@@ -55,12 +53,10 @@ def explain_meeting(step: Step, instance: Instance) -> tuple[Block, ...]:
     if len(lines) == 2:
         return _explain_two_lines(step.point, (first, second), instance)
     sentence = describe_chord_end(step.point, lines[0], circles[0], side, instance)
-    if ZERO not in find_line(lines[0], instance.axes)[1]:
-        share, start = _name_distance_along(lines[0], instance)
-        distance = Message("solution.quadratic", share=share, start=start)
-        sentence = Message("solution.sentences", first=sentence, next=distance)
-    solved = _solve_line_and_circle(step.point, lines[0], circles[0], instance)
-    return instance.say(sentence), *solved
+    if ZERO in find_line(lines[0], instance.axes)[1]:
+        return instance.say(sentence), *_solve_straight(step.point, lines[0], circles[0], instance)
+    distance, solved = _solve_slanting_chord(step.point, lines[0], circles[0], instance)
+    return instance.say(Message("solution.sentences", first=sentence, next=distance)), solved
 
 
 def _explain_two_lines(
@@ -159,66 +155,47 @@ def _note_length(point: str, base: Pair, symbol: Symbol, instance: Instance) -> 
         instance.case.findings.arms.setdefault(frozenset((start, point)), symbol)
 
 
-def _solve_line_and_circle(
+def _solve_straight(
     point: str, line: Call, circle: Call, instance: Instance
 ) -> tuple[Display, ...]:
-    """The circle's equation and its solution on the line, each aligned separately."""
-    (base, along), centre = (
-        find_line(line, instance.axes),
-        instance.axes.pair(circle.arguments[0]) or _NOTHING,
-    )
-    radius = circle.arguments[1]
+    """The equation of the circle, and its solution on a line along an axis."""
+    base, along = find_line(line, instance.axes)
+    centre = instance.axes.pair(circle.arguments[0]) or _NOTHING
     equation = _write_circle_equation(point, circle, instance)
-    if ZERO in along:
-        level = along[1] == ZERO
-        known, sought = reversed(AXES) if level else AXES
-        place = 1 if level else 0
-        rise = minus(_write_coordinate_formula(instance, known, point), centre[place])
-        reach = root(minus(square(radius), square(rise)))
-        beyond = instance.sign(minus(Call(sought, (Name(point),)), centre[1 - place]))
-        solved = (minus if beyond < 0 else plus)(centre[1 - place], reach)
-        return Display((equation,)), Display(
-            (
-                *instance.equation(_name_coordinate(instance, known, point), base[place]),
-                *instance.equation(_name_coordinate(instance, sought, point), solved),
-            )
+    level = along[1] == ZERO
+    known, sought = reversed(AXES) if level else AXES
+    place = 1 if level else 0
+    rise = minus(_write_coordinate_formula(instance, known, point), centre[place])
+    reach = root(minus(square(circle.arguments[1]), square(rise)))
+    beyond = instance.sign(minus(Call(sought, (Name(point),)), centre[1 - place]))
+    solved = (minus if beyond < 0 else plus)(centre[1 - place], reach)
+    return Display((equation,)), Display(
+        (
+            *instance.equation(_name_coordinate(instance, known, point), base[place]),
+            *instance.equation(_name_coordinate(instance, sought, point), solved),
         )
-    quadratic, *solution = _solve_slanting_chord(point, (base, along), (centre, radius), instance)
-    return Display((equation,)), Display((quadratic,)), Display(tuple(solution))
+    )
 
 
 def _solve_slanting_chord(
-    point: str, line: _Line, circle: tuple[Pair, Expression], instance: Instance
-) -> tuple[Row, ...]:
-    """s from s^2 + 2ps + q = 0, then both coordinates."""
-    (base, along), (centre, radius) = _make_unit_line(line, instance), circle
-    offset = minus(base[0], centre[0]), minus(base[1], centre[1])
-    middle, rest = (
-        dot(offset, along),
-        minus(plus(square(offset[0]), square(offset[1])), square(radius)),
-    )
-    first, second = instance.free("p"), instance.free("q")
-    halved, constant = name_quantity(first), name_quantity(second)
-    further = instance.named(first, halved, instance.value(middle))
-    further = further.named(second, constant, instance.value(rest), AREA)
+    point: str, line: Call, circle: Call, instance: Instance
+) -> tuple[Message, Display]:
+    """s from the projection of the centre and half the chord, then both coordinates."""
+    base, along = _make_unit_line(find_line(line, instance.axes), instance)
+    middle, radius = circle.arguments
+    centre = instance.axes.pair(middle) or _NOTHING
+    away = minus(centre[0], base[0]), minus(centre[1], base[1])
+    apart = cross(away, along)
+    half = root(minus(square(radius), square(apart))) if instance.sign(apart) else radius
     place = Call("x", (Name(point),)), Call("y", (Name(point),))
-    run = dot((minus(place[0], base[0]), minus(place[1], base[1])), along)
-    ahead = further.sign(plus(run, middle))
-    reach = root(minus(square(Name(first)), Name(second)))
-    share = (minus if ahead < 0 else plus)(minus(ZERO, Name(first)), reach)
-    return (
-        _write_quadratic(halved, constant, instance),
-        *further.equation(halved, middle),
-        *further.equation(constant, rest, AREA),
-        *_solve_along_line(point, (base, along), share, further),
-    )
-
-
-def _write_quadratic(halved: Symbol, constant: Symbol, instance: Instance) -> Row:
-    """s^2 + 2ps + q = 0."""
-    letter = _choose_letter("s", instance)
-    left = letter**NUMBER_TWO + NUMBER_TWO * halved * letter + constant
-    return Equation(left, equate(NUMBER_ZERO)).print_line(instance.case.notation)
+    beyond = dot((minus(place[0], centre[0]), minus(place[1], centre[1])), along)
+    before = instance.sign(beyond) < 0
+    share, start = _name_distance_along(line, instance)
+    vector = describe_vector(Operation("-", middle, line.arguments[0]), instance)
+    names = {"share": share, "start": start, "vector": vector}
+    said = Message("solution.chord-before" if before else "solution.chord-beyond", **names)
+    run = (minus if before else plus)(dot(away, along), half)
+    return said, Display(_solve_along_line(point, (base, along), run, instance))
 
 
 def _make_unit_line(line: _Line, instance: Instance) -> _Line:
