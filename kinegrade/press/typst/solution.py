@@ -47,7 +47,7 @@ from kinegrade.press.solutions.terms import Cell, TermColumn
 from kinegrade.press.typst.layout_call import Sheet, write_layout_call
 from kinegrade.worked.document import Heading
 
-_DOUBT = 0.03  # pages by which tight solutions may turn out shorter than their parts are high
+_DOUBT = 0.05  # pages by which tight solutions may turn out shorter than their parts are high
 _SURE = 0.05  # pages by which heights of parts are never wrong
 _NEARLY_EMPTY = 0.4  # of a last page: what it holds is less than that
 # Millimetres, as in the layouts: left and right, above and below
