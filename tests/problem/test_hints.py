@@ -94,7 +94,7 @@ def test_all_faults_come_at_once() -> None:
     """) == (
         'crank.toml:3: figure.lengths[1].to: no point "C" - known here: A, B, O',
         'crank.toml:4: figure.angles: "none" - expected a list of tables like [{ symbol = "r", ... }]',
-        'crank.toml:5: figure.shapes.AB: "geer" - expected gear, cam, bent, bar, bare, through, arc, rope, load, jaw, disc, geneva or rack',
+        'crank.toml:5: figure.shapes.AB: "geer" - expected gear, cam, bent, bar, bare, through, cylinder, arc, rope, load, jaw, disc, geneva or rack',
         'crank.toml:6: figure.axis: unknown key - did you mean axes = "origin", radii = [{ symbol = "R", centre = "O" }] or lines = [["O", "A"]]? (all of them: kinegrade words figure)',
     )
 

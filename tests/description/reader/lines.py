@@ -98,7 +98,7 @@ LINES: dict[str, LineForm] = {
     AXIS: axis,
     f"{THROUGH} parallel to {AXIS}": along_axis,
     f"{THROUGH} perpendicular to {AXIS}": across_axis,
-    f"{THROUGH} in the direction {MATH}": at_angle,
+    rf"{THROUGH} in the direction {MATH} from the \$x\$ axis": at_angle,
     f"{THROUGH} in the direction of the vector {MATH}": along_vector,
     f"{THROUGH} parallel to (?:the line )?{MATH}": along_line,
     f"{THROUGH} perpendicular to (?:the line )?{MATH}": across_line,
