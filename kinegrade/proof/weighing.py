@@ -18,6 +18,7 @@ _FIRST_COUNTED = 200  # draws: fewer were asked for to have a quick look, and ma
 _MOST_COUNTED = 2000
 _COUNTED_TOGETHER = 100
 _SELDOM = 0.1  # of draws accepted: below it, exams take long to generate
+_OFTEN = 0.1  # of the instances in which a sense is not marked
 _FEW = 0.02  # a share of draws, or of all others, that chance may leave unlike the rest
 
 
@@ -35,6 +36,7 @@ def weigh_sample(report: Report) -> None:
             report.faults.append(
                 Message(f"template.equals-{spread.copied.kind}", ask=name, other=spread.copied.name)
             )
+    report.faults += _find_unmarked_senses(report)
     report.remarks += _find_uneven_remarks(report)
     report.remarks += _find_rounding_remarks(report)
 
@@ -69,6 +71,18 @@ def _weigh_number(report: Report) -> None:
         )
     else:
         report.faults.append(Message("template.no-acceptable-instance"))
+
+
+def _find_unmarked_senses(report: Report) -> Iterator[Message]:
+    """The asks that are small beside the largest of their kind in the mechanism, of which a share
+    is allowed next to zero, so that zero and the other sense count as right.
+    """
+    for ask, spread in report.spreads.items():
+        share = report.near.passing.get(ask, {}).get("sense-reversed", 0.0)
+        told = sum(value != 0 for value in spread.values)
+        marked = report.template.asks[ask].points > 0
+        if marked and share >= _OFTEN and 2 * told > len(spread.values):
+            yield Message("template.sense-not-marked", ask=ask, share=f"{share:.0%}")
 
 
 def _find_uneven_remarks(report: Report) -> Iterator[Message]:
