@@ -7,6 +7,7 @@ wrong.
 
 from __future__ import annotations
 
+from abc import abstractmethod
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
@@ -68,7 +69,32 @@ class Terms:
     periods: tuple[Fraction | None, ...]
 
 
-class StatedKeys(msgspec.Struct, frozen=True, gc=False):
+class UsualKeys:
+    """What the keys of a paper that holds every ask say by its terms; one with alternatives is of
+    no usual shape.
+    """
+
+    __slots__ = ()
+
+    @property
+    @abstractmethod
+    def terms(self) -> Terms:
+        """The rule and the period of each ask."""
+
+    def list_periods(self) -> Sequence[Fraction | None]:
+        """The full turn of each ask, where any number of turns is right too."""
+        return self.terms.periods
+
+    def list_rules(self) -> tuple[Tolerance, ...]:
+        """The rule of each ask."""
+        return self.terms.rules
+
+    def find_lacking(self) -> frozenset[int]:
+        """The asks that the paper does not hold: none."""
+        return frozenset()
+
+
+class StatedKeys(UsualKeys, msgspec.Struct, frozen=True, gc=False):
     """The keys in the order of the asks; `place` and `student` are whose line of which file that
     is, for messages.
 
@@ -108,18 +134,6 @@ class StatedKeys(msgspec.Struct, frozen=True, gc=False):
     def list_values(self) -> Sequence[float]:
         """The right answers in double precision, those of cyclic angles too."""
         return [entry.value for entry in self.entries]
-
-    def list_periods(self) -> Sequence[Fraction | None]:
-        """The full turn of each ask, where any number of turns is right too."""
-        return self.terms.periods
-
-    def list_rules(self) -> tuple[Tolerance, ...]:
-        """The rule of each ask."""
-        return self.terms.rules
-
-    def find_lacking(self) -> frozenset[int]:
-        """None: a paper with alternatives is no line of the usual shape."""
-        return frozenset()
 
     def mistakes(self, ask: int) -> Mapping[str, float | Fraction]:
         """What mistakes lead to: doubles for the usual texts of a few digits, else exactly. Raises

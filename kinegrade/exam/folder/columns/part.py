@@ -8,15 +8,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from fractions import Fraction
 
 import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
 from kinegrade.exam.folder.keys import StatedKey
-from kinegrade.exam.folder.stated_keys import Terms
-from kinegrade.numbers.tolerance import Tolerance
+from kinegrade.exam.folder.stated_keys import Terms, UsualKeys
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,7 +49,7 @@ class KeyPart:
         )
 
 
-class PartKeys(msgspec.Struct, frozen=True, gc=False):
+class PartKeys(UsualKeys, msgspec.Struct, frozen=True, gc=False):
     """The keys of the paper in one row of a part, in the order of the asks."""
 
     part: KeyPart
@@ -85,15 +83,3 @@ class PartKeys(msgspec.Struct, frozen=True, gc=False):
         """The right answers in double precision, those of cyclic angles too."""
         values: list[float] = self.part.values[self.row].tolist()
         return values
-
-    def list_periods(self) -> Sequence[Fraction | None]:
-        """The full turn of each ask, where any number of turns is right too."""
-        return self.terms.periods
-
-    def list_rules(self) -> tuple[Tolerance, ...]:
-        """The rule of each ask."""
-        return self.terms.rules
-
-    def find_lacking(self) -> frozenset[int]:
-        """None: where papers have alternatives, there are no parts."""
-        return frozenset()
