@@ -57,10 +57,10 @@ def test_lines_of_code_are_lines_without_docstrings_comments_and_blanks(tmp_path
 # did when fairness came to be bounded (mistakes, follow-through, papers alike hard) and when
 # mechanisms came to move (cycles)
 FAR = {
-    "syntax nodes": 819_400,
-    "lines of code": 83_400,
-    "syntax nodes a line": 9.84,
-    "modules of more than 250 lines": 28,
+    "syntax nodes": 835_000,
+    "lines of code": 85_000,
+    "syntax nodes a line": 9.87,
+    "modules of more than 250 lines": 30,
 }
 COPIED = """
 def total(rows, key):
