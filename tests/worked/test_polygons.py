@@ -55,10 +55,22 @@ def test_a_rotation_that_is_not_worked_out_is_in_no_picture() -> None:
 
 
 def test_vectors_too_short_to_draw_are_named_below_the_picture() -> None:
-    values = {"R": "1/5", "phi": "30", "v_O": "-2/5", "a_O": "1/2"}
-    blocks = stated("rolling-wheel-pin-slotted-rocker", **values)
-    (picture,) = list_drawings(blocks, "accelerations")
-    assert picture.caption == (r"accelerations (too short to draw: $a_{\mathrm{e}}^{\mathrm{n}}$)")
+    blocks = stated("rolling-wheel-pin-slotted-rocker", phi="-3")
+    (picture,) = list_drawings(blocks, "velocities")
+    assert picture.caption == r"velocities (too short to draw: $v_{\mathrm{e}}$)"
+
+
+def test_accelerations_have_a_polygon_and_no_sketch_that_would_say_it_again() -> None:
+    blocks = stated("rolling-wheel-pin-slotted-rocker")
+    shown = [len(block.pictures) for block in blocks if isinstance(block, Pictures)]
+    assert shown == [2, 1]
+    assert len(list_drawings(blocks, "acceleration polygon")) == 1
+
+
+def test_a_pole_at_infinity_has_no_picture() -> None:
+    """That the normals are parallel stands beside the step; they were drawn with two arrows."""
+    pictures = [one.caption for one in list_drawings(stated("extended-rod-driving-rocker"), "")]
+    assert not any("pole" in caption for caption in pictures)
 
 
 def test_corners_of_two_frames_have_letters_of_their_own_and_are_explained_where_they_are() -> None:

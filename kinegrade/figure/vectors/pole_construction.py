@@ -41,12 +41,10 @@ _SAME = 1e-3  # millimetres within which two points coincide
 
 @dataclass(frozen=True)
 class Pole:
-    """A velocity pole: its symbol (LaTeX math), and where it is (m), None for a pole at
-    infinity.
-    """
+    """A velocity pole: its symbol (LaTeX math), and where it is (m)."""
 
     symbol: str
-    at: Vector | None
+    at: Vector
 
 
 def draw_pole_construction(
@@ -61,16 +59,16 @@ def draw_pole_construction(
 
     A dashed normal leads from each point to the pole, with a right angle between it and the
     velocity; where all normals coincide, a dashed line through the tips of the velocities locates
-    the pole on them. Normals to a pole outside the picture end in an arrowhead with its symbol; to
-    a pole at infinity they are parallel. A pole at the contact of a rolling wheel needs no rays.
-    `rotation` is drawn as a curved arrow about a pole in the picture.
+    the pole on them. Normals to a pole outside the picture end in an arrowhead with its symbol. A
+    pole at the contact of a rolling wheel needs no rays. `rotation` is drawn as a
+    curved arrow about a pole in the picture.
 
     Raises TemplateError for a hint about something that the mechanism does not have.
     """
     points = tuple(ray.at for ray in rays)
     plain = BareMechanism.of(mechanism, hints, points)
-    whole = BareMechanism.of(mechanism, hints, (*points, *([pole.at] if pole.at else ())))
-    near = pole.at is not None and whole.first_scale(TALL) >= _FAR * plain.first_scale()
+    whole = BareMechanism.of(mechanism, hints, (*points, pole.at))
+    near = whole.first_scale(TALL) >= _FAR * plain.first_scale()
     shown, room = (whole, TALL) if near else (plain, PICTURE)
     construction = _Construction(pole, rays, rotation if near else None, near)
     scale = min(shown.first_scale(room), plain.first_scale())
@@ -102,8 +100,8 @@ class _Construction:
         return add_body_names(layout, paper, plain.hints, drawing)
 
     def place(self, scale: float) -> Vector:
-        """The pole on paper; only for a pole that is not at infinity."""
-        return (self.pole.at or Vector(0.0, 0.0)) * scale
+        """The pole on paper."""
+        return self.pole.at * scale
 
     def _normals(
         self, placed: Sequence[VectorArrow], scale: float, bars: Sequence[Segment]
@@ -111,18 +109,8 @@ class _Construction:
         """Each velocity with the end of its normal on paper; `bars` are bold lines, on which no
         normal would be visible.
         """
-        first: Vector | None = None
         for arrow in placed:
-            if self.pole.at is None:
-                across = unit(arrow.end - arrow.start).turned()
-                first = first or across
-                yield (
-                    arrow,
-                    _shorten_normal(
-                        arrow.start, across if across.dot(first) > 0 else -across, bars
-                    ),
-                )
-            elif length(self.place(scale) - arrow.start) > _SAME:
+            if length(self.place(scale) - arrow.start) > _SAME:
                 way = unit(self.place(scale) - arrow.start)
                 yield (
                     arrow,
@@ -175,9 +163,9 @@ class _Construction:
         if self.near:
             yield Wish(self.pole.symbol, list_spots_around(self.pole.symbol, self.place(scale)))
             return
-        symbol = self.pole.symbol if self.pole.at else self.pole.symbol + r"_{\infty}"
         for arrow, end in self._normals(placed, scale, bars):
-            yield Wish(symbol, list_spots_around(symbol, end, away=end - arrow.start))
+            away = end - arrow.start
+            yield Wish(self.pole.symbol, list_spots_around(self.pole.symbol, end, away=away))
 
 
 def _are_in_line(one: VectorArrow, other: VectorArrow) -> bool:

@@ -1,17 +1,18 @@
-"""The pictures of a step: the mechanism with its vectors, beside it the polygon of the equation;
-the construction of a pole.
+"""The pictures of a step: the mechanism with its velocities, beside it the polygon of the equation;
+of accelerations the polygon alone; the construction of a pole.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from typing import assert_never
 
 from kinegrade.figure.vectors.mechanism import PointArrow, draw_with_vectors
 from kinegrade.figure.vectors.pole_construction import Pole, draw_pole_construction
 from kinegrade.language.math.tree import Text, list_nodes
 from kinegrade.language.message import Message, list_all
 from kinegrade.mechanics.rates import Rate, make_turning
-from kinegrade.mechanics.vector_equation import Level, Part, VectorEquation
+from kinegrade.mechanics.vector_equation import Part, VectorEquation
 from kinegrade.problem.template.hints import Turning
 from kinegrade.worked.case import Case
 from kinegrade.worked.document import Picture, Pictures
@@ -29,24 +30,30 @@ from kinegrade.worked.vectors.vectors import name_part
 
 
 def draw_stage(stage: Stage, scale: float | None = None) -> Iterator[Pictures]:
-    """The pictures of a step: the mechanism with its vectors and the polygon to that scale, or the
-    construction of a pole; none where no vectors are added.
+    """The pictures of a step: the mechanism with its velocities and the polygon to that scale, the
+    polygon alone of accelerations, whose table and polygon leave a sketch nothing to say, or the
+    construction of a pole unless it is at infinity; none where no vectors are added.
     """
     coupler = find_coupler(stage)
     if coupler is not None and choose_method(coupler, stage.case) == "pole":
-        rays = tuple(
-            _find_point_arrows((coupler.base, coupler.point), coupler.equation, stage.case)
-        )
-        yield Pictures((_draw_pole(coupler.body, rays, stage.case),))
+        if not stage.case.arithmetic.is_zero(stage.case.motion.omega(coupler.body)):
+            arrows = _find_point_arrows((coupler.base, coupler.point), coupler.equation, stage.case)
+            yield Pictures((_draw_pole(coupler.body, tuple(arrows), stage.case),))
         return
     added = [equation for equation in stage.equations if spans_polygon(equation)]
     if added and find_rigid_triangle(stage) is None:
-        polygons = (draw_equation(equation, stage, scale) for equation in added)
-        yield Pictures((_draw_vectors(stage.equations, stage), *polygons))
+        polygons = [draw_equation(equation, stage, scale) for equation in added]
+        match stage.level:
+            case "velocity":
+                yield Pictures((_draw_velocities(stage.equations, stage), *polygons))
+            case "acceleration":
+                yield Pictures(tuple(polygons))
+            case _:
+                assert_never(stage.level)
 
 
-def _draw_vectors(equations: Sequence[VectorEquation], stage: Stage) -> Picture:
-    """The mechanism with all vectors of the step at their points, those too short for it named
+def _draw_velocities(equations: Sequence[VectorEquation], stage: Stage) -> Picture:
+    """The mechanism with all velocities of the step at their points, those too short for it named
     below, and the rotations that are worked out.
     """
     case = stage.case
@@ -63,11 +70,11 @@ def _draw_vectors(equations: Sequence[VectorEquation], stage: Stage) -> Picture:
         mechanism,
         case.template.figure,
         tuple(arrows.values()),
-        _find_turnings(rates, case, stage.level),
+        _find_turnings(rates, case),
     )
     drawn = {label.symbol for label in scene.labels}
     short = [f"${arrow.symbol}$" for arrow in arrows.values() if arrow.symbol not in drawn]
-    return Picture(scene, _name_picture(stage.level, short, case))
+    return Picture(scene, _name_picture(short, case))
 
 
 def _find_point_arrows(
@@ -85,43 +92,42 @@ def _find_point_arrows(
             )
 
 
-def _find_turnings(rates: Iterable[Rate], case: Case, level: Level) -> tuple[Turning, ...]:
+def _find_turnings(rates: Iterable[Rate], case: Case) -> tuple[Turning, ...]:
     """The rotations that a step gives, in their sense."""
-    values = case.rates(level)
+    values = case.motion.rates
     return tuple(
         Turning(
-            case.text(case.naming.turning(rate.body, level)),
+            case.text(case.naming.omega(rate.body)),
             rate.body,
             "ccw" if float(values[rate]) > 0 else "cw",
         )
         for rate in rates
-        if rate.kind == "turning" and float(values[rate]) and _is_short(rate, level, case)
+        if rate.kind == "turning" and float(values[rate]) and _is_short(rate, case)
     )
 
 
-def _is_short(rate: Rate, level: Level, case: Case) -> bool:
+def _is_short(rate: Rate, case: Case) -> bool:
     """Whether the symbol of a rotation has letters only, and no words that a figure has no room
     for.
     """
-    symbol = case.naming.turning(rate.body, level)
+    symbol = case.naming.omega(rate.body)
     return not any(isinstance(node, Text) for node in list_nodes(symbol.row))
 
 
 def _draw_pole(body: str, rays: Sequence[PointArrow], case: Case) -> Picture:
     """The construction of a pole from the velocities of points of the body."""
     mechanism = case.motion.frames.mechanism.map(float)
-    still = case.arithmetic.is_zero(case.motion.omega(body))
-    at = None if still else make_floats(case.motion.pole(body, case.arithmetic))
-    rotation = next(iter(_find_turnings([make_turning(body)], case, "velocity")), None)
+    at = make_floats(case.motion.pole(body, case.arithmetic))
+    rotation = next(iter(_find_turnings([make_turning(body)], case)), None)
     pole = Pole(case.naming.point(name_pole(body, case)), at)
     scene = draw_pole_construction(mechanism, case.template.figure, pole, rays, rotation)
     caption = Message("solution.picture-pole", body=case.naming.body(body))
     return Picture(scene, case.write(caption))
 
 
-def _name_picture(level: Level, short: Sequence[str], case: Case) -> str:
-    """The caption of a picture of the mechanism with its vectors but for those too short."""
-    caption = Message(f"solution.picture-vectors-{level}")
+def _name_picture(short: Sequence[str], case: Case) -> str:
+    """The caption of a picture of the mechanism with its velocities but for those too short."""
+    caption = Message("solution.picture-velocities")
     if not short:
         return case.write(caption)
     return case.write(Message("solution.picture-without", picture=caption, short=list_all(short)))
