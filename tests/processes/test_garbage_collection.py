@@ -5,6 +5,8 @@ before.
 from __future__ import annotations
 
 import gc
+import subprocess
+import sys
 from collections.abc import Iterator
 
 import pytest
@@ -49,3 +51,15 @@ def test_a_failure_leaves_it_as_it_was_too() -> None:
     with pytest.raises(KeyError), bulk_work():
         raise KeyError
     assert gc.get_threshold() == usual
+
+
+def test_a_command_that_ends_looks_for_no_cycles_in_what_it_loaded() -> None:
+    code = """
+import atexit, gc, sys
+from kinegrade.__main__ import start
+atexit.register(lambda: print("left to search:", len(gc.get_objects())))
+sys.argv = ["kinegrade", "--version"]
+start()
+"""
+    ran = subprocess.run([sys.executable, "-c", code], capture_output=True, check=True, text=True)
+    assert int(ran.stdout.split()[-1]) < 1_000

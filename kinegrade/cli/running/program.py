@@ -45,7 +45,9 @@ class Program(click.Group):
         """Run the command that the process was started with, and exit with its status."""
         # What is loaded holds no cycles; to look for them takes a tenth of the time of a short run
         gc.set_threshold(NEW_OBJECTS)
-        sys.exit(_run_to_status(partial(self.main, *arguments, standalone_mode=False, **options)))
+        status = _run_to_status(partial(self.main, *arguments, standalone_mode=False, **options))
+        gc.freeze()  # as it ends, Python would look for cycles in all of it three times
+        sys.exit(status)
 
     def format_help_text(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         """Write what the program does."""
