@@ -14,7 +14,8 @@ from kinegrade.proof.report import Report
 from kinegrade.students.rounding.accuracy import USUALLY, WIDEST, find_usual_share
 
 _FEWEST = 500  # distinct instances: fewer, and a large class finds out the pattern behind the draws
-_FIRST_COUNTED = 200  # draws: fewer were asked for to have a quick look, and may not tell
+_FIRST_COUNTED = 200  # draws: fewer were asked for to have a quick look, and may not tell; from
+# so many on as many more are counted as it takes
 _MOST_COUNTED = 2000
 _COUNTED_TOGETHER = 100
 _SELDOM = 0.1  # of draws accepted: below it, exams take long to generate
@@ -63,7 +64,11 @@ def _weigh_number(report: Report) -> None:
         return
     if most >= _FEWEST:
         numbers = {"accepted": report.accepted, "examined": report.counted, "least": _FEWEST}
-        needed = report.count_needed(_FEWEST)
+        needed = (
+            min(report.template.combinations, _FIRST_COUNTED)
+            if report.counted < _FIRST_COUNTED
+            else report.count_needed(_FEWEST)
+        )
         report.remarks.append(Message("template.sample-too-small", needed=needed, **numbers))
     elif report.instances:
         report.faults.append(

@@ -9,6 +9,7 @@ from math import acos, degrees
 import pytest
 from shapely import LineString, Point, Polygon, union_all
 
+from kinegrade.errors import TemplateError
 from kinegrade.figure.joints.symbol import Kind, Rim
 from kinegrade.figure.marks.radii import add_radii
 from kinegrade.figure.marks.radius_arrows import RadiusFromOutside
@@ -210,3 +211,14 @@ def test_an_arrow_does_not_span_the_ring_between_two_circles_about_one_centre() 
     assert comes_from_outside(small)
     assert not comes_from_outside(small, make_rim(ORIGIN, 14.0, "A"))
     assert comes_from_outside(small, make_rim(ORIGIN, 40.0, "A"))
+
+
+def test_several_circles_about_a_centre_are_told_apart_by_what_helps() -> None:
+    large, small = make_rim(ORIGIN, 20.0), make_rim(ORIGIN, 10.0)
+    for other, helps in (
+        (small, 'through = "POINT", a point on it'),
+        (replace(small, body="V"), 'of = "BODY" or through = "POINT"'),
+    ):
+        with pytest.raises(TemplateError) as error:
+            mark([large, other])
+        assert str(error.value).endswith(f"say which one, by {helps}")

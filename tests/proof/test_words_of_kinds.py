@@ -13,7 +13,7 @@ from kinegrade.problem.template.library.reading import read_template
 from kinegrade.problem.template.template import Template
 from kinegrade.problem.template.translated import Translated
 from kinegrade.proof.claims.claims import find_false_claims
-from kinegrade.proof.claims.kinds import note_kinds_said
+from kinegrade.proof.claims.kinds import name_kinds, note_kinds_said
 from kinegrade.proof.claims.swaps import find_swapped_givens
 from tests.problem.turning_crank import CRANK, changed
 from tests.said import all_said
@@ -79,6 +79,34 @@ def test_a_given_behind_the_word_for_another_kind_is_noted(said: str, wrong: str
     assert found == [
         f'the statement says "{wrong}", which is another kind of quantity than one in rad/s'
     ] * bool(wrong)
+
+
+@pytest.mark.parametrize(
+    ("means", "kinds"),
+    [
+        ("rate of change of the angular velocity of the crank", {"angular-acceleration"}),
+        ("rate of decrease of the speed of $A$", {"acceleration"}),
+        ("time derivative of the rotational speed", {"angular-acceleration"}),
+        ("rate at which the slider loses speed", {"acceleration", "velocity"}),
+        ("zeitliche Änderung der Winkelgeschwindigkeit", {"angular-acceleration"}),
+        ("Änderungsgeschwindigkeit der Drehzahl", {"angular-acceleration"}),
+        ("角速度的变化率", {"angular-acceleration"}),
+        ("角速度每秒的增加量", {"angular-acceleration", "angular-velocity"}),
+        ("speed at which the rod comes out", {"velocity"}),
+    ],
+)
+def test_the_rate_at_which_a_speed_changes_is_an_acceleration(means: str, kinds: set[str]) -> None:
+    assert {*name_kinds(means)} == kinds
+
+
+def test_the_rate_of_change_of_a_speed_before_its_given_is_no_other_kind() -> None:
+    given = 'alpha = { unit = "rad/s^2", draw = [1], means = { en = "a", zh = "a" } }'
+    template = read_template("crank", CRANK.replace("[parameters]", f"[parameters]\n{given}"))
+    said = "with a rate of change of the angular velocity {{ %s }}"
+    assert [len([*note_kinds_said(say(template, said % each))]) for each in ("omega", "alpha")] == [
+        1,
+        0,
+    ]
 
 
 @pytest.mark.parametrize(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 from math import cos, pi
@@ -211,8 +211,16 @@ def find_marked_rim(found: tuple[Rim, ...], hint: Radius, through: Vector | None
     if any(abs(rim.radius - first.radius) > NEAR * (1 + first.radius) for rim in others):
         symbol, centre = Quoted(hint.symbol), Quoted(hint.centre)
         what = Message("figure.several-circles", symbol=symbol, centre=centre)
-        raise TemplateError(Fault("figure.radii", what, do=Message("figure.name-circle")))
+        by_body = hint.of is None and _tell_apart(jointed)
+        do = Message("figure.name-circle" if by_body else "figure.name-circle-through")
+        raise TemplateError(Fault("figure.radii", what, do=do))
     return first
+
+
+def _tell_apart(rims: Sequence[Rim]) -> bool:
+    """Whether the circles of some body are all alike, so that to name it is enough."""
+    radii = {rim.body: [each.radius for each in rims if each.body == rim.body] for rim in rims}
+    return any(max(each) - min(each) <= NEAR * (1 + max(each)) for each in radii.values())
 
 
 def _is_meant(rim: Rim, hint: Radius, through: Vector | None) -> bool:

@@ -14,6 +14,7 @@ from kinegrade.problem.template.hints import FigureHints, Moving, Turning
 from kinegrade.problem.template.meaning.senses import find_positive
 from kinegrade.problem.template.template import Ask, Parameter, Template
 from kinegrade.problem.template.translated import Translated
+from kinegrade.proof.claims.patterns import list_words
 from kinegrade.proof.claims.reading import name_senses, read_claims
 from kinegrade.sign_conventions import OPPOSITE
 
@@ -28,6 +29,7 @@ _KINDS = {
     (1, -2, 0): "acceleration",
     (1, -1, 0): "velocity",
 }
+_CHANGES = {"angular-velocity": "angular-acceleration", "velocity": "acceleration"}
 
 
 def note_other_kinds(template: Template) -> Iterator[Message]:
@@ -57,7 +59,8 @@ def note_kinds_said(template: Template) -> Iterator[Message]:
             continue  # the velocity of an angular velocity
         given = template.parameters.get(claim["given"])
         own = _KINDS.get(_list_powers(given.unit)) if given else None
-        named = {*list(name_kinds(claim["said"]))[-1:]}
+        change = [word for word in list_words("rate-of-change") if word in claim["ahead"].lower()]
+        named = {*list(name_kinds(" ".join((*change, claim["said"]))))[-1:]}
         fitting = {own, "velocity"} if given and given.unit.counts_turns else {own}
         if given and own and named and not named & fitting:
             said, unit = claim["said"], given.unit.printed
@@ -112,8 +115,22 @@ def _list_powers(unit: Unit) -> _Powers:
 
 
 def name_kinds(said: str) -> Iterator[str]:
-    """The kinds of rates that a text names; an angular velocity is no velocity besides."""
+    """The kinds of rates that a text names; an angular velocity is no velocity besides, and the
+    rate of change of a speed is an acceleration.
+    """
     text = said.lower()
+    kinds = [*_name_kinds_apart(text)]
+    if any(word in text for word in list_words("rate-of-change")):
+        kinds = [_CHANGES[kind] for kind in kinds if kind in _CHANGES]
+    elif any(word in text for word in list_words("changing")):
+        kinds += [_CHANGES[kind] for kind in kinds if kind in _CHANGES]  # by how much it grows
+    yield from kinds
+
+
+def _name_kinds_apart(text: str) -> Iterator[str]:
+    """The kinds that a text names, those first whose words contain others."""
+    for word in list_words("rate-of-change"):
+        text = text.replace(word, "")  # which may end in the word for a speed
     for kind in _KINDS.values():
         for language in known_languages():
             for word in open_catalogue(language).text(f"template.kind-{kind}").split("|"):

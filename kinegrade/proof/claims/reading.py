@@ -10,6 +10,7 @@ from kinegrade.problem.template.template import Template
 from kinegrade.proof.claims.patterns import SENSES, list_words, make_pattern, write_words
 from kinegrade.sign_conventions import Convention
 
+_ENDS = re.compile(r"[;。；]|(?<!\b\w)[.](?=\s|$)")  # of a sentence; i.e. is none
 DIFFERENT = 1e-6  # of a length: less is what doubles leave
 
 
@@ -25,7 +26,16 @@ def read_texts(texts: Iterable[str], kind: str, before: str = "") -> Iterator[di
             for match in make_pattern(sentence, before).finditer(text):
                 if before and _ends_between(text[: match.start()]):
                     continue  # $M$ lies between $O$ and this one
-                yield {**match.groupdict(""), "said": " ".join(match[0].split())}
+                ahead = _ENDS.split(text[: match.start()])[-1]
+                if is_of_another_case(ahead + match[0] + _ENDS.split(text[match.end() :])[0]):
+                    continue
+                said = " ".join(match[0].split())
+                yield {**match.groupdict(""), "said": said, "ahead": ahead}
+
+
+def is_of_another_case(sentence: str) -> bool:
+    """Whether a sentence speaks of another instant or of what would be: half a turn later."""
+    return re.search(write_words("another-case"), sentence, re.IGNORECASE) is not None
 
 
 def _ends_between(text: str) -> bool:

@@ -60,7 +60,7 @@ def test_a_sample_without_an_accepted_draw_is_no_fault_and_never_sound() -> None
         "no published result for alpha_AB, a_B - [[published]] with values found otherwise would "
         "prove them",
         "accepted 0 of 1: too few draws to tell whether there are 500 distinct instances: "
-        "examine 357 with --sample",
+        "examine 200 with --sample",
     ]
 
 

@@ -32,8 +32,8 @@ def test_a_radius_that_may_be_that_of_several_circles_is_a_fault() -> None:
     report = check(read_template("two-stage-belt-drive", unnamed), sample=8)
     assert all_said(report.faults) == [
         'figure.radii: "r_2" may be the radius of several circles about "A", which are not alike - '
-        'say which one, by of = "BODY" or through = "POINT"'
-    ]
+        'say which one, by through = "POINT", a point on it'
+    ]  # both circles are of one body
 
 
 def test_a_point_that_the_statement_names_and_the_figure_does_not_letter_is_remarked() -> None:
