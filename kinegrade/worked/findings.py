@@ -81,7 +81,9 @@ class Findings:
     answer and no later step needs, so that a check alone may ask for them; `rim_tracks` how a track
     moves that has the speed of a wheel's rim, by the number of their joint; `written` the formulas
     of sentences by their text; `translated` the bodies of which has been said that their points
-    have one velocity or acceleration.
+    have one velocity or acceleration; `composed` the moving frames, each with the body whose points
+    move relative to it, of which the composition of motions has been explained; `coincident` the
+    primed letters that have been.
     """
 
     facts: dict[Key, Fact] = field(default_factory=dict)
@@ -103,6 +105,8 @@ class Findings:
     rim_tracks: dict[int, Term] = field(default_factory=dict)
     legs: dict[frozenset[str], tuple[str, str]] = field(default_factory=dict)
     stated: dict[tuple[str, str], Stated | None] = field(default_factory=dict)
+    composed: set[tuple[Level, str, str | None]] = field(default_factory=set)
+    coincident: set[str] = field(default_factory=set)
     told: list[Row] = field(default_factory=list)
     written: dict[str, Row] = field(default_factory=dict)
     translated: dict[Level, set[str]] = field(

@@ -62,7 +62,7 @@ def test_a_composition_of_velocities() -> None:
         Given: the angular velocity of the crank $O_{1}A$.
         \omega_{O_{1}A} &= 2\,\unit{rad/s}\quad\text{(counter-clockwise)}
         ## Composition of motions: moving point $A$, moving frame on $OB$
-        $\boldsymbol{v}_{\mathrm{a}}=\boldsymbol{v}_{\mathrm{e}}+\boldsymbol{v}_{\mathrm{r}}$: the
+        $\boldsymbol{v}_{\mathrm{a}} = \boldsymbol{v}_{\mathrm{e}} + \boldsymbol{v}_{\mathrm{r}}$: the
             absolute velocity of $A$ (of the crank $O_{1}A$) is its transport velocity (that of the
             point of $OB$ which is at $A$) plus the relative one (seen from $OB$).
         [ ] \boldsymbol{v}_{\mathrm{a}} | $O_{1}A \cdot \omega_{O_{1}A} = 8\,\unit{m/s}$ | $\perp
@@ -94,7 +94,7 @@ def test_a_composition_of_accelerations_with_coriolis() -> None:
         Given: the angular acceleration of the crank $O_{1}A$.
         \alpha_{O_{1}A} &= 0
         ## Composition of motions: moving point $A$, moving frame on $OB$
-        $\boldsymbol{a}_{\mathrm{a}}=\boldsymbol{a}_{\mathrm{e}}+\boldsymbol{a}_{\mathrm{r}}+\boldsymbol{a}_{\mathrm{Cor}}$,
+        $\boldsymbol{a}_{\mathrm{a}} = \boldsymbol{a}_{\mathrm{e}} + \boldsymbol{a}_{\mathrm{r}} + \boldsymbol{a}_{\mathrm{Cor}}$,
             with the Coriolis acceleration $\boldsymbol{a}_{\mathrm{Cor}}$:
         [ ] \boldsymbol{a}_{\mathrm{a}}^{\mathrm{n}} | $O_{1}A \cdot \omega_{O_{1}A}^{2} =
             16\,\unit{m/s^2}$ | $A \to O_{1}$
@@ -130,7 +130,7 @@ def test_a_composition_of_velocities_in_a_translating_frame() -> None:
         "## Composition of motions: moving point $C$, moving frame on block", solution
     ) == as_read(
         r"""
-        $\boldsymbol{v}_{\mathrm{a}}=\boldsymbol{v}_{\mathrm{e}}+\boldsymbol{v}_{\mathrm{r}}$: the
+        $\boldsymbol{v}_{\mathrm{a}} = \boldsymbol{v}_{\mathrm{e}} + \boldsymbol{v}_{\mathrm{r}}$: the
             absolute velocity of $C$ (of the crank $OC$) is its transport velocity (that of the
             point of block which is at $C$) plus the relative one (seen from block).
         [ ] \boldsymbol{v}_{\mathrm{a}} | $OC \cdot \omega_{OC} = 10\,\unit{m/s}$ | $\perp OC,\curvearrowleft$
@@ -159,7 +159,7 @@ def test_a_composition_of_accelerations_without_coriolis() -> None:
         Given: the angular acceleration of the crank $OC$.
         \alpha_{OC} &= 0
         ## Composition of motions: moving point $C$, moving frame on block
-        $\boldsymbol{a}_{\mathrm{a}}=\boldsymbol{a}_{\mathrm{e}}+\boldsymbol{a}_{\mathrm{r}}+\boldsymbol{a}_{\mathrm{Cor}}$,
+        $\boldsymbol{a}_{\mathrm{a}} = \boldsymbol{a}_{\mathrm{e}} + \boldsymbol{a}_{\mathrm{r}} + \boldsymbol{a}_{\mathrm{Cor}}$,
             with the Coriolis acceleration $\boldsymbol{a}_{\mathrm{Cor}}$:
         [ ] \boldsymbol{a}_{\mathrm{a}}^{\mathrm{n}} | $OC \cdot \omega_{OC}^{2} = 20\,\unit{m/s^2}$
             | $C \to O$

@@ -210,7 +210,7 @@ def test_gears_with_fixed_axes() -> None:
         Given: the angular velocity of the gear.
         \omega_{O} &= 2\,\unit{rad/s}\quad\text{(counter-clockwise)}
         ## 1. Composition of motions: moving point $C$, moving frame on the gear
-        $\boldsymbol{v}_{\mathrm{a}}=\boldsymbol{v}_{\mathrm{e}}+\boldsymbol{v}_{\mathrm{r}}$: the
+        $\boldsymbol{v}_{\mathrm{a}} = \boldsymbol{v}_{\mathrm{e}} + \boldsymbol{v}_{\mathrm{r}}$: the
             absolute velocity of $C$ (of the pinion) is its transport velocity (that of the point of the
             gear which is at $C$) plus the relative one (seen from the gear).
         [ ] 0 | |

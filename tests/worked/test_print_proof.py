@@ -209,7 +209,5 @@ def test_two_compositions_of_different_points_have_two_absolute_velocities() -> 
     # both began with v_a, and went on with v_a1 and v_a2
     page = "\n".join(lines(kept("square-on-two-fixed-points")))
     for number in "12":
-        assert (
-            rf"\boldsymbol{{v}}_{{\mathrm{{a}}{number}}}=\boldsymbol{{v}}_{{\mathrm{{e}}{number}}}"
-            in page
-        )
+        absolute, transport = (rf"\boldsymbol{{v}}_{{\mathrm{{{role}}}{number}}}" for role in "ae")
+        assert f"{absolute} = {transport}" in page

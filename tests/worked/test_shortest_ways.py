@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import pytest
 
+from kinegrade.language import Language
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.library.library import find_shipped
 from kinegrade.problem.template.library.reading import read_template
@@ -173,3 +174,22 @@ def test_the_other_end_of_a_chord_takes_half_the_chord_off() -> None:
     solution = solve_template(template, {"r": "50", "l": "140", "phi": "30", "n": "600"})
     (place,) = (line for line in displayed(told(solution)) if line.startswith("s &="))
     assert place == r"s &= x_{A}\cos\varphi - \sqrt{l^{2} - (x_{A}\sin\varphi)^{2}}"
+
+
+def test_a_point_on_a_ray_along_an_axis_is_its_distance_away() -> None:
+    # it was a share p/DG of the difference of both coordinates, with the length DG
+    told = displayed(stated("square-on-two-fixed-points", side="0.4", p="0.1", q="0.1"))
+    assert r"x_{A} &= x_{D} = -0.2\,\unit{m}" in told
+    assert r"y_{A} &= y_{D} + p = -0.2\,\unit{m} + 0.1\,\unit{m} = -0.1\,\unit{m}" in told
+    assert not [line for line in told if line.startswith(("DG", "DE"))]
+
+
+@pytest.mark.parametrize(
+    ("language", "likewise"), [("en", "Likewise for $B$"), ("zh", "同理，对 $B$ 点有")]
+)
+def test_the_composition_of_motions_is_explained_once_for_the_points_of_a_body(
+    language: Language, likewise: str
+) -> None:
+    told = list(proses(kept("square-on-two-fixed-points", language=language)))
+    assert sum(likewise in text for text in told) == 2
+    assert sum("$B'$" in text for text in told) == 1

@@ -15,7 +15,7 @@ from kinegrade.language.message import Message
 from kinegrade.worked.construction_steps import Step
 from kinegrade.worked.document import Block
 from kinegrade.worked.formulas.atoms import Symbol
-from kinegrade.worked.positions.algebra import ZERO, over, plus
+from kinegrade.worked.positions.algebra import ZERO, minus, over, plus
 from kinegrade.worked.positions.axes import length_of, scale
 from kinegrade.worked.positions.circles_meeting import find_direction
 from kinegrade.worked.positions.instance import Instance
@@ -121,11 +121,21 @@ def _explain_toward(step: Step, instance: Instance) -> Part:
     sentence = _describe_reached_place(step, vector, instance)
     if base is None or direction is None:
         return (instance.say(sentence),)
+    signs = instance.sign(direction[0]), instance.sign(direction[1])
+    if 0 in signs:  # along an axis no length is needed
+        along = _move(base[0], signs[0], distance), _move(base[1], signs[1], distance)
+        return Stated(sentence, instance.coordinates(step.point, along))
     lines = write_length_lines(size, instance)
     reached = scale(direction, over(distance, size)) or (ZERO, ZERO)
     pair = plus(base[0], reached[0]), plus(base[1], reached[1])
     before = (Derived(Symbol(instance.formula(size).print()), lines),) if lines else ()
     return Stated(sentence, instance.coordinates(step.point, pair), before)
+
+
+def _move(coordinate: Expression, sign: int, distance: Expression) -> Expression:
+    """A coordinate after so far along its axis, against it or across it."""
+    moved = {-1: minus, 1: plus}
+    return moved[sign](coordinate, distance) if sign else coordinate
 
 
 def _describe_reached_place(step: Step, vector: Expression, instance: Instance) -> Message:

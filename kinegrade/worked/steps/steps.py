@@ -28,13 +28,14 @@ from kinegrade.worked.formulas.numbers import state_number
 from kinegrade.worked.rates.scalars import explain_scalar_step, state_relations
 from kinegrade.worked.senses import state_way
 from kinegrade.worked.steps.base_points import start_from_known
+from kinegrade.worked.steps.compositions import describe_meanings
 from kinegrade.worked.steps.polygons import (
     has_corner,
     name_shared_corner,
     order_vectors,
     spans_polygon,
 )
-from kinegrade.worked.steps.titles import describe_meanings, introduce_equation, select_scalars
+from kinegrade.worked.steps.titles import introduce_equation, select_scalars
 from kinegrade.worked.translations import say_translation
 from kinegrade.worked.vectors.arms import find_arms, introduce_lengths
 from kinegrade.worked.vectors.by_components import find_components
@@ -260,13 +261,17 @@ def _find_shifted(equation: VectorEquation, case: Case) -> Set[str]:
 
 
 def _explain_mark(equation: VectorEquation, case: Case) -> Iterator[Block]:
-    """Which point a primed letter denotes."""
+    """Which point a primed letter denotes, said once."""
     marked = next((part for part in equation.parts if part.coincident), None)
     if marked and marked.term and not _find_shifted(equation, case):
+        mark = case.text(name_place(marked, case))
+        if mark in case.findings.coincident:
+            return
+        case.findings.coincident.add(mark)
         yield case.say(
             Message(
                 "solution.coincident",
-                mark=case.text(name_place(marked, case)),
+                mark=mark,
                 point=case.naming.point(marked.point),
                 frame=case.naming.body(marked.term.rate.body),
             )

@@ -1,0 +1,138 @@
+"""Composition of motions: the sentences that introduce it, and what the absolute and the transport
+vector consist of.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from typing import assert_never
+
+from kinegrade.language.math.tree import Row
+from kinegrade.language.message import Message, Text, list_all
+from kinegrade.mechanics.ground import GROUND
+from kinegrade.mechanics.vector_equation import Part, VectorEquation
+from kinegrade.worked.case import Case
+from kinegrade.worked.formulas.atoms import add_terms
+from kinegrade.worked.formulas.equation import Equation, equate
+from kinegrade.worked.formulas.symbols import prime
+from kinegrade.worked.vectors.vectors import (
+    is_composed,
+    name_by_role,
+    name_coriolis,
+    name_part,
+    name_point_vector,
+    number_composition,
+    vanishes,
+)
+
+
+def introduce_composition(equation: VectorEquation, relative: Part, case: Case) -> Message:
+    """The composition of the motions of a point relative to a moving frame, explained once for the
+    points of a body.
+    """
+    number = number_composition(equation, relative, case)
+    whole = name_by_role("a", equation.level, _index_absolute(equation, number), bold=True)
+    coriolis = name_coriolis(number, bold=True)
+    turning = {"velocity": (), "acceleration": (coriolis,)}[equation.level]
+    roles = (name_by_role(role, equation.level, number, bold=True) for role in "er")
+    composed = case.tell(Equation(whole, equate(add_terms((*roles, *turning)))))
+    point, frame = case.naming.point(relative.point), case.naming.body(relative.frame)
+    source = equation.relation.source
+    body = source.find_guided_body() if source is not None else None
+    explained = (equation.level, relative.frame, body)
+    if explained in case.findings.composed:
+        return Message("solution.composed-likewise", point=point, composed=composed)
+    case.findings.composed.add(explained)
+    match equation.level:
+        case "velocity":
+            places: dict[str, Text] = {"composed": composed, "point": point, "frame": frame}
+            if body is None:
+                return Message("solution.composed-velocity-of-fixed-point", **places)
+            return Message("solution.composed-velocity", body=case.naming.body(body), **places)
+        case "acceleration":
+            turned = case.text(coriolis)
+            return Message("solution.composed-acceleration", composed=composed, coriolis=turned)
+        case _:
+            assert_never(equation.level)
+
+
+def introduce_two_frames(
+    equation: VectorEquation, compositions: Sequence[Part], case: Case
+) -> Message:
+    """The sentence for a point relative to two moving frames, or for a point of one that slides in
+    another.
+    """
+    names = [case.naming.body(part.frame) for part in compositions]
+    points = [case.naming.point(part.point) for part in compositions]
+    if any(part in equation.left for part in compositions) and any(
+        part in equation.right for part in compositions
+    ):
+        return Message(
+            f"solution.composed-twice-{equation.level}", point=points[0], frames=list_all(names)
+        )
+    match equation.level:
+        case "velocity":
+            return Message(
+                "solution.composed-on-velocity",
+                first=points[0],
+                frame=names[0],
+                second=points[1],
+                primed=case.text(prime(case.naming.letter(compositions[1].point))),
+                other=names[1],
+            )
+        case "acceleration":
+            return Message("solution.composed-on-acceleration", second=points[1])
+        case _:
+            assert_never(equation.level)
+
+
+def _index_absolute(equation: VectorEquation, number: Row) -> Row:
+    """The index of an absolute vector: none of a single composition, whatever its other vectors
+    have, nor where the equation has it as a part.
+    """
+    alone = any(part.role == "absolute" and is_composed(equation, part) for part in equation.parts)
+    return () if alone or equation.among == 1 else number
+
+
+def _find_rolling_centre(equation: VectorEquation, case: Case) -> Part | None:
+    """The absolute motion of a composition that is the centre's of a body which rolls on a track:
+    the relation of this one calls it by the letter of the point.
+    """
+    sources = (relation.source for relation in case.motion.frames.relations)
+    rolls = [roll for source in sources if source and (roll := source.find_rolling())]
+    centres = {roll.circle.centre for roll in rolls if roll.of == GROUND}
+    absolute = [part for part in equation.parts if part.role == "absolute" and not part.part]
+    known = len(absolute) == 1 and absolute[0].point in centres
+    return absolute[0] if known and is_composed(equation, absolute[0]) else None
+
+
+def describe_meanings(equation: VectorEquation, case: Case) -> Iterator[str]:
+    """What the absolute and the transport vector of a composition consist of, where they are not
+    single parts.
+    """
+    if len(equation.compositions) != 1:
+        return
+    centre = _find_rolling_centre(equation, case)
+    if centre is not None:
+        symbol = name_part(equation, centre, case, bold=True)
+        called = replace(name_point_vector(centre.point, equation.level, case), bold=True)
+        yield case.tell(Equation(symbol, equate(called)))
+    relative = equation.compositions[0]
+    side, other = (
+        (equation.left, equation.right)
+        if relative in equation.left
+        else (equation.right, equation.left)
+    )
+    transport = [part for part in side if part.role not in ("relative", "coriolis")]
+    number = number_composition(equation, relative, case)
+    for role, parts in (("a", other), ("e", transport)):
+        symbols = tuple(
+            name_part(equation, part, case, bold=True) for part in parts if not vanishes(part)
+        )
+        if not parts or not all(
+            part.role == "transport" or is_composed(equation, part) for part in parts
+        ):
+            index = _index_absolute(equation, number) if role == "a" else number
+            symbol = name_by_role(role, equation.level, index, bold=True)
+            yield case.tell(Equation(symbol, equate(add_terms(symbols))))
