@@ -79,25 +79,6 @@ print("heavy:", sorted({HEAVY!r} & set(sys.modules)))
     assert f"kinegrade, version {api.__version__}" in ran.stdout
 
 
-def test_a_paper_alone_loads_no_marks_mistakes_or_methods_of_solution() -> None:
-    code = """
-import sys
-import kinegrade, kinegrade.exam.printing.reprint
-kinegrade.open_exam
-print("superfluous:", sorted({
-    "kinegrade.marks_folder.folder", "kinegrade.students.mistaking.mistakes",
-    "kinegrade.students.separation", "kinegrade.worked.case", "kinegrade.description.subject",
-    "sympy", "openpyxl", "pikepdf", "hypothesis", "kinegrade.files.tables",
-    "kinegrade.problem.template.library.stepwise",
-    "kinegrade.problem.template.meaning.consistency"} & set(sys.modules)))
-"""
-    path = {**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)}
-    ran = subprocess.run(
-        [sys.executable, "-c", code], capture_output=True, check=True, text=True, env=path
-    )
-    assert ran.stdout == "superfluous: []\n"
-
-
 def test_list_names_every_template_in_both_languages() -> None:
     english, chinese = kinegrade("list"), kinegrade("list", "--lang", "zh")
     rows = [line.split("\t") for line in english.stdout.splitlines()]

@@ -114,7 +114,6 @@ def paper(
     this version of kinegrade generated.
     """
     from kinegrade.exam.printing.reprint import reprint
-    from kinegrade.files.output import write_file
 
     if output is None and sys.stdout.isatty():
         raise refuse_usage(Message("terminal.pdf"))
@@ -129,6 +128,8 @@ def paper(
     if output is None:
         click.echo(pages, nl=False)
     else:
+        from kinegrade.files.output import write_file
+
         write_file(output, pages, "zip" if tactile else "pdf", force=force)
     finish_with_complaints(again.complaints())
 

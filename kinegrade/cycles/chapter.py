@@ -14,11 +14,12 @@ from kinegrade.cycles.wording import Quantities, name_input
 from kinegrade.figure.scene import Box, Scene, find_common_box, move
 from kinegrade.language import Language
 from kinegrade.language.message import Message
+from kinegrade.language.sentence import write_sentence
 from kinegrade.mechanics.vector import Vector
 from kinegrade.motion.path import MotionPath, find_path
 from kinegrade.problem.solution import Solution
 from kinegrade.problem.template.template import Ask
-from kinegrade.worked.document import Block, Heading, Picture, Pictures, say, write_sentence
+from kinegrade.worked.document import Block, Heading, Picture, Pictures, say
 
 _FRAME = Box(0.0, 0.0, 62.0, 24.0)  # millimetres
 _ACROSS, _UPWARD = 5, 3  # ticks, about

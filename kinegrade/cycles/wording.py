@@ -10,12 +10,12 @@ from kinegrade.language.decimal_mark import write_decimal_text, write_decimals_o
 from kinegrade.language.math.units import append_unit
 from kinegrade.language.message import Message
 from kinegrade.language.prose.plain import write_prose
+from kinegrade.language.sentence import write_sentence
 from kinegrade.mechanics.geometry import round_short
 from kinegrade.mechanics.ground import GROUND
 from kinegrade.motion.path import MotionPath
 from kinegrade.problem.template.notation import write_point_symbol
 from kinegrade.problem.template.template import Template
-from kinegrade.worked.document import write_sentence
 from kinegrade.worked.words.naming import Naming
 
 _WHERE = Message("typesetting.place-cycle")

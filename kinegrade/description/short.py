@@ -9,6 +9,7 @@ from kinegrade.language import Language
 from kinegrade.language.lines import shorten
 from kinegrade.language.message import Message, list_plainly
 from kinegrade.language.prose.plain import write_line
+from kinegrade.language.sentence import write_sentence
 from kinegrade.mechanics.ground import GROUND
 from kinegrade.problem.driven_words import name_sense
 from kinegrade.problem.given import list_givens
@@ -16,8 +17,7 @@ from kinegrade.problem.quantity import Quantity
 from kinegrade.problem.template.driven import Drives, find_driven
 from kinegrade.problem.template.notation import write_point_symbol
 from kinegrade.problem.template.template import Template
-from kinegrade.worked.document import write_sentence
-from kinegrade.worked.words.naming import Naming
+from kinegrade.worked.words.body_names import BodyNames
 
 MOST = 125  # characters: screen readers break longer ones up
 
@@ -59,7 +59,7 @@ def _list_motions(
     alone = [driver for driver in template.scheme.drivers if driver.of == GROUND]
     driven: Drives = find_driven(alone, template.parameters)
     givens = list_givens(template, parameters)
-    naming = Naming(template, language)
+    bodies = BodyNames(template)
     for part, named in driven.items():
         for name, one in named.items():
             sense = name_sense(one, givens)
@@ -67,7 +67,7 @@ def _list_motions(
                 continue
             match part:
                 case "turning":
-                    body = naming.body(name)
+                    body = bodies.body(name)
                     yield Message("description.short-turning", body=body, sense=sense)
                 case "moving":
                     point = f"${write_point_symbol(name)}$"

@@ -17,7 +17,6 @@ from typing import Any
 from kinegrade.figure.scene import Bow, Disc, Label, Outline, Pen, Scene, Strokes
 from kinegrade.figure.similar_mechanisms import Subject
 from kinegrade.figure.sketch import PLAIN, Sketcher, draw_unit_figure, size_figure, sketch
-from kinegrade.files.temporary import temporary_folder
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import FigureHints
@@ -33,6 +32,9 @@ def open_sketchbook(processes: int) -> Iterator[Path | None]:
     if processes == 1:
         yield None
         return
+    # A paper that is printed alone shares no figures
+    from kinegrade.files.temporary import temporary_folder  # noqa: PLC0415
+
     with temporary_folder() as book:
         yield book
 

@@ -15,13 +15,15 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from itertools import islice
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
 
 from kinegrade.description.said import Description
 from kinegrade.figure.scene import Scene
 from kinegrade.language import Language
 from kinegrade.press.paper_head import PLAIN_HEAD, PaperHead
-from kinegrade.worked.document import Block
+
+if TYPE_CHECKING:
+    from kinegrade.worked.document import Block  # a paper has none
 
 PaperSize = Literal["a4", "letter"]
 MOST_FORMULA_PAGES = 10

@@ -18,6 +18,7 @@ from kinegrade.files.csv_writing import encode_for_people
 from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.message import Message
+from kinegrade.language.sentence import write_sentence
 from kinegrade.press.cycle_page import CyclePage
 from kinegrade.press.html.cycle_page import write_cycle_page
 from kinegrade.press.html.moving_figure import write_moving_figure
@@ -25,7 +26,6 @@ from kinegrade.press.typst.press import TypstPress
 from kinegrade.problem.solution import Solution
 from kinegrade.problem.template.template import Ask
 from kinegrade.problem.template.texts import require_language
-from kinegrade.worked.document import write_sentence
 
 CycleFormat = Literal["pdf", "svg", "csv", "html"]
 

@@ -12,6 +12,7 @@ from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.math.latex import SOURCE, write_latex_row
 from kinegrade.language.math.tree import Row
 from kinegrade.language.message import Message
+from kinegrade.language.sentence import write_sentence
 from kinegrade.mechanics.motion import Motion
 from kinegrade.mechanics.rates import Rate, Rates, make_turning
 from kinegrade.mechanics.relations import Term
@@ -22,7 +23,7 @@ from kinegrade.problem.solution import Solution
 from kinegrade.problem.template.sentences import JointSentence
 from kinegrade.problem.template.template import Method, Template
 from kinegrade.worked.construction_steps import Step, list_steps
-from kinegrade.worked.document import Display, Prose, say, write_sentence
+from kinegrade.worked.document import Display, Prose, say
 from kinegrade.worked.findings import Findings
 from kinegrade.worked.formulas.equation import Equation
 from kinegrade.worked.formulas.formula import Formula

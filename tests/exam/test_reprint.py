@@ -5,6 +5,8 @@ from __future__ import annotations
 import json
 import re
 import shutil
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -33,6 +35,26 @@ course = "Mechanics"
 template = "crank.toml"
 draw = { h = [1], r = "1 .. 5 step 1", omega = "1 .. 20 step 1" }
 """
+
+ALONE = """
+import atexit, sys
+from kinegrade.__main__ import start
+atexit.register(lambda: print(*sys.modules, file=sys.stderr))
+start()
+"""
+# Programs and rooms of marks, worked solutions, other sheets and the writing of files
+SUPERFLUOUS = re.compile(
+    r"(sympy|mpmath|hypothesis|openpyxl|pikepdf|jinja2|pylatex|distributed|asyncio"
+    r"|kinegrade[.](grading|marks_folder[.]folder|reports|lms|practice|proof|cycles"
+    r"|students[.](mistaking[.]mistakes|separation)"
+    r"|worked[.](case|document|formulas|words[.]naming)|description[.](subject|description)"
+    r"|exam[.](folder[.](columns|key_decoding|key_stream|stated_keys|printed_orders)"
+    r"|bank[.]own_questions|generating)"
+    r"|press[.](word|latex|html|archive_page|cycle_page|typst[.](key|gallery|solution))"
+    r"|problem[.](statement_faults"
+    r"|template[.](library[.]stepwise|meaning[.]consistency))"
+    r"|files[.](tables|output|temporary|placing|csv_writing)))([.]|$)"
+)
 
 
 def write(folder: Path, count: int = 3, options: str = "") -> Path:
@@ -119,6 +141,14 @@ def test_a_paper_comes_from_the_folder_alone(exam: Path, tmp_path: Path) -> None
     for name in ("papers", "solutions"):
         shutil.rmtree(tmp_path / "EXAM" / name)
     assert again(tmp_path / "EXAM", "s0") == (exam / "papers" / "s0.pdf").read_bytes()
+
+
+def test_a_paper_alone_loads_what_it_needs(exam: Path) -> None:
+    words = ("-c", ALONE, "paper", exam, "s0", "-o", "-")
+    ran = subprocess.run([sys.executable, *map(str, words)], capture_output=True, check=True)
+    loaded = ran.stderr.decode().split()
+    assert [name for name in loaded if SUPERFLUOUS.match(name)] == []
+    assert ran.stdout == (exam / "papers" / "s0.pdf").read_bytes()
 
 
 def test_a_paper_is_written_to_a_file_and_replaced_only_by_force(

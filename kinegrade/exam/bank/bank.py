@@ -17,7 +17,6 @@ from kinegrade.exam.bank.by_hand import HandQuestion, find_hand_places
 from kinegrade.exam.bank.formula_sheet import read_formula_sheet
 from kinegrade.exam.bank.header import find_header_places, read_header
 from kinegrade.exam.bank.keys import BANK
-from kinegrade.exam.bank.own_questions import list_mistake_names
 from kinegrade.exam.bank.questions import MAX_QUESTIONS, Entries, Entry
 from kinegrade.exam.bank.terms import BankTolerance, read_bank_tolerance, read_room
 from kinegrade.exam.bank.together import require_carried, require_fit
@@ -159,13 +158,20 @@ def _read_frame(table: Table, text: str, translations: Translations) -> Bank:
         shuffle=table.with_default("shuffle", flag, False),
         versions=table.with_default("versions", whole(1, len(LETTERS)), 0),
         engine=table.with_default("engine", choice(ENGINES), "typst"),
-        credit=read_credit(table, lambda: list_mistake_names(table.value("questions"))),
+        credit=read_credit(table, lambda: _list_mistake_names(table)),
         scale=read_scale(table),
         homework=homework,
         solutions=table.with_default("solutions", flag, False),
         cycle=table.with_default("cycle", flag, False),
         lms=table.optional("lms", choice(_SYSTEMS)),
     )
+
+
+def _list_mistake_names(table: Table) -> tuple[str, ...]:
+    # Few banks give credit for mistakes
+    from kinegrade.exam.bank.own_questions import list_mistake_names  # noqa: PLC0415
+
+    return list_mistake_names(table.value("questions"))
 
 
 def _read_questions(

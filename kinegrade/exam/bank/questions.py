@@ -29,7 +29,6 @@ from kinegrade.exam.bank.keys import (
     TAG,
     TEXT,
 )
-from kinegrade.exam.bank.own_questions import read_own_question
 from kinegrade.exam.bank.shipped_templates import Grouping, Shelf, read_shelf
 from kinegrade.exam.bank.terms import BankTolerance, read_bank_tolerance, read_room
 from kinegrade.files.fields.document import read_text, toml_table
@@ -37,7 +36,6 @@ from kinegrade.files.fields.faults import Faults
 from kinegrade.files.fields.table import Table
 from kinegrade.files.fields.values import flag, found, text, whole
 from kinegrade.language.message import Message, Quoted, list_all
-from kinegrade.problem.statement_faults import check_statements
 from kinegrade.problem.template.library.library import load_kept_template, load_template
 from kinegrade.problem.template.sections.opening import TEMPLATE
 from kinegrade.problem.template.sections.stepwise_keys import STEPWISE
@@ -134,6 +132,9 @@ class Entries:
 
     def _own(self, entry: Table, identifier: str, wider: BankTolerance) -> tuple[Slot, ...]:
         """The question that an entry states with steps of its own."""
+        # Few banks have questions of their own
+        from kinegrade.exam.bank.own_questions import read_own_question  # noqa: PLC0415
+
         stated = read_bank_tolerance(entry, wider)
         terms = self._read_terms(entry)
         own = read_own_question(entry, stated, self.folder if self.kept else None)
@@ -208,6 +209,9 @@ class Entries:
 
     def _check_statements(self, templates: Iterable[Template]) -> None:
         """Notes what the statements of templates lack that may be drawn; others are not held up."""
+        # An exam's own copies have been checked
+        from kinegrade.problem.statement_faults import check_statements  # noqa: PLC0415
+
         for template in templates:
             try:
                 check_statements(template)
@@ -242,6 +246,8 @@ class Entries:
         template = load_template(str(self.beside / name) if beside else name, self.folder)
         if not beside:
             _require_alone(template, self.beside / f"{name}.toml")
+        from kinegrade.problem.statement_faults import check_statements  # noqa: PLC0415
+
         check_statements(template)
         return template
 

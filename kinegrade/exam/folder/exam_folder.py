@@ -8,20 +8,16 @@ head is read immediately.
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterator, Mapping
-from contextlib import suppress
 from dataclasses import dataclass, field
 from functools import cached_property, lru_cache
-from itertools import islice
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from kinegrade.errors import ExamError
-from kinegrade.exam.folder.columns.reading import DAMAGED, KeyColumns, find_columns, is_key_changed
 from kinegrade.exam.folder.contents import (
     BANK,
     HEAD,
     KEY,
-    KEY_COLUMNS,
     POOL,
     SOLUTIONS,
     SPARES,
@@ -30,18 +26,15 @@ from kinegrade.exam.folder.contents import (
 from kinegrade.exam.folder.exact_keys import read_key_line
 from kinegrade.exam.folder.faults import decoding, explain_unreadable, name_line, name_paper
 from kinegrade.exam.folder.head import read_head, require_finished
-from kinegrade.exam.folder.key_decoding import PaperDecoder
 from kinegrade.exam.folder.key_index import KeyIndex, make_index
-from kinegrade.exam.folder.key_stream import stream_papers
 from kinegrade.exam.folder.keys import Ask, Paper, RightAnswers, list_questions
-from kinegrade.exam.folder.printed_orders import read_printed_orders
 from kinegrade.exam.folder.records import ExamHead, KeyLine, StatedNumber
-from kinegrade.exam.folder.stated_keys import Place
 from kinegrade.exam.roster.students import read_place
 from kinegrade.language import Language
 from kinegrade.language.message import Fault, Message, Quoted
 
 if TYPE_CHECKING:
+    from kinegrade.exam.folder.columns.papers import KeptPapers
     from kinegrade.exam.folder.kept_templates import KeptTemplates
 
 _KEPT_LINES = 4  # marking comes back to the same paper for each ask
@@ -123,23 +116,11 @@ class ExamFolder:
 
         Raises ExamError with all faults of the key, after the last line is read.
         """
-        done = 0
-        if self._columns is not None:
-            try:
-                for part in self._columns.parts():
-                    yield from part
-                    done += len(part)
-                    del part  # so that the next takes its place
-                return
-            except DAMAGED:
-                pass
-        yield from islice(stream_papers(self.key, self.head), done, None)
+        return self._kept.papers()
 
     def right_answers(self) -> Iterator[RightAnswers]:
         """What is right on the first of them, as far as the key's arrays can be read."""
-        if self._columns is not None:
-            with suppress(*DAMAGED):
-                yield from self._columns.right_answers()
+        return self._kept.right_answers()
 
     def papers_of(self, students: Collection[str]) -> Mapping[str, Paper]:
         """The papers of these students, by student. Raises ExamError where one is missing."""
@@ -149,13 +130,16 @@ class ExamFolder:
         """The papers of the pool that was made of the exam, none if there is no pool. Raises
         ExamError.
         """
-        return tuple(self._variant(*line) for line in self.pool_texts())
+        return tuple(self._kept.variant(self.pool, *line) for line in self.pool_texts())
 
     def printed_orders(self) -> Mapping[str, tuple[str, ...]]:
         """The order of the questions on each paper, by student, where it is not the bank's.
 
         Raises ExamError.
         """
+        # Few commands ask in which order questions are printed
+        from kinegrade.exam.folder.printed_orders import read_printed_orders  # noqa: PLC0415
+
         return read_printed_orders(self.key, self.questions, self.head.choices)
 
     def line_of(self, student: str) -> KeyLine:
@@ -249,19 +233,18 @@ class ExamFolder:
         others = (each for each in (self.pool, self.spares) if each.exists())
         return tuple(map(make_index, (self.key, *others)))
 
-    @cached_property
-    def _columns(self) -> KeyColumns | None:
-        """The key as arrays, where they were written by the key as it now stands."""
-        return find_columns(self.path / KEY_COLUMNS, self.key, self.head)
-
     @property
     def has_changed_key(self) -> bool:
         """Whether other hands changed key.jsonl, as far as its arrays tell it."""
-        return is_key_changed(self.path / KEY_COLUMNS, self.key, self.head)
+        return self._kept.has_changed_key
 
     @cached_property
-    def _decoder(self) -> PaperDecoder:
-        return PaperDecoder(self.head)
+    def _kept(self) -> KeptPapers:
+        """The papers by which marks are given."""
+        # Arrays and mistakes are for marks: who prints a paper does without
+        from kinegrade.exam.folder.columns.papers import KeptPapers  # noqa: PLC0415
+
+        return KeptPapers(self.path, self.head)
 
     @cached_property
     def _recent_line(self) -> Callable[[str], KeyLine | None]:
@@ -278,8 +261,7 @@ class ExamFolder:
         index = self._index(student)
         if index is None:
             raise self._no_paper(student)
-        with decoding(index.path, name_paper(student)):
-            return self._decoder.paper(index.text(student), Place(index.path))
+        return self._kept.paper(index, student)
 
     def _index(self, student: str) -> KeyIndex | None:
         """The index that holds the line of a student."""
@@ -289,10 +271,6 @@ class ExamFolder:
         what = Message("exam.no-paper", student=Quoted(student))
         expected, do = Message("exam.one-for-every-student"), Message("exam.name-exam-of-marks")
         return ExamError(Fault(str(self.key), what, expected, do))
-
-    def _variant(self, number: int, text: bytes) -> Paper:
-        with decoding(self.pool, name_line(number)):
-            return self._decoder.paper(text, Place(self.pool, number))
 
 
 def open_exam(path: Path) -> ExamFolder:

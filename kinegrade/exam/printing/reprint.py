@@ -28,7 +28,6 @@ from kinegrade.exam.setting.kept_exam import KeptExam
 from kinegrade.exam.setting.setting import SetPaper
 from kinegrade.language.message import Fault, Message, Quoted
 from kinegrade.press.protocol import Press
-from kinegrade.press.word.pandoc import Kind
 
 _Kind = TypeVar("_Kind")
 
@@ -135,6 +134,9 @@ def find_printed(exam: ExamFolder) -> Mapping[str, object]:
 
 def find_kinds(exam: ExamFolder) -> tuple[str, ...]:
     """The kinds of files, besides PDF, in which the folder has papers."""
+    # Papers alone are never printed by it
+    from kinegrade.press.word.pandoc import Kind  # noqa: PLC0415
+
     places = [read_place(each.file) for each in exam.head.students]
     return tuple(
         kind

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
-from typing import Literal, TypeVar
+from typing import TYPE_CHECKING, Literal, TypeVar
 
 import typst
 
@@ -18,20 +18,18 @@ from kinegrade.errors import Problem, TypesetError
 from kinegrade.language.gathering import convert_each
 from kinegrade.language.message import Location, Message
 from kinegrade.language.typst_text import write_literal
-from kinegrade.press.archive_page import ArchivePage
-from kinegrade.press.cycle_page import CyclePage
 from kinegrade.press.join import count_pages, join_pages
 from kinegrade.press.legible import make_legible, make_owner_legible, make_owners_legible
 from kinegrade.press.places import GALLERY, KEY, locate_paper, locate_question, locate_solutions
 from kinegrade.press.protocol import Press, Printout
 from kinegrade.press.sheet import Gallery, KeyBook, Paper, PaperSize, SolutionSheet
-from kinegrade.press.typst.archive_page import write_archive_page_source
 from kinegrade.press.typst.compiler import make_compiler
-from kinegrade.press.typst.cycle_page import write_cycle_page_source
 from kinegrade.press.typst.faults import explain, find_boxed
-from kinegrade.press.typst.gallery import write_gallery_source
-from kinegrade.press.typst.key import write_key_source
 from kinegrade.press.typst.paper import write_paper_source
+
+if TYPE_CHECKING:
+    from kinegrade.press.archive_page import ArchivePage
+    from kinegrade.press.cycle_page import CyclePage
 
 # Papers in one compilation: Typst keeps the layouts of its last ten, 3 MB for the key of each paper
 KEY_CHUNK = 10
@@ -96,9 +94,8 @@ class TypstPress(Press):
         where it does not and the last one would hold a few lines only; names are printed and
         errors raised as by `paper`.
         """
-        # Loaded here, as few exams print solutions
-        from kinegrade.press.solutions.settings import TIGHT, USUAL  # noqa: PLC0415
-        from kinegrade.press.typst.solution import SolutionLayouts  # noqa: PLC0415
+        from kinegrade.press.solutions.settings import TIGHT, USUAL
+        from kinegrade.press.typst.solution import SolutionLayouts
 
         layouts = SolutionLayouts(self._legible(sheet), self._size)
         where, spread = locate_solutions(sheet.code), layouts.choose_spread()
@@ -117,16 +114,22 @@ class TypstPress(Press):
         """A contact sheet of templates as PDF. Raises TypesetError; a character that no font has is
         reported at `where`.
         """
+        from kinegrade.press.typst.gallery import write_gallery_source
+
         return self._explaining(write_gallery_source(gallery, self._size), where)
 
     def cycle(self, page: CyclePage) -> bytes:
         """The page of a cycle as PDF. Raises TypesetError."""
+        from kinegrade.press.typst.cycle_page import write_cycle_page_source
+
         return self._explaining(write_cycle_page_source(page, self._size), Message("motion.page"))
 
     def archive_page(self, page: ArchivePage) -> bytes:
         """The page that is kept with an archive, as PDF. Raises TypesetError; characters of ids
         that no font has are printed as code points.
         """
+        from kinegrade.press.typst.archive_page import write_archive_page_source
+
         texts = (page.title, *(part for line in (*page.facts, *page.codes) for part in line))
         missing = self.unprintable(texts)
         codes = tuple((make_legible(student, missing), code) for student, code in page.codes)
@@ -155,6 +158,8 @@ class TypstPress(Press):
         return frozenset(used & _CONTROL | without)
 
     def _key_parts(self, book: KeyBook) -> Iterator[bytes]:
+        from kinegrade.press.typst.key import write_key_source
+
         first_page = 1
         for part in book.chunks(KEY_CHUNK):
             pdf = self._explaining(

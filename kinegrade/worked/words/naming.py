@@ -15,7 +15,6 @@ from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.math.tree import Lettering, Row
 from kinegrade.language.math.tree import Text as Words
 from kinegrade.language.message import Message, Text
-from kinegrade.mechanics.joints import GROUND
 from kinegrade.mechanics.mechanism import Body
 from kinegrade.mechanics.vector_equation import Level
 from kinegrade.problem.template.notation import write_point_symbol
@@ -30,24 +29,8 @@ from kinegrade.worked.formulas.symbols import (
     read_symbol,
     replace_letter,
 )
-from kinegrade.worked.words.bodies import is_kind, is_word, name_barely, name_by_number, name_kind
-
-# Named by their end points
-_LINKS = frozenset({"crank", "rocker", "rod", "bar", "arm", "strut", "jaw", "coupler"})
-
-# Round bodies by a part of the template's family; wheels in others
-_ROUND = {"gear": "gear", "belt": "pulley"}
-
-
-@dataclass(frozen=True)
-class _Label:
-    """What tells a body from others: the template's word for it, its letters in LaTeX math, its
-    number in prose; "" for what it has not.
-    """
-
-    word: str = ""
-    letters: str = ""
-    number: str = ""
+from kinegrade.worked.words.bodies import is_kind, is_word, name_barely, name_by_number
+from kinegrade.worked.words.body_names import LINKS, BodyNames
 
 
 @dataclass(frozen=True)
@@ -67,75 +50,23 @@ class Naming:
 
     def body(self, name: str) -> Message:
         """A body in prose: by the paper's letters, or the word for it."""
-        if name == GROUND:
-            return Message("solution.ground")
-        label = self._find_label(name)
-        if label.number:
-            return name_by_number(label.word, label.number)
-        if not label.word:
-            return Message("solution.plain-body", letters=label.letters)
-        word = name_kind(label.word)
-        if not label.letters:
-            return word
-        return Message("solution.lettered-body", body=word, letters=label.letters)
+        return self._bodies.body(name)
 
     def letters(self, name: str) -> Row:
         """A body in a subscript: its letters, else the word for it."""
-        label = self._find_label(name)
+        label = self._bodies.label(name)
         if label.letters:
             return read_symbol(label.letters).row
         if label.number:
             return self._print_text(name_by_number(label.word, label.number))
         return self._print_text(name_barely(label.word))
 
+    @cached_property
+    def _bodies(self) -> BodyNames:
+        return BodyNames(self.template)
+
     def _print_text(self, words: Text) -> Row:
         return (Words(open_catalogue(self.language).write(words)),)
-
-    def _find_label(self, name: str) -> _Label:
-        if not is_word(name):
-            head, _, letters = name.partition("_")
-            if letters and is_word(head):
-                return _Label(head, letters)
-            if self._is_round(name):
-                return self._label_wheel(name)
-            return _Label(letters=write_point_symbol(name))
-        kind = name.rstrip("0123456789")
-        points = self._points(name)
-        if kind in _LINKS and len(points) > 1:
-            bent = self.template.figure.shapes.get(name) == "bent"
-            ends = points if bent else (points[0], points[-1])
-            return _Label(kind, "".join(map(write_point_symbol, ends)))
-        return _Label(kind, number=name[len(kind) :])
-
-    def _is_round(self, body: str) -> bool:
-        """Whether a body has a circle with which it rolls, meshes or touches, or runs with a
-        belt.
-        """
-        return len(body) < 3 and any(
-            joint.circle and body in (joint.body, joint.of if joint.carrier else "")
-            for joint in self.template.scheme.joints
-        )
-
-    def _label_wheel(self, body: str) -> _Label:
-        """The wheel, gear or pulley; with its number in the figure, else its letter where there are
-        several, or where the letter is a Roman numeral.
-        """
-        family = self.template.about.family
-        kind = next((kind for part, kind in _ROUND.items() if part in family), "wheel")
-        if set(body) <= set("IV"):
-            return _Label(kind, number=body)
-        number = self.template.figure.labels.get(body) or ""
-        if number.isdigit():
-            return _Label(kind, number=number)
-        if sum(self._is_round(other.name) for other in self.template.scheme.bodies) > 1:
-            symbol = write_point_symbol(body)
-            return _Label(kind, symbol, f"${symbol}$")
-        return _Label(kind)
-
-    def _points(self, body: str) -> tuple[str, ...]:
-        return next(
-            (other.points for other in self.template.scheme.bodies if other.name == body), ()
-        )
 
     def omega(self, body: str) -> Symbol:
         """The symbol of a body's angular velocity."""
@@ -192,7 +123,7 @@ class Naming:
         """
         kind = body.name.rstrip("0123456789")
         if len(body.points) != 1:
-            return bool(body.points) and (kind in _LINKS or not is_kind(kind))
+            return bool(body.points) and (kind in LINKS or not is_kind(kind))
         others = (one for one in self.template.scheme.bodies if one.name != body.name)
         return not any(body.points[0] in other.points for other in others)
 

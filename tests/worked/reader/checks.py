@@ -7,7 +7,8 @@ from collections.abc import Iterator, Sequence
 
 from kinegrade.language.known import known_languages
 from kinegrade.language.message import Message
-from kinegrade.worked.document import Block, Prose, write_sentence
+from kinegrade.language.sentence import write_sentence
+from kinegrade.worked.document import Block, Prose
 
 _ANY = "体"  # stands for any words: a Chinese sentence has no space beside it
 _PROJECTIONS = (

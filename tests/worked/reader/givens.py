@@ -8,9 +8,9 @@ from collections.abc import Iterator
 
 from kinegrade.language.known import known_languages
 from kinegrade.language.message import Message
+from kinegrade.language.sentence import write_sentence
 from kinegrade.problem.as_stated import restate
 from kinegrade.problem.solution import Solution
-from kinegrade.worked.document import write_sentence
 from tests.worked.reader.amounts import Amount, make_exact
 from tests.worked.reader.formula_reader import read_unit
 
