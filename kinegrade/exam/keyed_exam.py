@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
+from kinegrade.exam.folder.columns.blocks import PaperBlock, list_blocks
 from kinegrade.exam.folder.exact_keys import ListedKeys
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.keys import NOT_ASKED, Ask, Key, Paper, RightAnswers, list_questions
@@ -58,6 +59,10 @@ class KeyedExam:
         for each in self.examinees:
             keys = [each.keys.get(ask.column, NOT_ASKED) for ask in self.asks]
             yield Paper(each.student, each.name, ListedKeys(keys))
+
+    def blocks(self, size: int) -> Iterator[PaperBlock]:
+        """The same in blocks of that size, or less."""
+        return list_blocks(self.papers(), size)
 
     def right_answers(self) -> Iterator[RightAnswers]:
         """Nothing: keys in memory are no arrays."""

@@ -37,7 +37,7 @@ def write_marks(folder: MarksWriter, blocks: Iterable[MarkedBlock]) -> Iterator[
     with folder.answers() as write:
         for block in blocks:
             write(_write_lines(block, words))
-            for paper in [each for each in block.judged.rows.papers if each.put]:
+            for paper in block.judged.rows.papers.put_together:
                 put += list_put_rows(block.asks, paper)
             yield block
             del block  # so that the next takes its place
@@ -51,7 +51,7 @@ def _write_lines(block: MarkedBlock, words: Catalogue) -> bytes:
     """
     rows, asks, cells = block.judged.rows, block.asks, block.judged.cells
     lines = LineColumns(len(cells.typed))
-    ids = write_csv_cells([paper.student for paper in rows.papers])
+    ids = write_csv_cells(rows.papers.students)
     students = [encode(f"{each},") for each in ids]
     lines.add(students, np.repeat(np.arange(len(rows)), len(asks)))
     named = [encode(_join(ask.question, ask.ask, "")) for ask in asks]
@@ -73,7 +73,7 @@ def _write_lines(block: MarkedBlock, words: Catalogue) -> bytes:
 def _list_held(block: MarkedBlock) -> Places:
     """The places of what papers ask."""
     held = np.ones((len(block.judged.rows), len(block.asks)), dtype=np.bool_)
-    for row, lacks in block.judged.rows.lacking.items():
+    for row, lacks in block.judged.rows.papers.lacking.items():
         held[row, [*lacks]] = False
     return np.flatnonzero(held)
 

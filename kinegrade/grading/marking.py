@@ -10,13 +10,14 @@ from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import lru_cache, partial
-from itertools import chain, islice
+from itertools import chain
 from typing import assert_never
 
 import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
+from kinegrade.exam.folder.columns.blocks import PaperBlock
 from kinegrade.exam.folder.keys import Ask, Paper, Sitting, add_counted
 from kinegrade.files.cell_text import is_answered
 from kinegrade.files.tables import Complaint
@@ -83,8 +84,7 @@ def mark_blocks(papers: PapersAnswered, sheet: Sheet, terms: MarkingTerms) -> It
     asks = tuple(policy.ruling(ask.column).ask(ask) for ask in exam.asks)
     submissions = Submissions(policy.penalties)
     marker = _Marker(sheet, judge, asks, add_counted(asks), terms, submissions)
-    each, size = exam.papers(), choose_block(len(exam.students))
-    while block := list(islice(each, size)):
+    for block in exam.blocks(choose_block(len(exam.students))):
         yield marker.block(block)
         del block  # so that the next takes its place
 
@@ -105,7 +105,7 @@ class _Marker:
     submissions: Submissions
     known: dict[bytes, tuple[Fraction, ...]] = field(default_factory=dict)
 
-    def block(self, papers: Sequence[Paper]) -> MarkedBlock:
+    def block(self, papers: PaperBlock) -> MarkedBlock:
         """The marks of some papers."""
         rows = self._counted(papers)
         judged = self._judged(rows)
@@ -113,7 +113,7 @@ class _Marker:
         complaints: list[Complaint] = []
         if not self.terms.own_papers:
             complaints += find_rows_of_others(judged, self.judge.papers, self.sheet.columns)
-        for row in rows.lacking:
+        for row in rows.papers.lacking:
             complaints += find_strange(*rows[row], self.asks, self.sheet.columns)
         for paper, entry in rows if self.sheet.repeated else ():
             if paper.student in self.sheet.repeated:
@@ -134,12 +134,13 @@ class _Marker:
         """A student's grade by each row; that of a paper without some alternatives is of the others
         alone.
         """
+        papers = rows.papers
         all_points, penalised = self._points(judged), self.submissions.penalties.are_any
         grades = [
-            Grade(paper.student, paper.name, points, self.out_of)
-            for paper, points in zip(rows.papers, all_points, strict=True)
+            Grade(student, name, points, self.out_of)
+            for student, name, points in zip(papers.students, papers.names, all_points, strict=True)
         ]
-        for row in rows.lacking:
+        for row in rows.papers.lacking:
             paper = rows.papers[row]
             grades[row] = Grade(paper.student, paper.name, *self._find_own(paper, all_points[row]))
         blank = np.isnan(judged.cells.values.reshape(len(rows), -1))
@@ -185,11 +186,11 @@ class _Marker:
     def _row(self, paper: Paper, entry: Entry) -> Row:
         return self.terms.pool.paper(paper, entry), entry
 
-    def _counted(self, papers: Sequence[Paper]) -> Rows:
+    def _counted(self, papers: PaperBlock) -> Rows:
         """The row that counts for each student, as a whole; among equally good rows the last."""
         entries = self.sheet.entries
         if isinstance(entries, GridEntries):
-            return Rows(papers, entries.block([paper.student for paper in papers]))
+            return Rows(papers, entries.block(papers.students))
         match self.judge.policy.attempts:
             case "first":
                 return Rows.of([self._row(paper, self._entries(paper)[0]) for paper in papers])
@@ -200,7 +201,7 @@ class _Marker:
             case _:
                 assert_never(self.judge.policy.attempts)
 
-    def _best(self, papers: Sequence[Paper]) -> Rows:
+    def _best(self, papers: PaperBlock) -> Rows:
         rows = [self._row(paper, self._entries(paper)[-1]) for paper in papers]
         tried = Rows.of(
             [

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from pathlib import Path
 
+from kinegrade.exam.folder.columns.blocks import PaperBlock
 from kinegrade.exam.folder.exam_folder import ExamFolder, open_exam
 from kinegrade.exam.folder.keys import Ask, Key, Paper
 from kinegrade.exam.folder.records import Candidate, ExamHead, ExamQuestion
@@ -49,6 +50,9 @@ class _InMemory(ExamFolder):
 
     def papers(self) -> Iterator[Paper]:
         return self.exam.papers()
+
+    def blocks(self, size: int) -> Iterator[PaperBlock]:
+        return self.exam.blocks(size)
 
 
 def folder_of(

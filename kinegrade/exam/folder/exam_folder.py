@@ -27,7 +27,7 @@ from kinegrade.exam.folder.exact_keys import read_key_line
 from kinegrade.exam.folder.faults import decoding, explain_unreadable, name_line, name_paper
 from kinegrade.exam.folder.head import read_head, require_finished
 from kinegrade.exam.folder.key_index import KeyIndex, make_index
-from kinegrade.exam.folder.keys import Ask, Paper, RightAnswers, list_questions
+from kinegrade.exam.folder.keys import Ask, Paper, PaperBlock, RightAnswers, list_questions
 from kinegrade.exam.folder.records import ExamHead, KeyLine, StatedNumber
 from kinegrade.exam.roster.students import read_place
 from kinegrade.language import Language
@@ -117,6 +117,10 @@ class ExamFolder:
         Raises ExamError with all faults of the key, after the last line is read.
         """
         return self._kept.papers()
+
+    def blocks(self, size: int) -> Iterator[PaperBlock]:
+        """The same in blocks of that size, or less."""
+        return self._kept.blocks(size)
 
     def right_answers(self) -> Iterator[RightAnswers]:
         """What is right on the first of them, as far as the key's arrays can be read."""

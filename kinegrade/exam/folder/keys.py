@@ -19,6 +19,8 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
+    from kinegrade.exam.folder.columns.blocks import PaperBlock
+
 
 @dataclass(frozen=True, slots=True)
 class Ask:
@@ -199,6 +201,9 @@ class Sitting(Protocol):
 
     def papers(self) -> Iterator[Paper]:
         """The papers in the order of the roster."""
+
+    def blocks(self, size: int) -> Iterator[PaperBlock]:
+        """The same in blocks of that size, or less."""
 
     def right_answers(self) -> Iterator[RightAnswers]:
         """What is right on the first of them, as many as stand in arrays."""

@@ -17,7 +17,7 @@ from operator import itemgetter
 
 import numpy as np
 
-from kinegrade.exam.folder.columns.gathering import read_mistakes
+from kinegrade.exam.folder.columns.gathering import list_rules, read_mistakes
 from kinegrade.exam.folder.keys import Ask, Key, Paper
 from kinegrade.grading.fast.another_paper import PapersAnswered
 from kinegrade.grading.fast.bounds import Flags, Places, Rules, tabulate_rules
@@ -71,8 +71,8 @@ class BlockJudge:
     def judged(self, rows: Rows, handed_in: Callable[[Paper], bool]) -> JudgedBlock:
         """Judges every answer in these rows; void asks may give points to who `handed_in`."""
         cells = CellReader(self.asks, self.styles).cells(rows.entries.cells)
-        keys = [paper.keys for paper in rows.papers]
-        rules = self._rules([each.list_rules() for each in keys])
+        keys = rows.papers.keys
+        rules = self._rules(list_rules(keys))
         comparison = compare_cells(cells, keys, rules)
         block = JudgedBlock.begin(rows, cells, comparison, self.language)
         for place, names in self._compared(block, rules).items():
@@ -138,7 +138,7 @@ class BlockJudge:
         """
         open_to = wrong.tolist() if self.alternatives else ()
         found: _Open = {place: None for place in open_to if self._others(block, place)}
-        keys, width = [paper.keys for paper in block.rows.papers], len(self.asks)
+        keys, width = block.rows.papers.keys, len(self.asks)
         mistakes = Mistakes.of(wrong, read_mistakes(keys, wrong, width))
         leading = mistakes.leading(block.cells.values, rules, block.cells.decimals)
         shares = [self.policy.ruling(ask.column).mistakes for ask in self.asks]

@@ -18,7 +18,7 @@ from kinegrade.question_numbers import find_bank_number
 
 def leave_out(rows: Rows) -> Rows:
     """The rows without what is typed for questions that their papers do not hold."""
-    lacking = rows.lacking
+    lacking = rows.papers.lacking
     if not lacking:
         return rows
     entries = [*rows.entries]

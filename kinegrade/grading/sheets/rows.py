@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence, Set
+from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cached_property
 from typing import overload
 
+from kinegrade.exam.folder.columns.blocks import ListedPapers, PaperBlock
 from kinegrade.exam.folder.keys import Paper
 from kinegrade.grading.sheets.entries import Entries, ListedEntries
 from kinegrade.grading.sheets.entry import Entry
@@ -18,13 +18,15 @@ Row = tuple[Paper, Entry]
 class Rows(Sequence[Row]):
     """Papers, each with an entry."""
 
-    papers: Sequence[Paper]
+    papers: PaperBlock
     entries: Entries
 
     @classmethod
     def of(cls, rows: Sequence[Row]) -> Rows:
         """These rows."""
-        return cls([paper for paper, _ in rows], ListedEntries([entry for _, entry in rows]))
+        return cls(
+            ListedPapers([paper for paper, _ in rows]), ListedEntries([entry for _, entry in rows])
+        )
 
     def __len__(self) -> int:
         return len(self.papers)
@@ -39,10 +41,3 @@ class Rows(Sequence[Row]):
         if isinstance(row, slice):
             return Rows(self.papers[row], self.entries[row])
         return self.papers[row], self.entries[row]
-
-    @cached_property
-    def lacking(self) -> Mapping[int, Set[int]]:
-        """The rows whose papers do not hold every question, with the numbers of the asks that they
-        lack.
-        """
-        return {row: lacks for row, paper in enumerate(self.papers) if (lacks := paper.lacks)}

@@ -12,12 +12,14 @@ from itertools import chain, islice
 import numpy as np
 from numpy.typing import NDArray
 
+from kinegrade.exam.folder.columns.blocks import PartRows
 from kinegrade.exam.folder.columns.part import KeyPart, PartKeys
 from kinegrade.exam.folder.columns.record import PART
 from kinegrade.exam.folder.columns.runs import list_runs
 from kinegrade.exam.folder.keys import Keys, Paper, RightAnswers, Sitting
 from kinegrade.exam.folder.stated_keys import StatedKeys, read_stated_mistakes
 from kinegrade.numbers.decimals import FEW_DIGITS
+from kinegrade.numbers.tolerance import Tolerance
 
 Numbers = NDArray[np.float64]
 Places = NDArray[np.intp]
@@ -59,6 +61,13 @@ def read_centres(papers: Sequence[Keys]) -> Numbers:
         part, rows = found
         return part.centres[rows]
     return np.array([keys.list_centres() for keys in papers], dtype=np.float64)
+
+
+def list_rules(papers: Sequence[Keys]) -> Sequence[tuple[Tolerance, ...]]:
+    """The rules of each paper; where papers share all of them, the same object."""
+    if isinstance(papers, PartRows):
+        return papers.list_rules()
+    return [keys.list_rules() for keys in papers]
 
 
 def find_decimals(papers: Sequence[Keys], places: Places, width: int) -> NDArray[np.bool_]:
@@ -128,6 +137,8 @@ def _gather_mistakes(part: KeyPart, places: Places) -> LedTo:
 
 def _find_rows(papers: Sequence[Keys]) -> tuple[KeyPart, Places] | None:
     """The part in which the keys of all papers stand, and their rows; None where there is none."""
+    if isinstance(papers, PartRows):
+        return papers.part, np.arange(papers.rows.start, papers.rows.stop)
     held = [keys for keys in papers if isinstance(keys, PartKeys)]
     if not held or len(held) < len(papers):
         return None

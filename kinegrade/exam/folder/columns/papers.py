@@ -11,13 +11,14 @@ from functools import cached_property
 from itertools import islice
 from pathlib import Path
 
+from kinegrade.exam.folder.columns.blocks import PartPapers, divide_block, list_blocks
 from kinegrade.exam.folder.columns.reading import DAMAGED, KeyColumns, find_columns, is_key_changed
 from kinegrade.exam.folder.contents import KEY, KEY_COLUMNS
 from kinegrade.exam.folder.faults import decoding, name_line, name_paper
 from kinegrade.exam.folder.key_decoding import PaperDecoder
 from kinegrade.exam.folder.key_index import KeyIndex
 from kinegrade.exam.folder.key_stream import stream_papers
-from kinegrade.exam.folder.keys import Paper, RightAnswers
+from kinegrade.exam.folder.keys import Paper, PaperBlock, RightAnswers
 from kinegrade.exam.folder.records import ExamHead
 from kinegrade.exam.folder.stated_keys import Place
 
@@ -35,16 +36,31 @@ class KeptPapers:
         Raises ExamError with all faults of the key, after the last line is read.
         """
         done = 0
+        for part in self._column_parts():
+            yield from part
+            done += len(part)
+            del part  # so that the next takes its place
+        yield from self._papers_from(done)
+
+    def blocks(self, size: int) -> Iterator[PaperBlock]:
+        """The same in blocks of that size, or less."""
+        done = 0
+        for part in self._column_parts():
+            yield from divide_block(part, size)
+            done += len(part)
+            del part  # so that the next takes its place
+        yield from list_blocks(self._papers_from(done), size)
+
+    def _column_parts(self) -> Iterator[PartPapers]:
+        """The papers whose keys can be read from arrays."""
         if self._columns is not None:
-            try:
-                for part in self._columns.parts():
-                    yield from part
-                    done += len(part)
-                    del part  # so that the next takes its place
-                return
-            except DAMAGED:
-                pass
-        yield from islice(stream_papers(self._key, self.head), done, None)
+            with suppress(*DAMAGED):
+                yield from self._columns.parts()
+
+    def _papers_from(self, begin: int) -> Iterator[Paper]:
+        """The papers from that one on, read from the key itself."""
+        if begin < len(self.head.students):
+            yield from islice(stream_papers(self._key, self.head), begin, None)
 
     def right_answers(self) -> Iterator[RightAnswers]:
         """What is right on the first of them, as far as the key's arrays can be read."""

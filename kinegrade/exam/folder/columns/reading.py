@@ -6,11 +6,10 @@ cannot be read says so, and `ExamFolder` reads the key itself.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from functools import lru_cache
 from io import BytesIO
-from itertools import islice
 from pathlib import Path
 from typing import NamedTuple
 from zipfile import BadZipFile, ZipFile
@@ -20,7 +19,8 @@ import numpy as np
 from numpy.lib.format import read_array_header_1_0, read_magic
 from numpy.typing import NDArray
 
-from kinegrade.exam.folder.columns.part import KeyPart, PartKeys
+from kinegrade.exam.folder.columns.blocks import PartPapers, PartRows
+from kinegrade.exam.folder.columns.part import KeyPart
 from kinegrade.exam.folder.columns.record import (
     ABOUT,
     ARRAYS,
@@ -30,7 +30,7 @@ from kinegrade.exam.folder.columns.record import (
     is_other_key,
     read_terms,
 )
-from kinegrade.exam.folder.keys import Paper, RightAnswers
+from kinegrade.exam.folder.keys import RightAnswers
 from kinegrade.exam.folder.records import ExamHead
 from kinegrade.exam.folder.stated_keys import Terms
 
@@ -59,18 +59,16 @@ class KeyColumns:
     head: ExamHead
     about: About
 
-    def parts(self) -> Iterator[Sequence[Paper]]:
+    def parts(self) -> Iterator[PartPapers]:
         """The papers. Raises one of `DAMAGED` at the first part that cannot be read."""
         terms = [read_terms(stated, self.head) for stated in self.about.terms]
-        candidates = iter(self.head.students)
+        begin = 0
         with ZipFile(self.path) as archive:
             for number in range(self._parts):
                 part = _make_part(_read_arrays(archive, number, ARRAYS), terms, self.about)
-                owners = islice(candidates, len(part.terms))
-                yield [
-                    Paper(owner.student, owner.name, PartKeys(part, row))
-                    for row, owner in enumerate(owners)
-                ]
+                owners = self.head.students[begin : begin + len(part.terms)]
+                yield PartPapers(owners, PartRows(part, range(len(owners))))
+                begin += len(owners)
                 del part  # so that the next takes its place
 
     def right_answers(self) -> Iterator[RightAnswers]:
