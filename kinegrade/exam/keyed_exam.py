@@ -5,10 +5,18 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
-from kinegrade.exam.folder.columns.blocks import PaperBlock, list_blocks
+from kinegrade.exam.folder.columns.blocks import list_blocks
 from kinegrade.exam.folder.exact_keys import ListedKeys
 from kinegrade.exam.folder.exam_folder import ExamFolder
-from kinegrade.exam.folder.keys import NOT_ASKED, Ask, Key, Paper, RightAnswers, list_questions
+from kinegrade.exam.folder.keys import (
+    NOT_ASKED,
+    Ask,
+    Key,
+    Paper,
+    PaperBlock,
+    RightAnswers,
+    list_questions,
+)
 from kinegrade.language import ENGLISH, Language
 
 

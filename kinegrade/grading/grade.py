@@ -9,8 +9,6 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import assert_never
 
-import msgspec
-
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.files.answer_file import AnswerFile
 from kinegrade.files.output import output_folder
@@ -168,8 +166,7 @@ def _require_same_exam(exam: ExamFolder, wishes: MarkingWishes, sources: HandSou
 
 
 def _leave_out_names(grades: ClassGrades) -> ClassGrades:
-    nameless = (msgspec.structs.replace(each, name="") for each in grades.grades)
-    return replace(grades, grades=tuple(nameless))
+    return replace(grades, grades=grades.grades.without_names())
 
 
 def _write_by_hand(folder: MarksWriter, settled: Settled, exam: ExamFolder) -> None:
@@ -178,7 +175,8 @@ def _write_by_hand(folder: MarksWriter, settled: Settled, exam: ExamFolder) -> N
     folder.exam(identity)
     folder.corrections(exam.head.corrections)
     folder.by_hand(settled.list_marks())
-    names = {each.student: each.name for each in settled.grades.grades}
+    grades = settled.grades.grades
+    names = dict(zip(grades.students, grades.names, strict=True))
     folder.open(settled.still_open, names, identity)
     folder.bonus({**exam.head.bonus, **settled.bonus})
 

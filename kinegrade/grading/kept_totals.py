@@ -17,6 +17,7 @@ import msgspec
 from kinegrade.files.tables import Complaint
 from kinegrade.grading.marks import ClassGrades
 from kinegrade.language.message import Message, Quoted
+from kinegrade.marks_folder.grade_list import GradeList
 from kinegrade.marks_folder.layout import GRADES
 from kinegrade.marks_folder.rows import Grade, KeptTotal, StudentTotal
 from kinegrade.numbers.amounts import round_up_amount, write_amount
@@ -33,17 +34,17 @@ def never_lower(
     Works on `Marks`, or on `ClassGrades` alone.
     """
     kept = {each.student: each for each in _find_kept(marks, before)}
-    grades = tuple(
+    grades = [
         msgspec.structs.replace(grade, kept=kept[grade.student].stands)
         if grade.student in kept
         else grade
         for grade in marks.grades
-    )
-    known = {grade.student for grade in marks.grades}
+    ]
+    known = {*marks.grades.students}
     strangers = [_complain_of_stranger(student) for student in before if student not in known]
-    return replace(marks, grades=grades, complaints=(*strangers, *marks.complaints)), tuple(
-        kept.values()
-    )
+    complaints = *strangers, *marks.complaints
+    together = replace(marks, grades=GradeList.of(grades), complaints=complaints)
+    return together, tuple(kept.values())
 
 
 def _find_kept(marks: ClassGrades, before: Mapping[str, StudentTotal]) -> Iterator[KeptTotal]:

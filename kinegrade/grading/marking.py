@@ -6,7 +6,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Callable, Collection, Hashable, Iterator, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import lru_cache, partial
@@ -17,8 +17,7 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from kinegrade.exam.folder.columns.blocks import PaperBlock
-from kinegrade.exam.folder.keys import Ask, Paper, Sitting, add_counted
+from kinegrade.exam.folder.keys import Ask, Paper, PaperBlock, Sitting, add_counted
 from kinegrade.files.cell_text import is_answered
 from kinegrade.files.tables import Complaint
 from kinegrade.grading.doubts import find_doubts, find_rows_of_others
@@ -39,6 +38,7 @@ from kinegrade.grading.sheets.sheet import Sheet, find_repeated
 from kinegrade.grading.sheets.sheet_style import find_sheet_style
 from kinegrade.grading.typed.decimal_style import Mark as DecimalMark
 from kinegrade.language.message import Text
+from kinegrade.marks_folder.grade_list import GradeList
 from kinegrade.marks_folder.rows import Grade, Submission
 from kinegrade.numbers.amounts import add_amounts
 
@@ -93,7 +93,8 @@ def mark_blocks(papers: PapersAnswered, sheet: Sheet, terms: MarkingTerms) -> It
 class _Marker:
     """Everything needed to mark a class; `asks` have their points under the policy.
 
-    `known` are the points of rows in which every answer gets all or nothing, by their indices into
+    `patterns` are the grades that were given so far, of no student; `known` are the numbers of
+    those of rows in which every answer gets all or nothing, by their indices into
     `JudgedBlock.credits`.
     """
 
@@ -103,7 +104,8 @@ class _Marker:
     out_of: Fraction
     terms: MarkingTerms
     submissions: Submissions
-    known: dict[bytes, tuple[Fraction, ...]] = field(default_factory=dict)
+    patterns: list[Grade] = field(default_factory=list)
+    known: dict[Hashable, int] = field(default_factory=dict)
 
     def block(self, papers: PaperBlock) -> MarkedBlock:
         """The marks of some papers."""
@@ -130,50 +132,31 @@ class _Marker:
         """These rows judged, by what their papers ask alone."""
         return self.judge.judged(leave_out(rows), self._handed_in)
 
-    def _make_grades(self, rows: Rows, judged: JudgedBlock) -> list[Grade]:
+    def _make_grades(self, rows: Rows, judged: JudgedBlock) -> GradeList:
         """A student's grade by each row; that of a paper without some alternatives is of the others
         alone.
         """
-        papers = rows.papers
-        all_points, penalised = self._points(judged), self.submissions.penalties.are_any
-        grades = [
-            Grade(student, name, points, self.out_of)
-            for student, name, points in zip(papers.students, papers.names, all_points, strict=True)
-        ]
-        for row in rows.papers.lacking:
-            paper = rows.papers[row]
-            grades[row] = Grade(paper.student, paper.name, *self._find_own(paper, all_points[row]))
+        which = self._find_patterns(rows, judged)
         blank = np.isnan(judged.cells.values.reshape(len(rows), -1))
         for row in np.flatnonzero(blank.all(axis=1)).tolist():  # without a number
             absent = not self._handed_in(rows.papers[row])
-            grades[row] = msgspec.structs.replace(grades[row], absent=absent)
-        if not penalised:
-            return grades
-        return [
-            msgspec.structs.replace(grade, submission=self._find_submission(*row))
-            for grade, row in zip(grades, rows, strict=True)
-        ]
+            which[row] = self._change(which[row], absent=absent)
+        if self.submissions.penalties.are_any:
+            for row, (paper, entry) in enumerate(rows):
+                submission = self._find_submission(paper, entry)
+                which[row] = self._change(which[row], submission=submission)
+        return GradeList(rows.papers.students, rows.papers.names, which, self.patterns)
+
+    def _change(self, number: int, **changes: object) -> int:
+        """The number of a pattern that differs from another one so."""
+        self.patterns.append(msgspec.structs.replace(self.patterns[number], **changes))
+        return len(self.patterns) - 1
 
     def _find_submission(self, paper: Paper, entry: Entry) -> Submission | None:
         """When and after how many others an entry was handed in, where that costs anything."""
         if not self.submissions.penalties.are_any:
             return None
         return self.submissions.find(paper.student, self._entries(paper), entry)
-
-    def _find_own(
-        self, paper: Paper, points: tuple[Fraction, ...]
-    ) -> tuple[tuple[Fraction | None, ...], Fraction]:
-        """The points of the questions that a paper holds, None for others, and the maximum."""
-        lacks = paper.lacks
-        if not lacks:
-            return points, self.out_of
-        asked = [ask for number, ask in enumerate(self.asks) if number not in lacks]
-        held = {ask.question for ask in asked}
-        own = tuple(
-            each if self.asks[question.start].question in held else None
-            for question, each in zip(self.judge.papers.questions, points, strict=True)
-        )
-        return own, add_counted(asked)
 
     def _entries(self, paper: Paper) -> Sequence[Entry]:
         return self.sheet.entries[paper.student]
@@ -212,36 +195,54 @@ class _Marker:
             ]
         )
         best: dict[str, tuple[Fraction, Row]] = {}
-        for row, points in zip(tried, self._points(self._judged(tried)), strict=True):
-            student, total = row[0].student, self._find_net(row, points)
+        for row, number in zip(tried, self._find_patterns(tried, self._judged(tried)), strict=True):
+            student, total = row[0].student, self._find_net(row, self.patterns[number])
             if student not in best or total >= best[student][0]:
                 best[student] = total, row
         return Rows.of([best[row[0].student][1] if row[0].student in best else row for row in rows])
 
-    def _find_net(self, row: Row, points: tuple[Fraction, ...]) -> Fraction:
+    def _find_net(self, row: Row, grade: Grade) -> Fraction:
         """The total of a row without what being late and trying again costs."""
-        paper, entry = row
-        submission, total = self._find_submission(paper, entry), add_amounts(points)
+        submission = self._find_submission(*row)
         if submission is None:
-            return total
-        _, out_of = self._find_own(paper, points)
-        return total - self.submissions.penalties.subtract(submission, total, out_of)
+            return grade.total
+        penalties = self.submissions.penalties
+        return grade.total - penalties.subtract(submission, grade.total, grade.out_of)
 
-    def _points(self, judged: JudgedBlock) -> list[tuple[Fraction, ...]]:
-        """The points of each row by question; there are few combinations, and each is added up
-        once.
-        """
+    def _find_patterns(self, rows: Rows, judged: JudgedBlock) -> list[int]:
+        """The number of the pattern of each row; there are few, and each is added up once."""
         known = self.known if len(judged.credits) == USUAL_CREDITS else {}
         add_up = lru_cache(maxsize=None)(partial(self._question_points, judged))
-        shares, questions = judged.shares.reshape(-1, len(self.asks)), self.judge.papers.questions
-        ways = _list_keys(shares)
-        for row, key in enumerate(ways):
-            if key not in known:
-                way = tuple(shares[row].tolist())
-                known[key] = tuple(
-                    [add_up(each, way[each.start : each.stop]) for each in questions]
-                )
-        return [known[key] for key in ways]
+        shares, lacking = judged.shares.reshape(-1, len(self.asks)), rows.papers.lacking
+        keys: list[Hashable] = [*_list_keys(shares)]
+        for row, lacks in lacking.items():
+            keys[row] = keys[row], lacks
+        different = dict(zip(keys, range(len(keys)), strict=True))
+        for key, row in different.items():
+            if key in known:
+                continue
+            known[key] = len(self.patterns)
+            self.patterns.append(self._add_up(shares[row], lacking.get(row, frozenset()), add_up))
+        return [known[key] for key in keys]
+
+    def _add_up(
+        self,
+        shares: NDArray[np.intp],
+        lacks: frozenset[int],
+        add_up: Callable[[range, tuple[int, ...]], Fraction],
+    ) -> Grade:
+        """The points of the questions that a paper holds, None for others, and the maximum."""
+        way = tuple(shares.tolist())
+        points = [add_up(each, way[each.start : each.stop]) for each in self.judge.papers.questions]
+        if not lacks:
+            return Grade("", "", tuple(points), self.out_of)
+        asked = [ask for number, ask in enumerate(self.asks) if number not in lacks]
+        held = {ask.question for ask in asked}
+        own = tuple(
+            each if self.asks[question.start].question in held else None
+            for question, each in zip(self.judge.papers.questions, points, strict=True)
+        )
+        return Grade("", "", own, add_counted(asked))
 
     def _question_points(
         self, judged: JudgedBlock, question: range, way: tuple[int, ...]
@@ -256,6 +257,6 @@ class _Marker:
 
 def _list_keys(shares: NDArray[np.intp]) -> list[bytes]:
     """A key for each row of shares, the same where all of them are."""
-    rows = np.ascontiguousarray(shares)
+    rows = shares.astype(np.uint16)
     keys: list[bytes] = rows.view(f"V{rows.itemsize * rows.shape[1]}").ravel().tolist()
     return keys

@@ -19,7 +19,7 @@ from kinegrade.grading.judging.judge import Verdict
 from kinegrade.grading.sheets.sheet import Sheet
 from kinegrade.grading.typed.answers import Reading
 from kinegrade.language.message import Message, Text
-from kinegrade.marks_folder.rows import Grade
+from kinegrade.marks_folder.grade_list import GradeList
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,7 +40,7 @@ class ClassGrades:
     """
 
     questions: tuple[str, ...]
-    grades: tuple[Grade, ...]
+    grades: GradeList
     complaints: tuple[Complaint, ...]
     notes: tuple[Problem, ...] = field(default=(), kw_only=True)
 
@@ -57,7 +57,7 @@ class Marks(ClassGrades):
 @dataclass(frozen=True, slots=True)
 class MarkedBlock:
     """The marks of some students; `asks` have their points under the policy, `judged` has a row for
-    each grade.
+    each grade; all blocks of a marking share the patterns of grades.
 
     `general` holds, by reason, complaints about cells that were read as declared or decided for the
     whole file.
@@ -65,7 +65,7 @@ class MarkedBlock:
 
     asks: tuple[Ask, ...]
     judged: JudgedBlock
-    grades: Sequence[Grade]
+    grades: GradeList
     complaints: Sequence[Complaint]
     general: Mapping[Text, Sequence[Complaint]] = field(default_factory=dict)
 
@@ -89,18 +89,19 @@ def collect_grades(exam: Sitting, sheet: Sheet, blocks: Iterable[MarkedBlock]) -
     """What remains of the blocks: every student's points, and the complaints together with those
     about the sheet.
     """
-    grades: list[Grade] = []
+    grades: list[GradeList] = []
     complaints = list(sheet.complaints)
     general: dict[Text, list[Complaint]] = defaultdict(list)
     for block in blocks:
-        grades += block.grades
+        grades.append(block.grades)
         complaints += block.complaints
         for reason, alike in block.general.items():
             general[reason] += alike
         del block  # so that the next takes its place
     complaints += map(_merge_complaints, general.values())
     complaints.sort(key=_find_place)
-    return ClassGrades(list_questions(exam.asks), tuple(grades), tuple(complaints))
+    together = GradeList.joined(grades)
+    return ClassGrades(list_questions(exam.asks), together, tuple(complaints))
 
 
 def _find_place(complaint: Complaint) -> tuple[str, int]:

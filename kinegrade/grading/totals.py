@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from functools import partial
 
 import msgspec
 
@@ -42,10 +43,10 @@ class Totals:
 
 def work_out_totals(marks: ClassGrades, terms: TotalTerms) -> Totals:
     """The totals of a class from its marks."""
-    grades = tuple(_subtract(each, terms.penalties) for each in marks.grades)
+    grades = marks.grades.changed(partial(_subtract, penalties=terms.penalties))
     subtracted = tuple(
         _describe(each, terms.penalties, each.submission)
-        for each in grades
+        for each in (grades if terms.penalties.are_any else ())
         if each.subtracted and each.submission is not None
     )
     marks = replace(marks, grades=grades)
@@ -53,11 +54,7 @@ def work_out_totals(marks: ClassGrades, terms: TotalTerms) -> Totals:
     if terms.earlier is not None:
         marks, kept = never_lower(marks, terms.earlier)
     if terms.scale is not None:
-        scale = terms.scale
-        graded = tuple(
-            msgspec.structs.replace(each, grade=find_grade(each, scale)) for each in marks.grades
-        )
-        marks = replace(marks, grades=graded)
+        marks = replace(marks, grades=marks.grades.changed(partial(_give_grade, scale=terms.scale)))
     return Totals(marks, kept, subtracted)
 
 
@@ -73,6 +70,10 @@ def _describe(total: Grade, penalties: Penalties, submission: Submission) -> Sub
     """What was subtracted, and the shares that it is."""
     late, tries = penalties.find_shares(submission)
     return Subtracted(total.student, total.name, submission, total.subtracted, late, tries)
+
+
+def _give_grade(total: Grade, scale: Scale) -> Grade:
+    return msgspec.structs.replace(total, grade=find_grade(total, scale))
 
 
 def find_grade(total: Grade, scale: Scale) -> str:

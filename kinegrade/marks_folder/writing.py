@@ -11,6 +11,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import partial
 from pathlib import Path
 
 from kinegrade.files.csv_writing import (
@@ -28,6 +29,7 @@ from kinegrade.files.tables import Complaint
 from kinegrade.grade_scale.scale import Scale
 from kinegrade.language import Language
 from kinegrade.language.catalogue import Catalogue, open_catalogue
+from kinegrade.marks_folder.grade_list import GradeList
 from kinegrade.marks_folder.hand_marks import HandMark
 from kinegrade.marks_folder.layout import (
     ANSWERS,
@@ -82,7 +84,7 @@ class MarksWriter:
     def grades(
         self,
         questions: tuple[str, ...],
-        grades: Sequence[Grade],
+        grades: GradeList,
         scale: Scale | None = None,
         *,
         subtracting: bool = False,
@@ -167,28 +169,19 @@ class MarksWriter:
             write_for_people(self.path / LEFT_OUT.name, LEFT_OUT.columns, rows)
 
 
-def _write_grade_lines(grades: Sequence[Grade], needed: Sequence[str]) -> Iterator[str]:
-    """Most students share one tuple of points with others: such amounts are formatted once."""
-    known: dict[tuple[int, int, int, int, bool], str] = {}
-    students = write_csv_cells([grade.student for grade in grades])
-    names = write_csv_cells(neutralise_cells([grade.name for grade in grades]))
-    for grade, student, name in zip(grades, students, names, strict=True):
-        # by identity, because hashing a fraction takes longer than the rest of the line
-        which = (
-            id(grade.points),
-            id(grade.out_of),
-            id(grade.kept),
-            id(grade.subtracted),
-            grade.absent,
-        )
-        if which not in known:
-            status: Status = "absent" if grade.absent else "marked"
-            known[which] = ",".join((*_write_amounts(grade), status))
-        if needed:
-            last = "".join([f",{write_csv_cell(_LAST[each](grade))}" for each in needed])
-            yield f"{student},{name},{known[which]}{last}\n"
-        else:
-            yield f"{student},{name},{known[which]}\n"
+def _write_grade_lines(grades: GradeList, needed: Sequence[str]) -> Iterator[str]:
+    students = write_csv_cells(grades.students)
+    names = write_csv_cells(neutralise_cells(grades.names))
+    ends = grades.write(partial(_write_end, needed=needed))
+    for student, name, end in zip(students, names, ends, strict=True):
+        yield f"{student},{name},{end}"
+
+
+def _write_end(grade: Grade, needed: Sequence[str]) -> str:
+    """What stands behind the name, with the end of the line."""
+    status: Status = "absent" if grade.absent else "marked"
+    last = [write_csv_cell(_LAST[each](grade)) for each in needed]
+    return ",".join((*_write_amounts(grade), status, *last)) + "\n"
 
 
 _LAST: Mapping[str, Callable[[Grade], str]] = {

@@ -9,9 +9,8 @@ from dataclasses import dataclass
 from fractions import Fraction
 from pathlib import Path
 
-from kinegrade.exam.folder.columns.blocks import PaperBlock
 from kinegrade.exam.folder.exam_folder import ExamFolder, open_exam
-from kinegrade.exam.folder.keys import Ask, Key, Paper
+from kinegrade.exam.folder.keys import Ask, Key, Paper, PaperBlock
 from kinegrade.exam.folder.records import Candidate, ExamHead, ExamQuestion
 from kinegrade.exam.keyed_exam import Examinee, KeyedExam
 from kinegrade.files.tables import parse_table

@@ -4,14 +4,13 @@ are named.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from fractions import Fraction
 from pathlib import Path
 
 import msgspec
 import pytest
 
-from kinegrade.marks_folder.rows import Grade
+from kinegrade.marks_folder.grade_list import GradeList
 from kinegrade.marks_folder.writing import MarksWriter
 from tests.grading.marked_folder import RIGHT, mark_class
 from tests.small_class import kinegrade
@@ -206,11 +205,11 @@ def test_marks_that_contradict_themselves_are_not_handed_out(
     def write_wrongly(
         writer: MarksWriter,
         questions: tuple[str, ...],
-        grades: Sequence[Grade],
+        grades: GradeList,
         *more: object,
         **others: object,
     ) -> None:
-        wrong = [msgspec.structs.replace(grade, kept=Fraction(3)) for grade in grades]
+        wrong = grades.changed(lambda grade: msgspec.structs.replace(grade, kept=Fraction(3)))
         written(writer, questions, wrong, *more, **others)  # type: ignore[arg-type]
 
     monkeypatch.setattr(MarksWriter, "grades", write_wrongly)

@@ -13,8 +13,9 @@ import pytest
 from kinegrade.errors import ExamError, OutputError, TableError
 from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.grading.grade import MarkingWishes, grade
-from kinegrade.grading.marks import ClassGrades, Grade
+from kinegrade.grading.marks import ClassGrades
 from kinegrade.lms.grades import moodle
+from kinegrade.marks_folder.rows import Grade
 from kinegrade.numbers.amounts import write_amount
 from tests.grading.small_exam import STUDENTS, exam, paper, write_exam
 from tests.said import said

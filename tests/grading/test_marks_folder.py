@@ -16,6 +16,7 @@ from kinegrade.files.tables import Complaint
 from kinegrade.grade_scale.scale import Scale, Step
 from kinegrade.language import ENGLISH
 from kinegrade.marks_folder.folder import MarksFolder, open_marks
+from kinegrade.marks_folder.grade_list import GradeList
 from kinegrade.marks_folder.hand_marks import HandMark
 from kinegrade.marks_folder.layout import (
     ANSWERS,
@@ -52,7 +53,9 @@ def test_what_is_written_is_read_again(tmp_path: Path) -> None:
         write(b"7,q1,v,'=1,,m/s,mistake,0.5,2,,no-pole sense-reversed,\n")
         write(b'7,q2,v,"0,5",0.5,1,right,2,2,key,,policy\n')
     writer.grades(
-        ("q1", "q2"), [msgspec.structs.replace(ANNA, kept=Fraction(3), grade="=A")], SCALE
+        ("q1", "q2"),
+        GradeList.of([msgspec.structs.replace(ANNA, kept=Fraction(3), grade="=A")]),
+        SCALE,
     )
     writer.subtracted([SUBTRACTED])
     writer.complaints([COMPLAINT])

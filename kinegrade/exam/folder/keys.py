@@ -5,10 +5,11 @@
 
 from __future__ import annotations
 
+from abc import abstractmethod
 from collections.abc import Collection, Container, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
-from typing import TYPE_CHECKING, NamedTuple, Protocol, assert_never
+from typing import TYPE_CHECKING, NamedTuple, Protocol, assert_never, overload
 
 from kinegrade.language import Language
 from kinegrade.numbers.amounts import add_amounts
@@ -18,8 +19,6 @@ from kinegrade.sign_conventions import Convention
 if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
-
-    from kinegrade.exam.folder.columns.blocks import PaperBlock
 
 
 @dataclass(frozen=True, slots=True)
@@ -158,6 +157,44 @@ class Paper(NamedTuple):
                 return replace(key, mistakes=kept)
             case _:
                 assert_never(key)
+
+
+class PaperBlock(Sequence[Paper]):
+    """Papers marked together, which say together whose they are and what their keys are."""
+
+    @overload
+    def __getitem__(self, row: int) -> Paper: ...
+
+    @overload
+    def __getitem__(self, row: slice) -> PaperBlock: ...
+
+    @abstractmethod
+    def __getitem__(self, row: int | slice) -> Paper | PaperBlock: ...
+
+    @property
+    @abstractmethod
+    def students(self) -> Sequence[str]:
+        """Whose they are."""
+
+    @property
+    @abstractmethod
+    def names(self) -> Sequence[str]:
+        """The names of these students."""
+
+    @property
+    @abstractmethod
+    def keys(self) -> Sequence[Keys]:
+        """Their keys."""
+
+    @property
+    @abstractmethod
+    def lacking(self) -> Mapping[int, frozenset[int]]:
+        """Those that do not hold every question, with the numbers of the asks that they lack."""
+
+    @property
+    @abstractmethod
+    def put_together(self) -> Sequence[Paper]:
+        """Those with questions of others."""
 
 
 class RightAnswers(NamedTuple):

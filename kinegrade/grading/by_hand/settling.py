@@ -12,6 +12,7 @@ from kinegrade.exam.folder.records import ExamHead
 from kinegrade.files.tables import Complaint
 from kinegrade.grading.marks import ClassGrades, MarkedBlock
 from kinegrade.language.message import Message, Quoted
+from kinegrade.marks_folder.grade_list import GradeList
 from kinegrade.marks_folder.hand_marks import (
     EXTRA,
     ByHand,
@@ -83,7 +84,9 @@ class HandMarking:
         still_open = tuple(self._list_open(settled, only))
         lacking = [_complain_of_lacking(each) for each in still_open if each.counts]
         complaints = (*self._list_lower(beside), *lacking, *grades.complaints)
-        found = replace(grades, questions=questions, grades=tuple(settled), complaints=complaints)
+        found = replace(
+            grades, questions=questions, grades=GradeList.of(settled), complaints=complaints
+        )
         extra = {name: points for name, points in only.items() if name in self.bonus}
         return Settled(found, beside, still_open, extra)
 

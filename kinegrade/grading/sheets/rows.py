@@ -6,8 +6,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import overload
 
-from kinegrade.exam.folder.columns.blocks import ListedPapers, PaperBlock
-from kinegrade.exam.folder.keys import Paper
+from kinegrade.exam.folder.columns.blocks import ListedPapers
+from kinegrade.exam.folder.keys import Paper, PaperBlock
 from kinegrade.grading.sheets.entries import Entries, ListedEntries
 from kinegrade.grading.sheets.entry import Entry
 

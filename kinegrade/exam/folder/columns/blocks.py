@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from abc import abstractmethod
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -10,47 +9,9 @@ from itertools import islice
 from typing import overload
 
 from kinegrade.exam.folder.columns.part import KeyPart, PartKeys
-from kinegrade.exam.folder.keys import Keys, Paper
+from kinegrade.exam.folder.keys import Keys, Paper, PaperBlock
 from kinegrade.exam.folder.records import Candidate
 from kinegrade.numbers.tolerance import Tolerance
-
-
-class PaperBlock(Sequence[Paper]):
-    """Papers that are listed, or stand in a part of the key's arrays."""
-
-    @overload
-    def __getitem__(self, row: int) -> Paper: ...
-
-    @overload
-    def __getitem__(self, row: slice) -> PaperBlock: ...
-
-    @abstractmethod
-    def __getitem__(self, row: int | slice) -> Paper | PaperBlock: ...
-
-    @property
-    @abstractmethod
-    def students(self) -> Sequence[str]:
-        """Whose they are."""
-
-    @property
-    @abstractmethod
-    def names(self) -> Sequence[str]:
-        """The names of these students."""
-
-    @property
-    @abstractmethod
-    def keys(self) -> Sequence[Keys]:
-        """Their keys."""
-
-    @property
-    @abstractmethod
-    def lacking(self) -> Mapping[int, frozenset[int]]:
-        """Those that do not hold every question, with the numbers of the asks that they lack."""
-
-    @property
-    @abstractmethod
-    def put_together(self) -> Sequence[Paper]:
-        """Those with questions of others."""
 
 
 @dataclass(frozen=True)

@@ -8,6 +8,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import chain, islice
+from typing import assert_never
 
 import numpy as np
 from numpy.typing import NDArray
@@ -65,9 +66,13 @@ def read_centres(papers: Sequence[Keys]) -> Numbers:
 
 def list_rules(papers: Sequence[Keys]) -> Sequence[tuple[Tolerance, ...]]:
     """The rules of each paper; where papers share all of them, the same object."""
-    if isinstance(papers, PartRows):
-        return papers.list_rules()
-    return [keys.list_rules() for keys in papers]
+    match papers:
+        case PartRows():
+            return papers.list_rules()
+        case Sequence():
+            return [keys.list_rules() for keys in papers]
+        case _:
+            assert_never(papers)
 
 
 def find_decimals(papers: Sequence[Keys], places: Places, width: int) -> NDArray[np.bool_]:
@@ -137,8 +142,17 @@ def _gather_mistakes(part: KeyPart, places: Places) -> LedTo:
 
 def _find_rows(papers: Sequence[Keys]) -> tuple[KeyPart, Places] | None:
     """The part in which the keys of all papers stand, and their rows; None where there is none."""
-    if isinstance(papers, PartRows):
-        return papers.part, np.arange(papers.rows.start, papers.rows.stop)
+    match papers:
+        case PartRows(part=part, rows=rows):
+            return part, np.arange(rows.start, rows.stop)
+        case Sequence():
+            return _find_common_part(papers)
+        case _:
+            assert_never(papers)
+
+
+def _find_common_part(papers: Sequence[Keys]) -> tuple[KeyPart, Places] | None:
+    """The same of keys that are held one by one."""
     held = [keys for keys in papers if isinstance(keys, PartKeys)]
     if not held or len(held) < len(papers):
         return None
