@@ -16,6 +16,7 @@ from kinegrade.worked.formulas.formula import Formula
 
 Ways: TypeAlias = tuple[tuple[Rate, str, str], ...]  # what distinguishes chains of terms
 Key: TypeAlias = tuple[Level, Ways]
+Pair: TypeAlias = frozenset[frozenset[object]]  # of lines, by their points, or of one and the axes
 Stated: TypeAlias = tuple[Formula, int, float]  # an angle, its sign, its degrees
 
 
@@ -83,7 +84,8 @@ class Findings:
     of sentences by their text; `translated` the bodies of which has been said that their points
     have one velocity or acceleration; `composed` the moving frames, each with the body whose points
     move relative to it, of which the composition of motions has been explained; `coincident` the
-    primed letters that have been.
+    primed letters that have been; `leaning` the lines, one or two, whose angle with an axis or with
+    one another has been told for a projection.
     """
 
     facts: dict[Key, Fact] = field(default_factory=dict)
@@ -102,6 +104,7 @@ class Findings:
     poles_sought: frozenset[str] = frozenset()
     distances: set[Row] = field(default_factory=set)
     corners: set[str] = field(default_factory=set)
+    leaning: set[Pair] = field(default_factory=set)
     rim_tracks: dict[int, Term] = field(default_factory=dict)
     legs: dict[frozenset[str], tuple[str, str]] = field(default_factory=dict)
     stated: dict[tuple[str, str], Stated | None] = field(default_factory=dict)

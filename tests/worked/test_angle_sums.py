@@ -19,12 +19,12 @@ def test_a_sum_has_its_value_before_the_law_of_sines_takes_it() -> None:
 
 def test_the_angles_of_a_projection_are_worked_out_once() -> None:
     """The velocities use two of them, and the accelerations the same again."""
-    told = proses(kept("pin-in-two-rings"))
-    found = [text for text in told if "55.30" in text and text.startswith("Here")]
-    assert found == [
-        r"Here $\angle O_{2}O_{1}M + \psi_{CM} = 36.87^\circ + 18.43^\circ \approx 55.30^\circ$ and "
-        r"$\angle O_{2}O_{1}M - \psi_{AM} = 36.87^\circ - 18.43^\circ \approx 18.43^\circ$."
-    ]
+    told = list(proses(kept("pin-in-two-rings")))
+    for sum_of_two in (
+        r"\angle O_{2}O_{1}M + \psi_{CM} = 36.87^\circ + 18.43^\circ \approx 55.30^\circ$",
+        r"\angle O_{2}O_{1}M - \psi_{AM} = 36.87^\circ - 18.43^\circ \approx 18.43^\circ$",
+    ):
+        assert sum(text.count(sum_of_two) for text in told) == 1
 
 
 def test_a_sum_of_whole_degrees_is_read_at_a_glance() -> None:
@@ -33,7 +33,9 @@ def test_a_sum_of_whole_degrees_is_read_at_a_glance() -> None:
     assert not any(r"\beta + \gamma =" in text for text in said)
 
 
-@pytest.mark.parametrize(("language", "start"), [("de", "Hier gilt"), ("zh", "其中")])
+@pytest.mark.parametrize(
+    ("language", "start"), [("de", "Der Winkel zwischen"), ("zh", "$OP$ 与 $CP$ 的夹角为")]
+)
 def test_it_is_said_in_the_language_of_the_page(language: Language, start: str) -> None:
     blocks = told(solve_template(load_template("geneva-drive"), {}), language=language)
     (found,) = (text for text in proses(blocks) if r"\varphi + \psi_{CP} =" in text)

@@ -75,7 +75,9 @@ def test_a_composition_of_velocities() -> None:
         $OB$ makes the acute angle $\psi_{OB}$ with the $x$ axis:
         \tan\psi_{OB} &= \frac{y_{B}}{x_{B}} = \frac{6\,\unit{m}}{8\,\unit{m}} = 0.75
         \psi_{OB} &\approx 36.87^\circ
-        Projecting on the normal to $\boldsymbol{v}_{\mathrm{r}}$ (its positive direction
+        $OB$ makes $\psi_{OB}$ with the $x$ axis, so $\boldsymbol{v}_{\mathrm{a}} \parallel y$
+            makes $\psi_{OB}$ with the normal to $OB$.
+            Projecting on the normal to $\boldsymbol{v}_{\mathrm{r}}$ (its positive direction
             turned counter-clockwise) eliminates
             $\boldsymbol{v}_{\mathrm{r}}$:
         v_{\mathrm{e}} &= v_{\mathrm{a}}\cos\psi_{OB} = 8\,\unit{m/s} \cdot \cos 36.87^\circ =
@@ -144,7 +146,9 @@ def test_a_composition_of_velocities_in_a_translating_frame() -> None:
         \tan\psi_{OC} &= \frac{y_{C}}{x_{C}} = \frac{4\,\unit{m}}{3\,\unit{m}} = \frac{4}{3} \approx
             1.333
         \psi_{OC} &\approx 53.13^\circ
-        Projecting on the $x$ axis, which is perpendicular to $\boldsymbol{v}_{\mathrm{r}}$,
+        $OC$ makes $\psi_{OC}$ with the $x$ axis, so $\boldsymbol{v}_{\mathrm{a}} \perp OC$ makes
+            $90^\circ - \psi_{OC}$ with the $x$ axis.
+            Projecting on the $x$ axis, which is perpendicular to $\boldsymbol{v}_{\mathrm{r}}$,
             eliminates $\boldsymbol{v}_{\mathrm{r}}$:
         v_{D} &= -v_{\mathrm{a}}\sin\psi_{OC} = -10\,\unit{m/s} \cdot \sin 53.13^\circ =
             -8\,\unit{m/s}\quad\text{(to the left)}

@@ -50,7 +50,9 @@ def test_velocities_by_a_base_point() -> None:
         v_{A}\sin\psi_{BA} &= -v_{B}\cos\psi_{BA}
         v_{A} &= -\frac{v_{B}\cos\psi_{BA}}{\sin\psi_{BA}} = -\frac{2\,\unit{m/s} \cdot \cos
             36.87^\circ}{\sin 36.87^\circ} \approx -2.667\,\unit{m/s}\quad\text{(downwards)}
-        Projecting on the normal to $\boldsymbol{v}_{A}$ (to the left) eliminates
+        $BA$ makes $\psi_{BA}$ with the $x$ axis, so $\boldsymbol{v}_{AB} \perp BA$ makes
+            $90^\circ - \psi_{BA}$ with the $x$ axis.
+            Projecting on the normal to $\boldsymbol{v}_{A}$ (to the left) eliminates
             $\boldsymbol{v}_{A}$:
         0 &= -v_{B} + v_{AB}\sin\psi_{BA}
         v_{AB} &= \frac{v_{B}}{\sin\psi_{BA}} = \frac{2\,\unit{m/s}}{\sin 36.87^\circ} \approx
@@ -80,7 +82,9 @@ def test_velocities_by_the_projection_theorem() -> None:
         [+] \boldsymbol{v}_{AB} | ? $(BA \cdot \omega_{AB})$ | $\perp BA,\curvearrowleft$
         Here $BA = \sqrt{x_{B}^{2} + y_{A}^{2}} = \sqrt{(4\,\unit{m})^{2} + (3\,\unit{m})^{2}} =
             5\,\unit{m}$.
-        Projecting on the normal to $\boldsymbol{v}_{A}$ (to the left) eliminates
+        $BA$ makes $\psi_{BA}$ with the $x$ axis, so $\boldsymbol{v}_{AB} \perp BA$ makes
+            $90^\circ - \psi_{BA}$ with the $x$ axis.
+            Projecting on the normal to $\boldsymbol{v}_{A}$ (to the left) eliminates
             $\boldsymbol{v}_{A}$:
         0 &= -v_{B} + v_{AB}\sin\psi_{BA}
         v_{AB} &= \frac{v_{B}}{\sin\psi_{BA}} = \frac{2\,\unit{m/s}}{\sin 36.87^\circ} \approx
@@ -159,7 +163,9 @@ def test_a_rod_whose_end_stands_still() -> None:
             $\boldsymbol{v}_{AB}$, eliminates $\boldsymbol{v}_{AB}$:
         v_{A}\sin\psi_{BA} &= 0
         v_{A} &= 0
-        Projecting on the normal to $\boldsymbol{v}_{A}$ (to the left) eliminates
+        $BA$ makes $\psi_{BA}$ with the $x$ axis, so $\boldsymbol{v}_{AB} \perp BA$ makes
+            $90^\circ - \psi_{BA}$ with the $x$ axis.
+            Projecting on the normal to $\boldsymbol{v}_{A}$ (to the left) eliminates
             $\boldsymbol{v}_{A}$:
         0 &= v_{AB}\sin\psi_{BA}
         v_{AB} &= 0
@@ -227,7 +233,9 @@ def test_accelerations_of_a_rod_that_does_not_turn_at_this_instant() -> None:
         a_{B}\cos\psi_{AB} &= a_{A}^{\mathrm{n}}\sin\psi_{AB}
         a_{B} &= \frac{a_{A}^{\mathrm{n}}\sin\psi_{AB}}{\cos\psi_{AB}} = \frac{12\,\unit{m/s^2}
             \cdot \sin 36.87^\circ}{\cos 36.87^\circ} = 9\,\unit{m/s^2}\quad\text{(to the right)}
-        Projecting on the $y$ axis, which is perpendicular to $\boldsymbol{a}_{B}$, eliminates
+        $AB$ makes $\psi_{AB}$ with the $x$ axis, so $\boldsymbol{a}_{BA}^{\mathrm{t}} \perp AB$
+            makes $\psi_{AB}$ with the $y$ axis.
+            Projecting on the $y$ axis, which is perpendicular to $\boldsymbol{a}_{B}$, eliminates
             $\boldsymbol{a}_{B}$:
         0 &= -a_{A}^{\mathrm{n}} + a_{BA}^{\mathrm{t}}\cos\psi_{AB}
         a_{BA}^{\mathrm{t}} &= \frac{a_{A}^{\mathrm{n}}}{\cos\psi_{AB}} =

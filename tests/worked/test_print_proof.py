@@ -94,6 +94,11 @@ WRONG: dict[Law, tuple[Block, ...]] = {
     "once": (Prose("The rope $A$ does not turn here, so that is zero."),) * 2,
     "sense": (TermTable((read_term("", "v_A", r"$2\,\unit{m/s}$", r"$\parallel x$"),)),),
     "way": (Display((read_math(r"\omega_{AB} &= \boxed{2\,\unit{rad/s}}", ""),)),),
+    "inclined": (
+        TermTable((read_term("", r"\boldsymbol{v}_A", "?", r"$\perp AB,\curvearrowleft$"),)),
+        Prose(r"$AB$ makes the acute angle $\psi$ with the $x$ axis."),
+        Display((read_math(r"v_{A}\sin\psi = 2\,\unit{m/s}", ""),)),
+    ),
     "another": (
         Prose(
             "Check by the projection on the $x$ axis, which has not been used: "

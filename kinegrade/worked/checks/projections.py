@@ -13,7 +13,7 @@ from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import VectorEquation
 from kinegrade.worked.case import Case
 from kinegrade.worked.checks.check import Check, Lacking, Side, compare
-from kinegrade.worked.deductions.deductions import AXIS_NAMES
+from kinegrade.worked.deductions.projected_angles import AXIS_NAMES
 from kinegrade.worked.formulas.atoms import AxisName, add_terms
 from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.measures import bearing, size

@@ -14,13 +14,13 @@ from kinegrade.mechanics.vector_equation import Part
 from kinegrade.worked.case import Case
 from kinegrade.worked.deductions.elimination import find_elimination
 from kinegrade.worked.deductions.insertions import Insertion
+from kinegrade.worked.deductions.projected_angles import AXIS_NAMES, explain_angles
 from kinegrade.worked.document import Block, Display
 from kinegrade.worked.formulas.equation import Equation, lead_to
 from kinegrade.worked.formulas.measures import bearing
 from kinegrade.worked.senses import find_axis_sense
 from kinegrade.worked.vectors.alignments import explain_alignments
-from kinegrade.worked.vectors.angle_sums import explain_sums
-from kinegrade.worked.vectors.inclinations import Cosine, find_ends, introduce_angle
+from kinegrade.worked.vectors.inclinations import find_ends, introduce_angle
 from kinegrade.worked.vectors.magnitudes import find_heading
 from kinegrade.worked.vectors.projection import Deduction, Projection
 from kinegrade.worked.vectors.results import state_results, state_rotation_result
@@ -28,7 +28,6 @@ from kinegrade.worked.vectors.stage import Stage, find_share_cosine
 from kinegrade.worked.vectors.vectors import name_part
 
 _RIGHT_ANGLE = 90.0
-AXIS_NAMES = {0.0: Message("solution.projection-x"), 90.0: Message("solution.projection-y")}
 
 
 def explain_deduction(
@@ -45,7 +44,7 @@ def explain_deduction(
     for projection in deduction.projections:
         yield from introduce_angles(stage, projection)
         yield from explain_alignments(projection, case)
-        yield case.say(_announce_axis(stage, projection))
+        yield case.say(_announce(stage, projection))
         if single:
             yield show_solution(stage, projection, solved, deduction.unknowns[0])
         elif found and not found.by:
@@ -83,22 +82,14 @@ def _explain_insertion(
     yield stage.case.show(*results)
 
 
-def _list_cosines(stage: Stage, projection: Projection) -> Iterator[Cosine | None]:
-    """The cosines of a projection, as far as their directions have names."""
-    for share in projection.shares:
-        if share.angle:
-            yield find_share_cosine(projection, share, stage.case)
-
-
 def introduce_angles(stage: Stage, projection: Projection) -> Iterator[Block]:
-    """The angles that a projection uses and that have not been found before, and their sums."""
+    """The angles that a projection uses and that have not been found before."""
     for share in (*projection.left, *projection.right):
         if not share.angle or find_share_cosine(projection, share, stage.case) is None:
             continue
         for part in (projection.dropped, share.part):
             if part is not None:
                 yield from introduce_angle(part, stage.case)
-    yield from explain_sums(_list_cosines(stage, projection), stage.case)
 
 
 def _state_projection(
@@ -127,6 +118,14 @@ def show_solution(
             *(other.print_line(notation) for other in others),
         )
     )
+
+
+def _announce(stage: Stage, projection: Projection) -> Message:
+    """The angles that a projection needs, then its axis."""
+    said = _announce_axis(stage, projection)
+    for angles in reversed(tuple(explain_angles(stage, projection))):
+        said = Message("solution.sentences", first=angles, next=said)
+    return said
 
 
 def _announce_axis(stage: Stage, projection: Projection) -> Message:

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from math import degrees
+from typing import NamedTuple
 
 from kinegrade.expressions.tree import Expression, Name
 from kinegrade.numbers.angle import Angle
 from kinegrade.problem.template.hints import SIDES
 from kinegrade.problem.template.hints import Angle as Mark
 from kinegrade.worked.case import Case
+from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.measures import bearing, double
 from kinegrade.worked.formulas.symbols import read_symbol
 
@@ -29,6 +31,39 @@ def find_marked_angle(ends: tuple[str, str], case: Case) -> tuple[int, Expressio
                 if sign:
                     return sign, Name(given)
     return None
+
+
+class Marked(NamedTuple):
+    """A side of a mark: the line through two points, and whether another line is normal to it."""
+
+    ends: tuple[str, str]
+    across: bool
+
+
+def find_marked_parallel(ends: tuple[str, str], angle: Formula | None, case: Case) -> Marked | None:
+    """The line of which the figure marks an angle that states the line through two points too,
+    normal or parallel to it; None where it is that line, or where no mark has the angle.
+    """
+    sides = [
+        (mark.at, end)
+        for mark in case.template.figure.angles
+        if angle is not None and read_symbol(mark.symbol).looks_like(angle)
+        for end in (mark.start, mark.end)
+        if end not in SIDES
+    ]
+    if any(_is_on_line(ends, side, case) for side in sides):
+        return None
+    quarters = ((side, _count_quarters(ends, side, case)) for side in sides)
+    found = (Marked(side, count % 2 == 1) for side, count in quarters if count is not None)
+    return next(found, None)
+
+
+def _count_quarters(ends: tuple[str, str], side: tuple[str, str], case: Case) -> int | None:
+    """By how many right angles two lines differ, None where they are oblique."""
+    points = case.motion.points
+    first, second = (bearing(points[end] - points[start]) for start, end in (ends, side))
+    count = round((first - second) / 90)
+    return count if abs(first - second - 90 * count) < _CLOSE else None
 
 
 def _find_given(mark: Mark, case: Case) -> str | None:

@@ -18,6 +18,7 @@ from kinegrade.worked.deductions.deductions import (
     introduce_angles,
     show_solution,
 )
+from kinegrade.worked.deductions.projected_angles import explain_angles
 from kinegrade.worked.document import Block
 from kinegrade.worked.steps.couplers import (
     Coupler,
@@ -93,6 +94,7 @@ def _explain_by_projection(coupler: Coupler, step: Step, stage: Stage) -> Iterat
     yield from explain_base_speed(coupler, case)
     yield case.say(Message("solution.equal-projections", body=body, first=base, second=point))
     yield from introduce_angles(stage, first.projections[0])
+    yield from map(case.say, explain_angles(stage, first.projections[0]))
     yield show_solution(stage, first.projections[0], (), first.unknowns[0])
     yield case.say(introduce_equation(coupler.equation, case))
     yield make_term_table(coupler.equation, case)

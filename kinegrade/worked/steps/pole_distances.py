@@ -80,7 +80,7 @@ class PoleTriangle:
         for part in (self.coupler.rotation, self.coupler.base, self.coupler.point):
             yield from introduce_angle(part, self.case)
         yield from map(self.case.show, introduce_lengths((self._ends,), self.case))
-        yield from explain_sums(self._list_cosines(), self.case)
+        yield from map(self.case.say, explain_sums(self._list_cosines(), self.case))
 
     def _name_law(self) -> Message:
         """By what the distances follow from the angles."""

@@ -6,7 +6,6 @@ from collections.abc import Iterable, Iterator
 
 from kinegrade.language.message import Listing, Message
 from kinegrade.worked.case import Case
-from kinegrade.worked.document import Block
 from kinegrade.worked.formulas.atoms import Number, add_terms
 from kinegrade.worked.formulas.equation import Equation, approximate, equate
 from kinegrade.worked.formulas.numbers import state_angle
@@ -15,7 +14,7 @@ from kinegrade.worked.vectors.inclinations import Cosine
 _PLACES = 6  # decimals of a degree by which angles are told apart
 
 
-def explain_sums(cosines: Iterable[Cosine | None], case: Case) -> Iterator[Block]:
+def explain_sums(cosines: Iterable[Cosine | None], case: Case) -> Iterator[Message]:
     """What the angles in some cosines come to where they are sums that are not read at a glance:
     those of which a summand has been rounded.
     """
@@ -23,7 +22,14 @@ def explain_sums(cosines: Iterable[Cosine | None], case: Case) -> Iterator[Block
     new = list(_select_new(seen, case.findings.summed))
     if new:
         sums = Listing(tuple(case.tell(_state_sum(one)) for one in new), "and")
-        yield case.say(Message("solution.here", equations=sums))
+        yield Message("solution.here", equations=sums)
+
+
+def tell_sum(cosine: Cosine, case: Case) -> str | None:
+    """The angle of a cosine worked out, in a sentence; None where it need not be, or has been."""
+    needed = any(map(_is_rounded, cosine.summands))
+    new = list(_select_new((cosine,), case.findings.summed)) if needed else []
+    return case.tell(_state_sum(cosine)) if new else None
 
 
 def _select_new(cosines: Iterable[Cosine], said: set[frozenset[float]]) -> Iterator[Cosine]:

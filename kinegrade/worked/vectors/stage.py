@@ -10,6 +10,7 @@ from kinegrade.mechanics.rates import Rate
 from kinegrade.mechanics.relations import Term
 from kinegrade.mechanics.vector_equation import Level, Part, VectorEquation
 from kinegrade.worked.case import Case
+from kinegrade.worked.findings import Piece
 from kinegrade.worked.formulas.atoms import ONE, ZERO, add_terms, multiply_factors
 from kinegrade.worked.formulas.equation import Equation, equate
 from kinegrade.worked.formulas.formula import Formula, Function
@@ -127,6 +128,11 @@ class Stage:
                 turned, cosine = self.state_cosine(projection, share, solved is not None)
                 term = amount.size if cosine == ONE else amount.size * cosine
                 yield term.signed(sign * amount.sign * turned)
+
+    def find_pieces(self, projection: Projection, share: Share) -> tuple[Piece, ...]:
+        """The parts by which a known vector enters a projection, none of one that does so whole."""
+        pieces = find_components(share.part, self.level, self.case)
+        return pieces if self._list_components(projection, share, False) else ()
 
     def _list_components(
         self, projection: Projection, share: Share, in_numbers: bool

@@ -31,6 +31,7 @@ KNOWN: Mapping[Law, frozenset[str]] = {
             "roller-rolling-on-rotating-bar",
         )
     ),
+    "inclined": frozenset(),
     "sense": frozenset(),
     "way": frozenset(),
     # a slot between points whose distance stands nowhere, two rings, two flat faces: any other way

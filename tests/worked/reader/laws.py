@@ -34,6 +34,7 @@ from tests.worked.reader.formula_reader import (
     read_formula,
 )
 from tests.worked.reader.givens import find_introduced, find_letters, read_givens
+from tests.worked.reader.inclined import find_underived
 from tests.worked.reader.polygons import judge_polygons
 from tests.worked.reader.tables import find_without_sense
 
@@ -53,6 +54,7 @@ Law: TypeAlias = Literal[
     "used",
     "once",
     "another",
+    "inclined",
     "sense",
     "way",
 ]
@@ -71,6 +73,7 @@ LAWS: dict[Law, str] = {
     "corner": "every corner of a polygon has its letter or number",
     "used": "what is found is asked, or used further down, by a check at least",
     "once": "no long sentence stands twice under a title",
+    "inclined": "a vector normal to a line is projected by an angle that a sentence has derived",
     "sense": "a vector in a table has a direction, not the line alone",
     "way": "words beside the box of an answer with a sign say where it points",
     "another": "a check goes by another way: it does not project the vectors that were projected",
@@ -132,6 +135,7 @@ def find_faults(blocks: Sequence[Block], solution: Solution) -> Iterator[Fault]:
     yield from (Fault("sense", column) for column in find_without_sense(blocks))
     yield from (Fault("way", line) for line in find_without_way(blocks, solution))
     yield from (Fault("another", check) for check in find_projected_again(blocks))
+    yield from (Fault("inclined", line) for line in find_underived(blocks, solution))
     for wrong in judge_polygons(blocks, known.amounts):
         yield Fault(wrong.law, wrong.line)
 

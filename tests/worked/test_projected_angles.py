@@ -1,0 +1,67 @@
+"""The angle by which a vector is projected is derived before: from what its line makes with the axis."""
+
+from __future__ import annotations
+
+import pytest
+
+from kinegrade.language import Language
+from tests.worked.draws import kept
+from tests.worked.telling import proses
+
+
+def _read(name: str, language: Language = "en") -> str:
+    return "\n".join(proses(kept(name, 0, None, language)))
+
+
+def test_a_velocity_normal_to_a_link_has_the_angle_of_the_link_with_the_other_axis() -> None:
+    reason = (
+        r"$CB$ makes $\beta$ with the $y$ axis, so $\boldsymbol{v}_{B} \perp CB$ makes $\beta$ "
+    )
+    assert reason + "with the $x$ axis. Projecting on the $x$ axis" in _read("toggle-press")
+
+
+def test_two_links_have_an_angle_between_them() -> None:
+    reason = (
+        r"The angle between $CB$ and $BD$ is $2\beta$, so $\boldsymbol{v}_{B} \perp CB$ makes "
+        r"$90^\circ - 2\beta$ with $BD$."
+    )
+    assert reason in _read("toggle-press")
+
+
+def test_a_line_that_no_mark_of_the_figure_touches_has_its_angle_from_the_one_marked() -> None:
+    # theta is drawn between OE and the vertical, and the flank EF is normal to OE
+    assert r"$FE \perp OE$ makes $\theta$ with the $x$ axis" in _read("tangent-cam-with-roller")
+
+
+def test_vectors_along_one_another_have_the_angle_together() -> None:
+    together = (
+        r"$\boldsymbol{v}_{\mathrm{a}},\ \boldsymbol{v}_{A} \parallel x$ make $90^\circ - \beta$ with "
+        "the normal to $MA$"
+    )
+    assert together in _read("crank-rod-over-translating-pin")
+
+
+def test_an_acceleration_known_by_its_two_parts_has_the_angle_of_its_link() -> None:
+    reason = (
+        r"The angle between $DG$ and $GB$ is $\beta$, so $\boldsymbol{a}_{G}^{\mathrm{t}} \perp DG$ "
+        r"makes $90^\circ - \beta$ with $GB$"
+    )
+    assert reason in _read("stone-crusher")
+
+
+@pytest.mark.parametrize("name", ["toggle-press", "slider-crank"])
+def test_the_angle_of_two_lines_is_told_once(name: str) -> None:
+    sentences = [text.split(". ")[0] for text in proses(kept(name)) if "Projecting" in text]
+    reasons = [text for text in sentences if not text.startswith("Projecting")]
+    assert len(reasons) == len({*reasons}) > 0
+
+
+@pytest.mark.parametrize(
+    ("language", "said"),
+    [
+        ("de", r"also bildet $\boldsymbol{v}_{B} \perp CB$ mit der $x$-Achse $\beta$."),
+        ("zh", r"故 $\boldsymbol{v}_{B} \perp CB$ 与 $x$ 轴成 $\beta$ 角。"),
+    ],
+)
+def test_it_is_said_in_every_language(language: Language, said: str) -> None:
+    assert said in _read("toggle-press", language)
