@@ -28,6 +28,7 @@ from kinegrade.proof.claims.claims import find_false_claims
 from kinegrade.proof.claims.givens import note_angles_in_radians
 from kinegrade.proof.claims.kinds import note_kinds_said, note_other_kinds
 from kinegrade.proof.claims.swaps import note_printed_answers
+from kinegrade.proof.clauses.clauses import find_false_clauses
 from kinegrade.proof.contacts import note_lost_contacts
 from kinegrade.proof.demanding import describe_demands
 from kinegrade.proof.ends import note_points_beyond_ends
@@ -79,6 +80,7 @@ def check(template: Template, sample: int = 200, secret: str = SECRET) -> Report
     note_assemblies(report)
     report.faults += find_wrong_marks(template, report.examples)
     report.faults += find_false_claims(template, report.examples)
+    report.faults += find_false_clauses(template, report.examples)
     report.remarks += note_points_beyond_ends(template, report.examples)
     report.remarks += note_lost_contacts(template, report.examples)
     report.remarks += note_printed_answers(template, report.sound)

@@ -39,7 +39,7 @@ _SHAPES = {
 _PLAIN = r"[^.,;:。，；：{}()（）]"  # within one part of a sentence
 _LATIN = r"(?u:[^\W\d_]|-)+"
 _NAME = r"[A-Z]{1,3}_?\d*(?:[A-Z]\d*)*(?!\w)"  # of a body or point, as BG, O1B
-_HAN = r"[\u4e00-\u9fff]"
+HAN = r"[\u4e00-\u9fff]"
 
 
 def list_words(kind: str) -> Iterator[str]:
@@ -97,7 +97,7 @@ def _list_shapes() -> Mapping[str, str]:
         **_SHAPES,
         "NEAR": f"{part}*?",
         "FREE": f"{free}*?",
-        "NOUN": rf"(?P<noun>{word}(?:\s+{word}){{0,2}}{unnamed}|{_HAN}{{1,6}}?)",
+        "NOUN": rf"(?P<noun>{word}(?:\s+{word}){{0,2}}{unnamed}|{HAN}{{1,6}}?)",
         "SENSE": f"(?P<sense>{write_words(*SENSES.values())})",
         "VERB": f"(?:{write_words('verb')})",
         "FASTER": f"(?:{write_words('faster')})",
@@ -113,4 +113,4 @@ def _write_naming() -> str:
     """What may stand before the letter of a point: the fixed pin, dem Gelenk, 固定铰链."""
     other = f"(?!{write_words('preposition')})"
     latin = rf"(?:{write_words('article')})\s+(?:{other}{_LATIN}\s+){{0,3}}"
-    return rf"(?:{latin}|(?:{other}{_HAN}){{1,6}}\s*)?"
+    return rf"(?:{latin}|(?:{other}{HAN}){{1,6}}\s*)?"

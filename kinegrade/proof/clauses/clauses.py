@@ -1,0 +1,22 @@
+"""What the sentences of a statement say of parts that they name by letters or nouns, and which the
+mechanism contradicts in every way in which they can be read.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from kinegrade.language.message import Fault
+from kinegrade.problem.solution import Solution
+from kinegrade.problem.template.template import Template
+from kinegrade.proof.clauses.goings import find_wrong_goings
+from kinegrade.proof.clauses.sides import find_wrong_sides
+
+
+def find_false_clauses(template: Template, examples: Sequence[Solution]) -> Iterator[Fault]:
+    """A fault for each of them."""
+    found = (
+        *find_wrong_sides(template, examples),
+        *find_wrong_goings(template, examples),
+    )
+    yield from (Fault("statement", what) for what in dict.fromkeys(found))
