@@ -76,7 +76,9 @@ class _Page:
         start, end = find_value(lines[0])
         value = _flatten(lines[0][start:end])
         size = value[1:] if value[:1] == (Sign("-"),) else value
-        boxed = any(isinstance(node, Accent) for line in lines for node in line)
+        boxed = any(
+            isinstance(node, Accent) and node.name == "boxed" for line in lines for node in line
+        )
         said = size == (Number("0"),) or any(_holds(formula, size) for formula in self.said)
         return boxed or said or left[0] in self.met
 

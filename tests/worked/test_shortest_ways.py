@@ -154,18 +154,31 @@ def test_a_rod_placed_by_a_given_angle_needs_no_angle_from_coordinates(name: str
     assert not [line for line in displayed(kept(name)) if r"\tan\psi" in line]
 
 
-def test_a_slanting_line_meets_a_circle_by_half_a_chord() -> None:
-    """It took the circle's equation, a quadratic one and two letters more."""
+def test_a_slanting_line_meets_a_circle_by_the_law_of_sines() -> None:
+    """It took half the chord, a letter more, and then the tangent of coordinates for the angle."""
     blocks = stated("rotary-engine", r="50", l="140", phi="30", n="600")
-    (said,) = (text for text in proses(blocks) if "half the chord" in text)
-    assert (
-        r"the projection of $\overrightarrow{OA}$ on it plus half the chord (Pythagoras):" in said
+    assert any(
+        r"in the triangle $OAB$ the law of sines gives the angle $\delta$ at $B$" in text
+        for text in proses(blocks)
     )
     told = displayed(blocks)
-    place = next(at for at, line in enumerate(told) if line.startswith("s &="))
-    assert told[place] == r"s &= x_{A}\cos\varphi + \sqrt{l^{2} - (x_{A}\sin\varphi)^{2}}"
-    assert told[place + 1].endswith(r"\approx 0.1811\,\unit{m}")
-    assert told[place + 2].startswith("x_{B} &=")
+    place = next(at for at, line in enumerate(told) if line.startswith(r"\sin\delta"))
+    assert told[place].startswith(r"\sin\delta &= \frac{x_{A}\sin\varphi}{l} =")
+    assert told[place + 1] == r"\delta &\approx 10.29^\circ"
+    assert told[place + 2].startswith(r"OB &= x_{A}\cos\varphi + l\cos\delta =")
+    assert told[place + 2].endswith(r"\approx 0.1811\,\unit{m}")
+    assert not [line for line in told if r"\psi" in line]
+
+
+def test_the_angle_of_a_triangle_is_taken_off_where_its_corner_lies_on_the_other_side() -> None:
+    """With the crank to the left the rod leans back from the cylinder."""
+    text = (find_shipped("templates") / "rotary-engine.toml").read_text(encoding="utf-8")
+    template = read_template("rotary-engine", text.replace('A = "(r, 0)"', 'A = "(-r, 0)"'))
+    solution = solve_template(template, {"r": "50", "l": "140", "phi": "30", "n": "600"})
+    lines = displayed(told(solution))
+    (place,) = (line for line in lines if line.startswith("OB &="))
+    assert place.endswith(r"\approx 0.09445\,\unit{m}")
+    assert any(r"v_{\mathrm{e}}\sin\delta" in line for line in lines)
 
 
 def test_the_other_end_of_a_chord_takes_half_the_chord_off() -> None:
@@ -193,3 +206,10 @@ def test_the_composition_of_motions_is_explained_once_for_the_points_of_a_body(
     told = list(proses(kept("square-on-two-fixed-points", language=language)))
     assert sum(likewise in text for text in told) == 2
     assert sum("$B'$" in text for text in told) == 1
+
+
+def test_the_angle_of_a_rod_of_given_length_follows_from_one_side_of_its_triangle() -> None:
+    told = displayed(stated("slider-crank", phi="60", k="sqrt(3)", r="1"))
+    assert any(line.startswith(r"\sin\psi_{AB} &= \frac{y_{A}}{k\,r} =") for line in told)
+    steep = displayed(kept("four-bar-by-lengths"))
+    assert any(line.startswith(r"\cos\psi_{DC} &= \frac{x_{C} - x_{D}}{c} =") for line in steep)

@@ -7,6 +7,8 @@ from its given point. Two circles are in `kinegrade.worked.positions.circles_mee
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 from kinegrade.expressions.tree import Call, Expression, Name, Operation, list_parts
 from kinegrade.language.math.tree import Row
 from kinegrade.language.message import Message
@@ -31,6 +33,7 @@ from kinegrade.worked.positions.algebra import (
     times,
 )
 from kinegrade.worked.positions.axes import find_line, length_of
+from kinegrade.worked.positions.chord_triangles import find_triangle
 from kinegrade.worked.positions.circles_meeting import explain_circles
 from kinegrade.worked.positions.instance import METRE, PURE, Instance
 from kinegrade.worked.positions.shapes import describe_chord_end, describe_line, describe_side
@@ -38,6 +41,17 @@ from kinegrade.worked.positions.vectors import describe_vector
 
 _Line = tuple[Pair, Pair]  # a point and a direction
 _NOTHING: Pair = (ZERO, ZERO)
+
+
+class _Way(NamedTuple):
+    """A line, the unit of distances along it, metres where its direction is a unit vector, and what
+    the distance of the point sought is called; s where that is no side of a figure.
+    """
+
+    base: Pair
+    along: Pair
+    unit: Unit = METRE
+    side: Symbol | None = None
 
 
 def explain_meeting(step: Step, instance: Instance) -> tuple[Block, ...]:
@@ -118,7 +132,7 @@ def _solve_two_slanting_lines(
     apart = minus(other[0], base[0]), minus(other[1], base[1])
     share = over(cross(apart, across), cross(along, across))
     unit = METRE if _is_unit(along) else PURE
-    return _solve_along_line(point, first, share, instance, unit)
+    return _solve_along_line(point, _Way(base, along, unit), share, instance)
 
 
 def _choose_letter(name: str, instance: Instance) -> Symbol:
@@ -127,20 +141,19 @@ def _choose_letter(name: str, instance: Instance) -> Symbol:
 
 
 def _solve_along_line(
-    point: str, line: _Line, share: Expression, instance: Instance, unit: Unit = METRE
+    point: str, way: _Way, share: Expression, instance: Instance
 ) -> tuple[Row, ...]:
-    """s worked out, then the coordinates of the point at s from the line's given point; s is a
-    length where the direction is a unit vector.
+    """The distance worked out, then the coordinates of the point at it from the line's given
+    point.
     """
-    base, along = line
     name = instance.free("s")
-    symbol = name_quantity(name)
-    further = instance.named(name, symbol, instance.value(share), unit)
-    if unit is METRE and further.sign(share) > 0:
-        _note_length(point, base, symbol, instance)
+    symbol = way.side or name_quantity(name)
+    further = instance.named(name, symbol, instance.value(share), way.unit)
+    if way.unit is METRE and further.sign(share) > 0:
+        _note_length(point, way.base, symbol, instance)
     step = Name(name)
-    lines = further.equation(further.formula(step), share, unit)
-    for axis, start, part in zip(AXES, base, along, strict=True):
+    lines = further.equation(further.formula(step), share, way.unit)
+    for axis, start, part in zip(AXES, way.base, way.along, strict=True):
         lines += further.equation(
             _name_coordinate(further, axis, point), plus(start, times(step, part))
         )
@@ -180,22 +193,31 @@ def _solve_straight(
 def _solve_slanting_chord(
     point: str, line: Call, circle: Call, instance: Instance
 ) -> tuple[Message, Display]:
-    """s from the projection of the centre and half the chord, then both coordinates."""
+    """The distance along the line: in the triangle of its start, the centre and the point by the
+    angle at this one, else from the projection of the centre and half the chord; then both
+    coordinates.
+    """
     base, along = _make_unit_line(find_line(line, instance.axes), instance)
     middle, radius = circle.arguments
     centre = instance.axes.pair(middle) or _NOTHING
     away = minus(centre[0], base[0]), minus(centre[1], base[1])
-    apart = cross(away, along)
-    half = root(minus(square(radius), square(apart))) if instance.sign(apart) else radius
+    apart, middle_share = cross(away, along), dot(away, along)
     place = Call("x", (Name(point),)), Call("y", (Name(point),))
     beyond = dot((minus(place[0], centre[0]), minus(place[1], centre[1])), along)
     before = instance.sign(beyond) < 0
-    share, start = _name_distance_along(line, instance)
+    triangle = None if before else find_triangle(point, line, circle, away, instance)
+    if triangle is not None:
+        share = plus(middle_share, times(radius, Call("cos", (Name(triangle.name),))))
+        way = _Way(base, along, side=triangle.side)
+        solved = _solve_along_line(point, way, share, triangle.instance)
+        return triangle.explain(), Display((*triangle.solve(), *solved))
+    half = root(minus(square(radius), square(apart))) if instance.sign(apart) else radius
+    letter, start = _name_distance_along(line, instance)
     vector = describe_vector(Operation("-", middle, line.arguments[0]), instance)
-    names = {"share": share, "start": start, "vector": vector}
+    names = {"share": letter, "start": start, "vector": vector}
     said = Message("solution.chord-before" if before else "solution.chord-beyond", **names)
-    run = (minus if before else plus)(dot(away, along), half)
-    return said, Display(_solve_along_line(point, (base, along), run, instance))
+    run = (minus if before else plus)(middle_share, half)
+    return said, Display(_solve_along_line(point, _Way(base, along), run, instance))
 
 
 def _make_unit_line(line: _Line, instance: Instance) -> _Line:
@@ -247,7 +269,7 @@ def explain_foot(step: Step, instance: Instance) -> tuple[Block, ...]:
     share = dot((minus(place[0], base[0]), minus(place[1], base[1])), along)
     return (
         instance.say(Message("solution.sentences", first=sentence, next=distance)),
-        Display(_solve_along_line(step.point, (base, along), share, instance)),
+        Display(_solve_along_line(step.point, _Way(base, along), share, instance)),
     )
 
 

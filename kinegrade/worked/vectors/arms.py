@@ -44,6 +44,20 @@ def find_stated_length(start: str, end: str, case: Case) -> Symbol | None:
     return stated or (find_stated_length(*opposite, case) if opposite else None)
 
 
+def find_length_tree(start: str, end: str, case: Case) -> Expression | None:
+    """The given distance of two points as an expression: that at which one is placed from the
+    other, or a given of their symbol; None where none is given.
+    """
+    radius = _find_radius(start, end, case)
+    if radius is not None:
+        return radius.right if is_negated(radius) else radius
+    symbol, given = find_stated_length(start, end, case), collect_symbols(case.template)
+    named = (*case.template.parameters, *case.template.scheme.lengths)
+    found = (name for name in named if symbol is not None and given[name].looks_like(symbol))
+    name = next(found, None)
+    return None if name is None else Name(name)
+
+
 def _find_opposite_side(start: str, end: str, case: Case) -> tuple[str, str] | None:
     """The side of a parallelogram across from that between two points, of which one completes it:
     C = B + D - A.

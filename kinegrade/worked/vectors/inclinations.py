@@ -8,14 +8,14 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Literal, TypeAlias, assert_never
 
-from kinegrade.expressions.tree import Call, Name, Operation
+from kinegrade.expressions.tree import Call, Expression, Name, Operation
 from kinegrade.language.message import Message
 from kinegrade.mechanics.relations import Term
 from kinegrade.mechanics.vector_equation import Part
 from kinegrade.worked.case import Case, write_row
 from kinegrade.worked.document import Block, Display
 from kinegrade.worked.formulas.atoms import TWO, Symbol, add_terms, list_summands
-from kinegrade.worked.formulas.formula import Formula, Function, Sum
+from kinegrade.worked.formulas.formula import Formula, Function, FunctionName, Sum
 from kinegrade.worked.formulas.measures import bearing, double, tidy
 from kinegrade.worked.formulas.numbers import state_angle
 from kinegrade.worked.formulas.symbols import index_letter, join_letters
@@ -25,6 +25,7 @@ from kinegrade.worked.positions.isosceles import find_mirrored_angle, find_other
 from kinegrade.worked.positions.marked_angles import measure_given
 from kinegrade.worked.positions.seen_angles import find_seen_acute
 from kinegrade.worked.positions.stated_angles import find_stated_angle, find_track_angle
+from kinegrade.worked.vectors.arms import find_length_tree
 from kinegrade.worked.vectors.known_vectors import find_path_term
 from kinegrade.worked.vectors.magnitudes import find_heading, find_track_ends
 
@@ -263,16 +264,27 @@ def introduce_angle(part: Part, case: Case) -> Iterator[Block]:
         yield Display(named.equation(symbol, tree, DEGREE))
         return
     rise, run = (make_positive(one, instance.sign(one)) for one in (pair[1], pair[0]))
-    name = instance.free("inclination")
-    slope = over(rise, run)
-    further = instance.named(name, symbol, instance.value(Call("atan", (slope,))))
-    tangent = Function("tan", symbol)
+    name, size = instance.free("inclination"), find_length_tree(*ends, case)
+    steep = double(instance.value(rise)) > double(instance.value(run))
+    function, inverse, ratio = _choose_ratio(rise, run, size, steep)
+    further = instance.named(name, symbol, instance.value(Call(inverse, (ratio,))))
     yield Display(
         (
-            *instance.equation(tangent, slope, PURE),
+            *instance.equation(Function(function, symbol), ratio, PURE),
             *further.equation(symbol, Name(name), DEGREE),
         )
     )
+
+
+def _choose_ratio(
+    rise: Expression, run: Expression, size: Expression | None, steep: bool
+) -> tuple[FunctionName, str, Expression]:
+    """The ratio that gives an angle: to the length of the line where that is given, of the shorter
+    side, which tells the angle more exactly; else of its sides.
+    """
+    if size is None:
+        return "tan", "atan", over(rise, run)
+    return ("cos", "acos", over(run, size)) if steep else ("sin", "asin", over(rise, size))
 
 
 def _explain_legs(ends: tuple[str, str], leg: tuple[str, str], case: Case) -> Block:

@@ -30,6 +30,7 @@ _NORMAL = re.compile(r"\\perp ([^,$]*)")
 _POINT = re.compile(r"[A-Z](?:_\{\w+\}|'|_\w)*")
 _CLAUSE = re.compile(r"\\boldsymbol\{[va]\}[^$]*\\(?:perp|parallel)")
 _BOLD = re.compile(r"\\boldsymbol\{([va])\}")
+_COMPONENT = re.compile(r"^\S*,[xy]\}")  # on the axes, with which the figure shows the angles
 _NO_LINE = frozenset[str]()
 _CLOSE = 1e-9
 _FORMULA = re.compile(r"\$([^$]*)\$")
@@ -52,7 +53,7 @@ def find_underived(blocks: Sequence[Block], solution: Solution) -> Iterator[str]
             case Prose(text):
                 told.append(text)
             case Display(lines):
-                for row in lines:
+                for row in (one for one in lines if not _COMPONENT.search(write_row(one))):
                     for vector, angle in find_projected(row):
                         if not _is_derived(across.get(vector), angle, told):
                             yield f"{vector} by {angle} in {write_row(row)}"
