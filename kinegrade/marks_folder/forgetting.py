@@ -19,8 +19,8 @@ from kinegrade.marks_folder.layout import (
 )
 
 _NAMED = ("student", "key_of", "exam")
-# May hold a name, what somebody typed, or a time that another system's log has, too
-_TELLING = ("name", "reason", "marks", "comment", "submitted")
+# May hold a name, what somebody typed, a time that another system's log has, too, or a code
+_TELLING = ("name", "reason", "marks", "comment", "submitted", "paper")
 _READ_AS = "read_as"
 
 

@@ -34,7 +34,7 @@ class HandMark:
     """Points given by hand; `ask` is "" where they are for a whole question, or EXTRA.
 
     `machine` is what was given there without them, None where only a hand marks; `out_of` is what
-    can be had, None for EXTRA.
+    can be had, None for EXTRA. `paper` is the code by which it was given, "" where that was an id.
     """
 
     student: str
@@ -44,6 +44,7 @@ class HandMark:
     out_of: Fraction | None
     comment: str
     machine: Fraction | None = None
+    paper: str = ""
 
     @property
     def column(self) -> str:
@@ -133,7 +134,7 @@ def are_edited(folder: Path) -> bool:
 
 
 def _read_hand_mark(cells: Record, path: Path, line: int) -> HandMark:
-    student, place, points, out_of, machine, comment = cells
+    student, place, points, out_of, machine, comment, paper = cells
     question, _, ask = place.partition(".")
     if not question or (ask and not machine):
         expected = Message("marks.marked-place")
@@ -146,4 +147,5 @@ def _read_hand_mark(cells: Record, path: Path, line: int) -> HandMark:
         read_amount(out_of, path, line, "out_of") if out_of else None,
         restore(comment),
         read_amount(machine, path, line, "machine") if machine else None,
+        paper,
     )

@@ -107,14 +107,18 @@ OPEN: Final = TableFile(
     ("student", "name", "question", "out_of", "points", "comment", "exam"),
     optional=("student", "name", "out_of", "comment", "exam"),
 )
-#: Marks by hand, with what the machine gave in the same place, empty where only hands mark; only
-#: where there are some.
+# Earlier versions did not say which marks were given by codes
+#: Marks by hand, with what the machine gave in the same place, empty where only hands mark, and the
+#: code of the paper where the mark was given by that alone, which it follows; only where there are
+#: some.
 MANUAL: Final = TableFile(
-    "manual.csv", ("student", "question", "points", "out_of", "machine", "comment")
+    "manual.csv",
+    ("student", "question", "points", "out_of", "machine", "comment", "paper"),
+    optional=("paper",),
 )
 #: Marks by hand for what the policy drops: they do not count, and do again as soon as the class is
 #: marked without that rule; only where there are some.
-LEFT_OUT: Final = TableFile("left-out.csv", MANUAL.columns)
+LEFT_OUT: Final = TableFile("left-out.csv", MANUAL.columns, optional=MANUAL.optional)
 #: Questions whose points, as the papers state them, come on top of the maximum; only where there
 #: are some.
 BONUS: Final = TableFile("bonus.csv", ("question", "points"))

@@ -207,7 +207,7 @@ def _write_complaint(complaint: Complaint, words: Catalogue) -> tuple[str, ...]:
 def _write_hand_mark(mark: HandMark) -> tuple[str, ...]:
     amounts = mark.points, mark.out_of, mark.machine
     shown = ("" if each is None else write_amount(each) for each in amounts)
-    return (mark.student, mark.column, *shown, neutralise(mark.comment))
+    return (mark.student, mark.column, *shown, neutralise(mark.comment), mark.paper)
 
 
 def _write_kept(kept: KeptTotal, words: Catalogue) -> tuple[str, ...]:

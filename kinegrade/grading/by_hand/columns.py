@@ -41,6 +41,11 @@ class HandColumns:
         """A cell without blanks around it, "" where there is no such column."""
         return "" if place is None else trim(row.cell(place))
 
+    @property
+    def is_ours(self) -> bool:
+        """Whether the file is a list of marks by hand that kinegrade wrote."""
+        return self.machine is not None
+
     def target(self, row: Row) -> str:
         """What a row marks, as it is written there."""
         parts = self.cell(row, self.question), self.cell(row, self.ask)

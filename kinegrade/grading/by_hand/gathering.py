@@ -156,7 +156,7 @@ def _say(paths: Sequence[Path], files: Sequence[HandFile], markable: Markable) -
             yield Fault(str(path), each, do=Message("marking.points-count-as-they-stand"))
         if file.unmarked:
             yield Message("marking.unmarked-rows", file=str(path), count=file.unmarked)
-        yield from _say_left_out(path, file)
+        yield from _say_kept(path, file)
 
 
 def _say_carried(
@@ -172,11 +172,15 @@ def _say_carried(
             yield Message("marking.carried-over", file=str(path), count=carried)
         if changed:
             yield Message("marking.replaced-by-hand", file=str(path), count=changed)
-        yield from _say_left_out(path, file)
+        yield from _say_kept(path, file)
 
 
-def _say_left_out(path: Path, file: HandFile) -> Iterator[Message]:
-    """That points are for what the policy dropped, and where they are kept."""
+def _say_kept(path: Path, file: HandFile) -> Iterator[Message]:
+    """Which marks went with a paper, and which are for what the policy dropped, and where they are
+    kept.
+    """
+    if file.followed:
+        yield Message("marking.followed-paper", file=str(path), count=file.followed)
     if file.left_out:
         count, kept = len(file.left_out), LEFT_OUT.name
         yield Message("marking.dropped-by-hand", file=str(path), count=count, kept=kept)

@@ -25,12 +25,15 @@ _SHOWN = 4  # names that a message gives as examples
 class Markable:
     """`maxima` are the points under the policy, by question and by ask; `orders` are the questions
     of each paper that has others than the exam, or in another order; the policy `dropped` some
-    questions and asks. The exam is known by its `identity`; its `students` are as in the roster.
+    questions and asks. The exam is known by its `identity`; its `students` are as in the roster,
+    `codes` those of their papers, and `spares` papers of nobody.
     """
 
     identity: str
     students: Sequence[str]
     ids: StudentIds
+    codes: Mapping[str, str]
+    spares: StudentIds
     people: StudentNames
     names: AskNames
     maxima: Mapping[str, Fraction]
@@ -77,11 +80,13 @@ def find_markable(
         list(order) != sorted(order, key=exam.questions.index) for order in orders.values()
     )
     ids, people = StudentIds(exam.students, exam.codes), StudentNames(exam.names)
+    codes = {student: code for code, student in exam.codes.items()}
+    spares = StudentIds((), {code: code for code in exam.spare_codes})
     names = AskNames(exam.head.columns, by_hand, shuffled)
     dropped = {column for column in maxima if _is_dropped(column, exam, policy)}
     dropped |= policy.dropped_by_hand
-    identity = identify_exam(head)
-    return Markable(identity, exam.students, ids, people, names, maxima, orders, by_hand, dropped)
+    students = exam.students, ids, codes, spares, people
+    return Markable(identify_exam(head), *students, names, maxima, orders, by_hand, dropped)
 
 
 def _is_dropped(column: str, exam: ExamFolder, policy: Policy) -> bool:

@@ -43,13 +43,15 @@ class HandRow:
 @dataclass
 class HandFile:
     """What was read of one file: its marks, how many rows have none yet, those `left_out` that mark
-    what the policy dropped, which ids are not as in the exam, and what is wrong.
+    what the policy dropped, which ids are not as in the exam, how many `followed` a paper to
+    another student than they were given to, and what is wrong.
     """
 
     rows: list[HandRow] = field(default_factory=list)
     unmarked: int = 0
     left_out: list[HandRow] = field(default_factory=list)
     restored: Mapping[str, str] = field(default_factory=dict)
+    followed: int = 0
     faults: list[Fault] = field(default_factory=list)
 
 
@@ -116,7 +118,10 @@ class _Reader:
             return
         maximum = self.markable.maxima.get(named.column)
         before = _read_amount(self.columns.cell(row, self.columns.machine))
-        mark = HandMark(student, named.question, named.ask, amount, maximum, comment, before)
+        mark = HandMark(
+            *(student, named.question, named.ask, amount, maximum, comment, before),
+            paper=self._find_code(row, student),
+        )
         found = HandRow(mark, f"{self.path}:{row.line}")
         if self.markable.leaves_out(named.column, amount):
             self.found.left_out.append(found)
@@ -127,7 +132,17 @@ class _Reader:
         cell = self.columns.cell(row, self.columns.student)
         code = self.columns.cell(row, self.columns.code)
         owner = self.markable.ids.coded(code) if code else None
-        if code and owner is None:
+        if spare := self.markable.spares.coded(code or cell):
+            what, do = (
+                Message("marking.nobodys-paper", code=spare),
+                Message("marking.give-to-owner"),
+            )
+            self._fault(row, spare, what, do=do)
+            return None
+        if owner is not None and self.columns.is_ours:  # given by that code
+            self.found.followed += owner != students.get(cell, "")
+            return owner
+        if code and owner is None and not self.columns.is_ours:  # changed with the version
             self._fault(row, code, Message("marking.no-such-code"))
             return None
         if not cell:
@@ -142,6 +157,14 @@ class _Reader:
             self._fault(row, code, what, do=Message("marking.correct-one", student=Quoted(student)))
             return None
         return None if student is None or self._has_other_name(row, student) else student
+
+    def _find_code(self, row: Row, student: str) -> str:
+        """The code of the student's paper where the row was given by that, "" where by the id."""
+        cell = self.columns.cell(row, self.columns.student)
+        code = self.columns.cell(row, self.columns.code)
+        by = code if code and (self.columns.is_ours or not cell) else cell
+        given = self.markable.ids.coded(by) == student
+        return self.markable.codes[student] if given else ""
 
     def _has_other_name(self, row: Row, student: str) -> bool:
         """Whether the name beside the id is that of another student, which is a fault."""

@@ -212,8 +212,8 @@ def test_a_spreadsheet_shows_them_on_a_sheet_of_their_own(folder: Path) -> None:
     assert done.exit_code == 0, done.stderr
     rows = [[cell.value for cell in row] for row in load_workbook(book)["manual"].iter_rows()]
     assert rows[1:] == [
-        [ADA, "q2", 2, 2.5, None, "0.07"],
-        [SOFYA, "q2", 1, 2.5, None, "=1+1"],
+        [ADA, "q2", 2, 2.5, None, "0.07", None],
+        [SOFYA, "q2", 1, 2.5, None, "=1+1", None],
     ]
 
 
