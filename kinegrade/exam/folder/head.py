@@ -21,7 +21,7 @@ from kinegrade.exam.folder.earlier_signs import recognise_convention
 from kinegrade.exam.folder.faults import EXAM_FOLDER, REMEDY, describe_damage
 from kinegrade.exam.folder.numbers import require_not_negative
 from kinegrade.exam.folder.records import Candidate, ExamHead, ExamQuestion
-from kinegrade.exam.roster.students import make_student_key
+from kinegrade.exam.roster.students import make_student_key, make_student_keys
 from kinegrade.files.fields.document import FileKind, json_table, read_text
 from kinegrade.files.fields.json_records import read_records
 from kinegrade.files.fields.table import Table
@@ -47,7 +47,7 @@ def read_head(folder: Path) -> ExamHead:
     path = folder / HEAD
     text = read_text(path, _HEAD_FILE)
     found = read_records(text, "students", Candidate)
-    if found is not None and all(make_student_key(each.student) for each in found.records):
+    if found is not None and all(_list_keys(found.records)):
         with suppress(ExamError):  # whose lines the whole text tells
             return _read(json_table(str(path), found.rest, _HEAD_FILE), found.records)
     return _read(json_table(str(path), text, _HEAD_FILE))
@@ -61,7 +61,7 @@ def _read(table: Table, students: tuple[Candidate, ...] = ()) -> ExamHead:
     students = students or _read_list(table, "students", _read_candidate)
     columns = (ask.column for question in questions for ask in question.asks)
     _require_once(table, "questions", "ask", columns)
-    _require_once(table, "students", "id", (make_student_key(each.student) for each in students))
+    _require_once(table, "students", "id", _list_keys(students))
     language = table.required("language", _read_language) or ENGLISH
     rest = {**table.content, "questions": [], "students": [], "language": language}
     try:
@@ -74,6 +74,11 @@ def _read(table: Table, students: tuple[Candidate, ...] = ()) -> ExamHead:
     _require_choices(table, head, names)
     table.faults.require_none()
     return msgspec.structs.replace(head, questions=questions, students=students)
+
+
+def _list_keys(students: Iterable[Candidate]) -> Sequence[str]:
+    """The ids of these students as they are compared."""
+    return make_student_keys([each.student for each in students])
 
 
 def require_finished(folder: Path) -> None:

@@ -13,7 +13,7 @@ from collections import defaultdict
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from functools import cached_property
 
-from kinegrade.exam.roster.students import make_student_key
+from kinegrade.exam.roster.students import make_student_key, make_student_keys
 from kinegrade.files.cell_text import shorten, trim
 from kinegrade.language.message import Message, Quoted
 
@@ -50,7 +50,8 @@ class StudentIds:
     @cached_property
     def _exact(self) -> Mapping[str, str]:
         """The students by their ids as they are compared; of equal ones the first."""
-        return {make_student_key(student): student for student in reversed(self._students)}
+        keys = make_student_keys(self._students)
+        return dict(zip(reversed(keys), reversed(self._students), strict=True))
 
     @cached_property
     def _coded(self) -> Mapping[str, str]:

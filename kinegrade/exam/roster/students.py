@@ -77,6 +77,18 @@ def make_student_key(student: str) -> str:
     return trim(normalize("NFKC", student))
 
 
+def make_student_keys(students: Sequence[str]) -> Sequence[str]:
+    """The same of many ids, most of which stand as they are.
+
+    >>> make_student_keys(["007", "S9"]), make_student_keys(["007 "])
+    (['007', 'S9'], ['007'])
+    """
+    together = "".join(students)
+    if together.isascii() and together.isalnum():
+        return students
+    return [*map(make_student_key, students)]
+
+
 def make_file_names(students: Iterable[str]) -> dict[str, str]:
     """A file stem for each id: the id itself where it is plain, percent-encoded where it is not.
 

@@ -15,7 +15,7 @@ import numpy as np
 
 from kinegrade.exam.folder.columns.runs import list_runs
 from kinegrade.grading.fast.bounds import Flags, Numbers, Places
-from kinegrade.grading.fast.intervals import SAME, Intervals, SortedIntervals
+from kinegrade.grading.fast.intervals import SAME, Intervals, SortedIntervals, rank_roughly
 
 _TOGETHER = 4  # asks: papers stand in one cell of so many
 _CELLS = 50  # for each paper: so few are taken
@@ -83,7 +83,8 @@ def list_cells(
 
 def _divide(values: Numbers, order: SortedIntervals, count: int) -> tuple[_Buckets, Places]:
     """The buckets of an ask, with as many papers as equal values allow, and that of each paper."""
-    begins_run = np.append(True, values[1:] != values[:-1])
+    ranks = rank_roughly(values)
+    begins_run = np.append(True, ranks[1:] != ranks[:-1])
     first = np.maximum.accumulate(np.where(begins_run, np.arange(len(begins_run)), 0))
     bucket = first * count // len(first)
     stands = np.empty(len(bucket), dtype=np.intp)

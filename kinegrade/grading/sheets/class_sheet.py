@@ -199,7 +199,8 @@ def _find_left_out(left_out: Sequence[LeftOut], entries: _Entries) -> Iterator[C
 def _find_missing_students(
     names: str, exam: Sitting, entries: _Entries, said: set[str]
 ) -> Iterator[Complaint]:
+    there = {*entries}
     for student in exam.students:
-        if student not in entries and student not in said:
+        if student not in there and student not in said:
             problem = Message("marking.no-row", student=Quoted(student))
             yield Complaint(names, None, "", student, problem, Message("marking.all-blank"))

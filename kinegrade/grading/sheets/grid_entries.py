@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
+from itertools import repeat
 from typing import overload
 
 import numpy as np
@@ -127,7 +128,9 @@ class GridEntries(Mapping[str, tuple[Entry, ...]]):
 
     def of(self, students: Iterable[str]) -> GridEntries:
         """Those of these students, empty ones of those who have none."""
-        return GridEntries(self.grid, {each: self.places.get(each, _NONE) for each in students})
+        listed = [*students]
+        rows = map(self.places.get, listed, repeat(_NONE))
+        return GridEntries(self.grid, dict(zip(listed, rows, strict=True)))
 
     def block(self, students: Sequence[str]) -> GridBlock:
         """Those of these students one after the other."""

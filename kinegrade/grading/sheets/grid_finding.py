@@ -21,7 +21,7 @@ def find_grid_entries(answers: AnswerFile, columns: Columns, exam: Sitting) -> G
     if not isinstance(rows, CellGrid) or beside or len(asks) < len(columns.asks):
         return None
     ids = StudentIds(exam.students, exam.codes).all_exact(rows.column(columns.student))
-    places = {student: row for row, student in enumerate(ids) if student is not None}
+    places = dict(zip(filter(None, ids), range(len(ids)), strict=False))
     if len(places) < len(ids):
         return None
     return GridEntries(AnswerGrid(rows, tuple(asks), answers.table.file), places)

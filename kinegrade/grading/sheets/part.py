@@ -149,9 +149,11 @@ def _list_unlike(
     """
     if isinstance(rows, GridEntries):
         cells, grid = rows.grid.cells.column(place), rows.grid.cells
-        for student, row in rows.places.items():
-            if cells[row] != own.get(student):
-                yield student, grid[row]
+        written = [cells[row] for row in rows.places.values()]
+        if written != [*map(own.get, rows.places)]:
+            for student, row in rows.places.items():
+                if cells[row] != own.get(student):
+                    yield student, grid[row]
         return
     for student, several in rows.items():
         for each in several:
