@@ -6,8 +6,9 @@ Called by `answer_lines`.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from functools import lru_cache
+from typing import NamedTuple
 
 import numpy as np
 
@@ -16,7 +17,8 @@ from kinegrade.grading.fast.bounds import Places
 from kinegrade.grading.fast.judged_block import JudgedBlock
 from kinegrade.grading.fast.line_columns import LineColumns, Texts
 from kinegrade.grading.fast.number_texts import tabulate_numbers
-from kinegrade.grading.fast.reasons import Form, read_cells
+from kinegrade.grading.fast.reasons import Sentence, read_cells
+from kinegrade.language import Language
 from kinegrade.language.catalogue import Catalogue
 from kinegrade.language.message import Text
 from kinegrade.marks_folder.layout import BY_POLICY, NAMES_BETWEEN
@@ -24,43 +26,54 @@ from kinegrade.marks_folder.layout import BY_POLICY, NAMES_BETWEEN
 
 def add_reasons(lines: LineColumns, judged: JudgedBlock, words: Catalogue) -> None:
     """Adds the ends of lines: the texts of sentences, and between them their numbers."""
-    ways = 2 * judged.said + judged.to_figures
-    forms = _read_forms(judged, ways)
-    begins, which = _list_begins(judged, forms, ways, words)
+    every_way = 2 * judged.said + judged.to_figures
+    counts = np.bincount(every_way)
+    said = np.flatnonzero(counts)
+    ways = (np.cumsum(counts > 0) - 1)[every_way]  # counted among those that there are
+    ends = [_read_end(judged, way) for way in said.tolist()]
+    begins, which = _list_begins(judged, ends, ways, words)
     lines.add(begins, which)
-    for hole in range(max((len(form.order) for form in forms.values()), default=0)):
-        lines.add_plain(_write_numbers(judged, forms, ways, hole))
-        behind = [
-            encode(forms[way].texts[hole + 1])
-            if way in forms and hole < len(forms[way].order)
-            else b""
-            for way in range(2 * len(judged.sentences))
-        ]
-        lines.add(behind, ways)
+    for hole in range(max((len(end.order) for end in ends), default=0)):
+        lines.add_plain(_write_numbers(judged, ends, ways, hole))
+        lines.add([end.behind(hole) for end in ends], ways)
 
 
-def _read_forms(judged: JudgedBlock, ways: Places) -> Mapping[int, Form]:
-    """The forms of the sentences that are said, with the end of the line behind each."""
-    found: dict[int, Form] = {}
-    for way in np.flatnonzero(np.bincount(ways)).tolist():
-        said, to_figures = divmod(way, 2)
-        if said:
-            sentence = judged.sentences[said]
-            forms = read_cells(judged.language, sentence)
-            form = forms.choose(to_figures=bool(to_figures))
-            end = _write_end(sentence.mistakes, by_policy=sentence.by_policy)
-            found[way] = Form((*form.texts[:-1], form.texts[-1] + end), form.order)
-    return found
+class _End(NamedTuple):
+    """The end of a line: the texts between which numbers stand, and which numbers these are; none
+    where no sentence is said.
+    """
+
+    texts: tuple[bytes, ...] = (b"",)
+    order: tuple[int, ...] = ()
+
+    def behind(self, hole: int) -> bytes:
+        """The text behind a number, nothing where there is no such number."""
+        return self.texts[hole + 1] if hole < len(self.order) else b""
+
+
+def _read_end(judged: JudgedBlock, way: int) -> _End:
+    """The end of the lines in which a sentence is said in one of its two ways."""
+    said, to_figures = divmod(way, 2)
+    if not said:
+        return _End()
+    return _make_end(judged.language, judged.sentences[said], bool(to_figures))
+
+
+@lru_cache(maxsize=4096)
+def _make_end(language: Language, sentence: Sentence, to_figures: bool) -> _End:
+    form = read_cells(language, sentence).choose(to_figures=to_figures)
+    end = _write_end(sentence.mistakes, by_policy=sentence.by_policy)
+    *texts, last = form.texts
+    return _End((*map(encode, texts), encode(last + end)), form.order)
 
 
 def _list_begins(
-    judged: JudgedBlock, forms: Mapping[int, Form], ways: Places, words: Catalogue
+    judged: JudgedBlock, ends: Sequence[_End], ways: Places, words: Catalogue
 ) -> tuple[list[bytes], Places]:
     """The beginnings of sentences, and all of what is no sentence: the distinct texts, and the
     number of that of each answer.
     """
-    begins = {way: encode(form.texts[0]) for way, form in forms.items()}
-    texts = [begins.get(way, b"") for way in range(2 * len(judged.sentences))]
+    texts = [end.texts[0] for end in ends]
     numbers: dict[bytes, int] = {}
     which = ways.copy()
     for place in np.flatnonzero(judged.said == 0).tolist():
@@ -70,15 +83,10 @@ def _list_begins(
     return [*texts, *numbers], which
 
 
-def _write_numbers(
-    judged: JudgedBlock, forms: Mapping[int, Form], ways: Places, hole: int
-) -> Texts:
+def _write_numbers(judged: JudgedBlock, ends: Sequence[_End], ways: Places, hole: int) -> Texts:
     """The numbers at one place of the sentences."""
-    stated = np.full(2 * len(judged.sentences), -1, dtype=np.intp)
-    for way, form in forms.items():
-        if hole < len(form.order):
-            stated[way] = form.order[hole]
-    which = stated[ways]
+    stated = [end.order[hole] if hole < len(end.order) else -1 for end in ends]
+    which = np.array(stated, dtype=np.intp)[ways]
     chosen = np.flatnonzero(which >= 0)
     written = tabulate_numbers(judged.stated[which[chosen], chosen])
     if len(chosen) == len(ways):

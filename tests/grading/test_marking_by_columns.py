@@ -16,6 +16,7 @@ from pathlib import Path
 import pytest
 
 from benchmarks.large_class import COLUMNS, write_class
+from kinegrade.exam.folder.columns import reading, writing
 from kinegrade.exam.folder.columns.gathering import read_right_answers
 from kinegrade.exam.folder.columns.part import PartKeys
 from kinegrade.exam.folder.columns.writing import write_columns
@@ -24,6 +25,7 @@ from kinegrade.exam.folder.exam_folder import ExamFolder, open_exam
 from kinegrade.exam.folder.keys import Key
 from kinegrade.exam.keyed_exam import read_whole
 from kinegrade.files.tables import parse_table
+from kinegrade.grading import marking
 from kinegrade.grading.fast import block_judge
 from kinegrade.grading.grade import MarkingWishes, grade
 from kinegrade.grading.marking import MarkingTerms, mark
@@ -50,6 +52,25 @@ def repeat_rows(sheet: bytes) -> bytes:
     return b"".join([head, *rows, *more])
 
 
+#: What people, programs and spreadsheets leave in cells
+STRANGE = (
+    "nan", "-inf", "1e999", f"{7**400}", "0." + "0" * 300 + "1", "\uff11\uff12.\uff15",
+    "\u0663\u066b\u0665", '"1,5"', '"say ""2.5"""', "  3.5\u00a0", "+2.25", "-.5", "7.", "--1", "1.2.3",
+    "1 234.5", "=1+1", "\u221212.5", "1e-3", "0x10", "'2.5", "\U0001d7d9.5",
+)  # fmt: skip
+
+
+def type_strangely(sheet: bytes) -> bytes:
+    """Every third cell of every fifth row holds something strange."""
+    head, *rows = sheet.decode().splitlines()
+    strange = cycle(STRANGE)
+    for place in range(0, len(rows), 5):
+        cells = rows[place].split(",")
+        cells[2::3] = [next(strange) for _ in cells[2::3]]
+        rows[place] = ",".join(cells)
+    return "\n".join([head, *rows, ""]).encode()
+
+
 SHEETS: dict[str, Callable[[bytes], bytes]] = {
     "as typed": lambda sheet: sheet,
     "a byte-order mark and CR LF": lambda sheet: b"\xef\xbb\xbf" + sheet.replace(b"\n", b"\r\n"),
@@ -57,6 +78,7 @@ SHEETS: dict[str, Callable[[bytes], bytes]] = {
     "repeated rows": repeat_rows,
     "unknown and missing students": lambda sheet: sheet.replace(b"\n0000", b"\nx", 9),
     "no rows": lambda sheet: sheet.partition(b"\n")[0],
+    "strange cells": type_strangely,
     "short rows": lambda sheet: sheet.replace(b"1,", b"1\n", 40),
 }
 
@@ -96,6 +118,17 @@ def test_so_they_are_for_any_sheet(tmp_path: Path, change: Callable[[bytes], byt
     by_columns, by_key = mark_twice(tmp_path, MarkingWishes(own_papers=True))
     assert by_columns == by_key
     assert by_key["marks.csv"].count(b"\n") > 3000
+
+
+def test_so_they_are_where_blocks_join_parts_of_the_arrays(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for module in (writing, reading):
+        monkeypatch.setattr(module, "PART", 30)
+    monkeypatch.setattr(marking, "choose_block", lambda _: 90)
+    write_class(tmp_path, 200, 0.1)
+    by_columns, by_key = mark_twice(tmp_path, MarkingWishes(own_papers=True))
+    assert by_columns == by_key
 
 
 def drop_rows(sheet: bytes) -> bytes:
@@ -167,6 +200,17 @@ def test_at_the_bounds_each_answer_is_decided_exactly(tmp_path: Path) -> None:
     exactly = marks_one_by_one(read_whole(exam), sheet, AS_PRINTED)
     assert state([*marks]) == state(exactly)
     assert {each.verdict.kind for each in marks} >= {"right", "wrong", "mistake"}
+
+
+def test_strange_cells_are_decided_exactly(tmp_path: Path) -> None:
+    write_class(tmp_path, 60, 0.0)
+    exam = open_exam(tmp_path / "EXAM")
+    typed = type_strangely((tmp_path / "answers.csv").read_bytes())
+    sheet = read_sheet(parse_table(typed, "typed.csv"), exam)
+    marks = mark(exam, sheet, MarkingTerms(AS_PRINTED)).marks
+    exactly = marks_one_by_one(read_whole(exam), sheet, AS_PRINTED)
+    assert state([*marks]) == state(exactly)
+    assert {each.verdict.kind for each in marks} >= {"right", "wrong", "mistake", "unreadable"}
 
 
 @pytest.mark.parametrize("kept", [KEY_COLUMNS, KEY])

@@ -24,9 +24,9 @@ from kinegrade.grading.fast.bounds import Flags, Places, Rules, tabulate_rules
 from kinegrade.grading.fast.compared_cells import compare_cells
 from kinegrade.grading.fast.judged_block import NO_SHARE, JudgedBlock
 from kinegrade.grading.fast.mistaken import Leading, Mistakes, find_best
-from kinegrade.grading.fast.reasons import Sentence
+from kinegrade.grading.fast.reasons import Sentence, say_together
 from kinegrade.grading.fast.typed_cells import CellReader
-from kinegrade.grading.judging.decision import Decision, decide, name_mistakes, void
+from kinegrade.grading.judging.decision import Decision, decide, void
 from kinegrade.grading.judging.follow import Decided, Follows, follow_answers, withhold
 from kinegrade.grading.judging.judge import Kind, judge
 from kinegrade.grading.policy.accepted import Alternative, Alternatives
@@ -154,8 +154,8 @@ class BlockJudge:
             if best is None:
                 found.setdefault(place, {way.name for way in ways})
             elif place not in found:
-                together = name_mistakes(best.name, [way.name for way in ways])
-                named[best.number] = block.find_sentence(Sentence(together))
+                together = say_together(best.name, tuple([way.name for way in ways]))
+                named[best.number] = block.find_sentence(together)
         others, said = (np.array([*each], dtype=np.intp) for each in (named, named.values()))
         self._put_mistakes(block, leading, others, said)
         return found

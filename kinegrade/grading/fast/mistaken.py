@@ -89,9 +89,13 @@ class Leading:
     def group_others(self) -> Iterator[tuple[int, list[Way]]]:
         """The other answers, each with its ways."""
         others = np.flatnonzero(~self.single)
-        placed = zip(self.places[others].tolist(), others.tolist(), strict=True)
+        values, differences = self.stated[:2, others].tolist()
+        names = map(self.known.__getitem__, self.names[others].tolist())
+        certain = self.certain[others].tolist()
+        ways = map(Way, others.tolist(), names, certain, differences, values)
+        placed = zip(self.places[others].tolist(), ways, strict=True)
         for place, group in groupby(placed, _PLACE):
-            yield place, [self._way(number) for _, number in group]
+            yield place, [way for _, way in group]
 
     @property
     def single(self) -> Flags:
@@ -100,11 +104,6 @@ class Leading:
         changes[1:-1] = self.places[1:] != self.places[:-1]
         found: Flags = changes[:-1] & changes[1:] & self.certain
         return found
-
-    def _way(self, number: int) -> Way:
-        value, difference, *_ = self.stated[:, number].tolist()
-        name, certain = self.known[self.names[number]], bool(self.certain[number])
-        return Way(number, name, certain, difference, value)
 
 
 def find_best(ways: Sequence[Way], shares: Mapping[str, Fraction]) -> Way | None:

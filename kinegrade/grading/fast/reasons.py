@@ -6,13 +6,14 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, lru_cache
 from itertools import chain
+from typing import NamedTuple
 
 from kinegrade.files.csv_writing import neutralise, write_csv_cell
 from kinegrade.grading.fast.bounds import Numbers
 from kinegrade.grading.fast.number_texts import write_numbers
-from kinegrade.grading.judging.decision import explain_mistakes
+from kinegrade.grading.judging.decision import explain_mistakes, name_mistakes
 from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.message import Message
@@ -25,14 +26,19 @@ _TO_FIGURES = Message(
 )
 
 
-@dataclass(frozen=True, slots=True)
-class Sentence:
+class Sentence(NamedTuple):
     """What a reason says beside the comparison: the mistakes that lead to the answer, none where it
     is compared with the key, and then whether that is by the policy's rule.
     """
 
     mistakes: tuple[str, ...] = ()
     by_policy: bool = False
+
+
+@lru_cache(maxsize=4096)
+def say_together(best: str, labels: tuple[str, ...]) -> Sentence:
+    """What is said where mistakes with these labels lead to an answer, the best before others."""
+    return Sentence(name_mistakes(best, labels))
 
 
 @dataclass(frozen=True, slots=True)

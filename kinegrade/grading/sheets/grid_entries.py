@@ -20,7 +20,7 @@ from kinegrade.grading.sheets.entry import Entry
 from kinegrade.grading.typed.plain_cells import PlainCells
 
 _NONE = -1  # in place of the row of a student who has none
-_FEW, _MANY = 250, 1000  # rows in a block: more take less time, and more memory
+_FEW, _MANY = 250, 4000  # rows in a block: more take less time, and more memory
 _LARGE = 10_000  # rows; such a class takes that memory anyway
 
 _Places = NDArray[np.intp]

@@ -6,6 +6,7 @@ import os
 import shutil
 from collections.abc import Callable
 from fractions import Fraction
+from itertools import chain
 from math import nextafter
 from pathlib import Path
 from zipfile import ZipFile
@@ -62,6 +63,27 @@ def test_columns_hold_every_digit_of_the_key(
     papers = list(open_exam(tmp_path / "EXAM").papers())
     assert all(are_columns(papers))
     assert state(papers) == state(list(without_columns(tmp_path / "EXAM").papers()))
+
+
+@pytest.mark.parametrize("size", [1, 7, 20, 1000])
+def test_so_do_blocks_of_several_parts(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, size: int
+) -> None:
+    for module in (writing, reading):
+        monkeypatch.setattr(module, "PART", 7)
+    write_class(tmp_path, STUDENTS, 0.0)
+    blocks = list(open_exam(tmp_path / "EXAM").blocks(size))
+    listed = list(without_columns(tmp_path / "EXAM").blocks(size))
+    assert all(len(block) <= size for block in blocks)
+    assert state([*chain(*blocks)]) == state([*chain(*listed)])
+    for each in (blocks, listed):
+        assert [*chain(*(block.students for block in each))] == [f"{n:06}" for n in range(STUDENTS)]
+        assert {name for block in each for name in block.names} >= {"Student 0", "Student 24"}
+    if size >= STUDENTS:
+        places = np.array([0, 69, 70, 71, 249])
+        found, expected = (read_mistakes(each[0].keys, places, 10) for each in (blocks, listed))
+        assert found.values.tolist() == expected.values.tolist()
+        assert np.array_equal(read_centres(blocks[0].keys), read_centres(listed[0].keys))
 
 
 def test_a_generated_exam_has_columns(small_class: Path) -> None:

@@ -36,7 +36,7 @@ class KeptPapers:
         Raises ExamError with all faults of the key, after the last line is read.
         """
         done = 0
-        for part in self._column_parts():
+        for part in self._column_parts(1):
             yield from part
             done += len(part)
             del part  # so that the next takes its place
@@ -45,17 +45,17 @@ class KeptPapers:
     def blocks(self, size: int) -> Iterator[PaperBlock]:
         """The same in blocks of that size, or less."""
         done = 0
-        for part in self._column_parts():
+        for part in self._column_parts(size):
             yield from divide_block(part, size)
             done += len(part)
             del part  # so that the next takes its place
         yield from list_blocks(self._papers_from(done), size)
 
-    def _column_parts(self) -> Iterator[PartPapers]:
-        """The papers whose keys can be read from arrays."""
+    def _column_parts(self, size: int) -> Iterator[PartPapers]:
+        """The papers whose keys can be read from arrays, about so many together."""
         if self._columns is not None:
             with suppress(*DAMAGED):
-                yield from self._columns.parts()
+                yield from self._columns.parts(size)
 
     def _papers_from(self, begin: int) -> Iterator[Paper]:
         """The papers from that one on, read from the key itself."""

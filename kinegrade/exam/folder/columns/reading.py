@@ -6,10 +6,11 @@ cannot be read says so, and `ExamFolder` reads the key itself.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from io import BytesIO
+from itertools import accumulate
 from pathlib import Path
 from typing import NamedTuple
 from zipfile import BadZipFile, ZipFile
@@ -59,17 +60,22 @@ class KeyColumns:
     head: ExamHead
     about: About
 
-    def parts(self) -> Iterator[PartPapers]:
-        """The papers. Raises one of `DAMAGED` at the first part that cannot be read."""
+    def parts(self, size: int) -> Iterator[PartPapers]:
+        """The papers, as many parts together as have no more papers than that, one at least. Raises
+        one of `DAMAGED` at the first part that cannot be read.
+        """
         terms = [read_terms(stated, self.head) for stated in self.about.terms]
         begin = 0
         with ZipFile(self.path) as archive:
-            for number in range(self._parts):
-                part = _make_part(_read_arrays(archive, number, ARRAYS), terms, self.about)
+            every, together = range(self._parts), max(1, size // PART)
+            for first in every[::together]:
+                numbers = every[first : first + together]
+                parts = [_read_arrays(archive, number, ARRAYS) for number in numbers]
+                part = _make_part(_join_arrays(parts), terms, self.about)
                 owners = self.head.students[begin : begin + len(part.terms)]
                 yield PartPapers(owners, PartRows(part, range(len(owners))))
                 begin += len(owners)
-                del part  # so that the next takes its place
+                del parts, part  # so that the next take their place
 
     def right_answers(self) -> Iterator[RightAnswers]:
         """What is right on the papers, part by part: a twentieth of what they take. Raises one of
@@ -131,6 +137,17 @@ def _read_array(content: bytes) -> NDArray[np.generic]:
     begin = _HEADER_AT + int.from_bytes(content[_HEADER_AT - 2 : _HEADER_AT], "little")
     form = _read_form(content[:begin])
     return np.frombuffer(content, form.dtype, offset=begin).reshape(form.shape)
+
+
+def _join_arrays(parts: Sequence[_Arrays]) -> _Arrays:
+    """The arrays of parts that are one behind the other as those of one part."""
+    if len(parts) == 1:
+        return parts[0]
+    joined = {name: np.concatenate([part[name] for part in parts]) for name in ARRAYS}
+    ends = [part["ends"].astype(np.int64, copy=False) for part in parts]
+    begins = accumulate([0, *(int(each[-1]) for each in ends)])
+    moved = [each[1:] + begin for each, begin in zip(ends, begins, strict=False)]
+    return {**joined, "ends": np.concatenate([ends[0][:1], *moved])}
 
 
 class _Form(NamedTuple):
