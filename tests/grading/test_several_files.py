@@ -72,16 +72,44 @@ def test_who_was_typed_twice_in_one_part_keeps_the_answers_of_the_other_part(
     assert complaints == [[file, "2", "", "007,7", said, done]]
 
 
-def test_attempts_at_the_same_answers_in_two_files_are_left_to_the_policy(
+@pytest.mark.parametrize("order", [(0, 1), (1, 0)])
+def test_of_attempts_in_one_file_and_a_row_in_another_the_first_file_counts(
+    exam_folder: Path, order: tuple[int, int]
+) -> None:
+    parts = FIRST, "student,q1.v_B,q2.a_B\n007,1.99,7\n007,1.98,-0.125\n"
+    marks, complaints = graded(exam_folder, *(parts[number] for number in order))
+    assert totals(marks)["007"] == ("9.5" if order == (0, 1) else "5.5")
+    repeated = f"part{order.index(1) + 1}.csv"
+    said = [row for row in complaints if "007" in "".join(row)]
+    assert [row[4] for row in said if row[:2] == [repeated, "2"] and not row[2]] == [
+        "another row for this student stands on line 3"
+    ]
+    counted = [row[4:] for row in said if row[2] == "q1.v_B" and row[0] == "part2.csv"]
+    there = "1,73" if order == (0, 1) else "1.98"
+    place = "part1.csv:2" if order == (0, 1) else "part1.csv:3"
+    for here, done in counted:
+        assert here.endswith(f'here and "{there}" in {place}')
+        assert done == "that of part1.csv counts; correct one of the files and grade again"
+    assert len(counted) == (2 if order == (0, 1) else 1)
+
+
+def test_attempts_in_two_files_are_left_to_the_policy(exam_folder: Path) -> None:
+    twice = "student,q1.v_B\n007,1.99\n007,1.98\n"
+    first = FIRST.replace("0012,", '007,"1,73",0\n0012,')
+    marks, complaints = graded(exam_folder, first, twice)
+    assert totals(marks)["007"] == "0"
+    assert [row[:2] for row in complaints if "another row" in row[4]] == [
+        ["part1.csv", "2"],
+        ["part1.csv", "3"],
+        ["part2.csv", "2"],
+    ]
+
+
+def test_a_row_that_was_never_filled_in_is_no_attempt_beside_another_file(
     exam_folder: Path,
 ) -> None:
-    again = "student,q1.v_B\n007,1.99\n007,1.98\n"
-    marks, complaints = graded(exam_folder, FIRST, again)
-    assert totals(marks)["007"] == "0"
-    assert [row[:4] for row in complaints if "another row" in row[4]] == [
-        ["part1.csv", "2", "", '"1,73",0,'],
-        ["part2.csv", "2", "", "007,1.99"],
-    ]
+    marks, complaints = graded(exam_folder, FIRST + "007,,\n", SECOND, status=0)
+    assert (totals(marks)["007"], complaints) == ("9.5", [])
 
 
 def test_a_file_that_is_given_twice_is_refused_because_another_was_meant(exam_folder: Path) -> None:
