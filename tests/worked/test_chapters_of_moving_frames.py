@@ -65,12 +65,12 @@ def test_a_composition_of_velocities() -> None:
         $\boldsymbol{v}_{\mathrm{a}} = \boldsymbol{v}_{\mathrm{e}} + \boldsymbol{v}_{\mathrm{r}}$: the
             absolute velocity of $A$ (of the crank $O_{1}A$) is its transport velocity (that of the
             point of $OB$ which is at $A$) plus the relative one (seen from $OB$).
+            Here $O_{1}A = x_{A} = 4\,\unit{m}$, $OA = \sqrt{x_{A}^{2} + y_{A}^{2}} =
+            \sqrt{(4\,\unit{m})^{2} + (3\,\unit{m})^{2}} = 5\,\unit{m}$.
         [ ] \boldsymbol{v}_{\mathrm{a}} | $O_{1}A \cdot \omega_{O_{1}A} = 8\,\unit{m/s}$ | $\perp
             O_{1}A,\curvearrowleft$
         [=] \boldsymbol{v}_{\mathrm{e}} | ? $(OA \cdot \omega)$ | $\perp OA,\curvearrowleft$
         [+] \boldsymbol{v}_{\mathrm{r}} | ? | $O \to B$
-        Here $O_{1}A = x_{A} = 4\,\unit{m}$, $OA = \sqrt{x_{A}^{2} + y_{A}^{2}} =
-            \sqrt{(4\,\unit{m})^{2} + (3\,\unit{m})^{2}} = 5\,\unit{m}$.
         In the polygon, $a'$ denotes the point of $OB$ that coincides with $A$.
         $OB$ makes the acute angle $\psi_{OB}$ with the $x$ axis:
         \tan\psi_{OB} &= \frac{y_{B}}{x_{B}} = \frac{6\,\unit{m}}{8\,\unit{m}} = 0.75
@@ -135,11 +135,12 @@ def test_a_composition_of_velocities_in_a_translating_frame() -> None:
         $\boldsymbol{v}_{\mathrm{a}} = \boldsymbol{v}_{\mathrm{e}} + \boldsymbol{v}_{\mathrm{r}}$: the
             absolute velocity of $C$ (of the crank $OC$) is its transport velocity (that of the
             point of block which is at $C$) plus the relative one (seen from block).
+            Here $OC = \sqrt{x_{C}^{2} + y_{C}^{2}} = \sqrt{(3\,\unit{m})^{2} +
+            (4\,\unit{m})^{2}} = 5\,\unit{m}$.
         [ ] \boldsymbol{v}_{\mathrm{a}} | $OC \cdot \omega_{OC} = 10\,\unit{m/s}$ | $\perp OC,\curvearrowleft$
         [=] \boldsymbol{v}_{D} | ? | $+x$
         [+] \boldsymbol{v}_{\mathrm{r}} | ? | $+y$
-        Here $\boldsymbol{v}_{\mathrm{e}} = \boldsymbol{v}_{D}$, $OC = \sqrt{x_{C}^{2} + y_{C}^{2}}
-            = \sqrt{(3\,\unit{m})^{2} + (4\,\unit{m})^{2}} = 5\,\unit{m}$.
+        Here $\boldsymbol{v}_{\mathrm{e}} = \boldsymbol{v}_{D}$.
         Block translates: all its points have the same velocity.
         In the polygon, $c'$ denotes the point of block that coincides with $C$.
         $OC$ makes the acute angle $\psi_{OC}$ with the $x$ axis:

@@ -37,11 +37,11 @@ def test_velocities_by_a_base_point() -> None:
         r"""
         The velocity of $A$ is that of the base point $B$ plus that of the rotation of $AB$ about
             $B$.
+            Here $BA = \sqrt{x_{B}^{2} + y_{A}^{2}} = \sqrt{(4\,\unit{m})^{2} +
+            (3\,\unit{m})^{2}} = 5\,\unit{m}$.
         [ ] \boldsymbol{v}_{A} | ? | $+y$
         [=] \boldsymbol{v}_{B} | $2\,\unit{m/s}$ | $+x$
         [+] \boldsymbol{v}_{AB} | ? $(BA \cdot \omega)$ | $\perp BA,\curvearrowleft$
-        Here $BA = \sqrt{x_{B}^{2} + y_{A}^{2}} = \sqrt{(4\,\unit{m})^{2} + (3\,\unit{m})^{2}} =
-            5\,\unit{m}$.
         $BA$ makes the acute angle $\psi_{BA}$ with the $x$ axis:
         \tan\psi_{BA} &= \frac{y_{A}}{x_{B}} = \frac{3\,\unit{m}}{4\,\unit{m}} = 0.75
         \psi_{BA} &\approx 36.87^\circ
@@ -77,11 +77,11 @@ def test_velocities_by_the_projection_theorem() -> None:
             36.87^\circ}{\sin 36.87^\circ} \approx -2.667\,\unit{m/s}\quad\text{(downwards)}
         The velocity of $A$ is that of the base point $B$ plus that of the rotation of $AB$ about
             $B$.
+            Here $BA = \sqrt{x_{B}^{2} + y_{A}^{2}} = \sqrt{(4\,\unit{m})^{2} +
+            (3\,\unit{m})^{2}} = 5\,\unit{m}$.
         [ ] \boldsymbol{v}_{A} | ? | $+y$
         [=] \boldsymbol{v}_{B} | $2\,\unit{m/s}$ | $+x$
         [+] \boldsymbol{v}_{AB} | ? $(BA \cdot \omega_{AB})$ | $\perp BA,\curvearrowleft$
-        Here $BA = \sqrt{x_{B}^{2} + y_{A}^{2}} = \sqrt{(4\,\unit{m})^{2} + (3\,\unit{m})^{2}} =
-            5\,\unit{m}$.
         $BA$ makes $\psi_{BA}$ with the $x$ axis, so $\boldsymbol{v}_{AB} \perp BA$ makes
             $90^\circ - \psi_{BA}$ with the $x$ axis.
             Projecting on the normal to $\boldsymbol{v}_{A}$ (to the left) eliminates
@@ -151,10 +151,10 @@ def test_a_rod_whose_end_stands_still() -> None:
         r"""
         The velocity of $A$ is that of the base point $B$ plus that of the rotation of $AB$ about
             $B$.
+            Here $BA = \sqrt{x_{B}^{2} + y_{A}^{2}} = \sqrt{(4\,\unit{m})^{2} +
+            (3\,\unit{m})^{2}} = 5\,\unit{m}$.
         [ ] \boldsymbol{v}_{A} | ? | $+y$
         [=] \boldsymbol{v}_{AB} | ? $(BA \cdot \omega)$ | $\perp BA,\curvearrowleft$
-        Here $BA = \sqrt{x_{B}^{2} + y_{A}^{2}} = \sqrt{(4\,\unit{m})^{2} + (3\,\unit{m})^{2}} =
-            5\,\unit{m}$.
         Here $v_{B} = 0$.
         $BA$ makes the acute angle $\psi_{BA}$ with the $x$ axis:
         \tan\psi_{BA} &= \frac{y_{A}}{x_{B}} = \frac{3\,\unit{m}}{4\,\unit{m}} = 0.75
@@ -218,12 +218,12 @@ def test_accelerations_of_a_rod_that_does_not_turn_at_this_instant() -> None:
         ## $AB$: base point $A$
         The acceleration of $B$ is that of the base point $A$ plus the normal and tangential
             accelerations of the rotation of $AB$ about $A$.
+            Here $OA = y_{A} = 3\,\unit{m}$, $AB = \sqrt{x_{B}^{2} + y_{A}^{2}} =
+            \sqrt{(4\,\unit{m})^{2} + (3\,\unit{m})^{2}} = 5\,\unit{m}$.
         [ ] \boldsymbol{a}_{B} | ? | $+x$
         [=] \boldsymbol{a}_{A}^{\mathrm{n}} | $OA \cdot \omega_{OA}^{2} = 12\,\unit{m/s^2}$ | $A \to
             O$
         [+] \boldsymbol{a}_{BA}^{\mathrm{t}} | ? $(AB \cdot \alpha)$ | $\perp AB,\curvearrowleft$
-        Here $OA = y_{A} = 3\,\unit{m}$, $AB = \sqrt{x_{B}^{2} + y_{A}^{2}} =
-            \sqrt{(4\,\unit{m})^{2} + (3\,\unit{m})^{2}} = 5\,\unit{m}$.
         Here $a_{A}^{\mathrm{t}} = 0$, $a_{BA}^{\mathrm{n}} = 0$.
         $AB$ makes the acute angle $\psi_{AB}$ with the $x$ axis:
         \tan\psi_{AB} &= \frac{y_{A}}{x_{B}} = \frac{3\,\unit{m}}{4\,\unit{m}} = 0.75

@@ -310,7 +310,7 @@ def test_every_construction_is_told_with_numbers_that_agree(construction: str, t
     [
         ("distance(B, line((0, r), 0))", "m", r"\left|y_{B} - r\right|"),
         ("distance(B, line((0, r), (r, 0)))", "m", "frac"),
-        ("magnitude(B - A)", "m", r"\sqrt{x_{B}^{2} + y_{B}^{2}}"),
+        ("magnitude(B - A)", "m", r"\frac{x_{B}}{\cos\varphi}"),
         ("2*distance(A, B) + x(B)", "m", r"2 AB + x_{B}"),
         ("between(B - A, turned(A - B))", "deg", ""),
         ("between(B, (1, 0))/2", "deg", r"\frac{\angle(\boldsymbol{u}, \boldsymbol{v})}{2}"),

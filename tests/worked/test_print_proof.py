@@ -93,6 +93,10 @@ WRONG: dict[Law, tuple[Block, ...]] = {
     "used": (Display((read_math(r"s = 1 + 1 = 2", ""),)),),
     "once": (Prose("The rope $A$ does not turn here, so that is zero."),) * 2,
     "sense": (TermTable((read_term("", "v_A", r"$2\,\unit{m/s}$", r"$\parallel x$"),)),),
+    "early": (
+        TermTable((read_term("", "v_A", r"$OM \cdot \omega$", r"$\perp OM,\curvearrowleft$"),)),
+        Prose(r"Here $OM = 2\,\unit{m}$."),
+    ),
     "way": (Display((read_math(r"\omega_{AB} &= \boxed{2\,\unit{rad/s}}", ""),)),),
     "inclined": (
         TermTable((read_term("", r"\boldsymbol{v}_A", "?", r"$\perp AB,\curvearrowleft$"),)),

@@ -27,6 +27,7 @@ from kinegrade.worked.formulas.numbers import state_quantity
 from kinegrade.worked.formulas.symbols import (
     INFINITY,
     collect_symbols,
+    join_letters,
     name_coordinate,
     read_symbol,
 )
@@ -35,6 +36,7 @@ from kinegrade.worked.positions.algebra import ZERO as NOTHING
 from kinegrade.worked.positions.axes import find_line, length_of
 from kinegrade.worked.positions.constructions import write_chapter
 from kinegrade.worked.positions.instance import DEGREE, METRE, Instance, add_steps, make_instance
+from kinegrade.worked.positions.leaning_lengths import measure_along
 
 
 def is_positional(ask: Ask) -> bool:
@@ -190,9 +192,27 @@ def _reduce_length(vector: Expression, working: Working) -> tuple[Expression, Wo
     """The length of a vector: as a formula where it is the answer, else worked out before."""
     size = length_of(vector, working.instance.axes)
     if working.symbol:
-        return working.instance.measure(working.pair(vector)), working
+        return _measure_vector(vector, working), working
     lines, working = working.sized(size)
     return size, working.shown(lines)
+
+
+def _measure_vector(vector: Expression, working: Working) -> Expression:
+    """The length that is the answer itself: by an angle of the line where one is given."""
+    instance = working.instance
+    match vector:
+        case Operation("-", Name(end), Name(start)) if {start, end} <= {
+            *instance.case.motion.points
+        }:
+            letters = join_letters(map(instance.case.naming.letter, (start, end)))
+            if working.symbol and working.symbol.looks_like(letters):
+                instance.note_distance(Call("distance", (Name(start), Name(end))))
+            along = measure_along(start, end, instance)
+        case Operation() | Call() | Name() | Number():
+            along = None
+        case _:
+            assert_never(vector)
+    return along or instance.measure(working.pair(vector))
 
 
 def _reduce_component(

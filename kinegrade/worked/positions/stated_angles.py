@@ -49,6 +49,17 @@ def find_stated_angle(ends: tuple[str, str], case: Case) -> Stated | None:
     return _state(sign, plain, case, seen)
 
 
+def find_stated_tree(ends: tuple[str, str], case: Case) -> Expression | None:
+    """The given angle that states the line through two points, as an expression without right
+    angles; None where none does.
+    """
+    given = (one for one in _list_stated(ends, case.construction) if _is_given(one, case))
+    angle, marked = next(given, None), find_marked_angle(ends, case)
+    if angle is None:
+        return marked[1] if marked else None
+    return split_right_angles(angle)[1]
+
+
 def _find_among_givens(ends: tuple[str, str], case: Case) -> Stated | None:
     """The same by the construction, or by the marks of the figure."""
     angles = (find_given_angle(angle, case) for angle in _list_stated(ends, case.construction))

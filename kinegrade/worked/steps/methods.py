@@ -28,8 +28,11 @@ from kinegrade.worked.steps.couplers import (
 )
 from kinegrade.worked.steps.pole_method import explain_by_pole
 from kinegrade.worked.steps.rigid import explain_rigid_triangle, find_rigid_triangle
-from kinegrade.worked.steps.steps import explain_remarks, make_term_table
-from kinegrade.worked.steps.titles import introduce_equation
+from kinegrade.worked.steps.steps import (
+    explain_remarks,
+    introduce_with_lengths,
+    make_term_table,
+)
 from kinegrade.worked.vectors.projection import Deduction, find_deductions
 from kinegrade.worked.vectors.stage import Stage
 
@@ -96,7 +99,7 @@ def _explain_by_projection(coupler: Coupler, step: Step, stage: Stage) -> Iterat
     yield from introduce_angles(stage, first.projections[0])
     yield from map(case.say, explain_angles(stage, first.projections[0]))
     yield show_solution(stage, first.projections[0], (), first.unknowns[0])
-    yield case.say(introduce_equation(coupler.equation, case))
+    yield case.say(introduce_with_lengths(coupler.equation, stage))
     yield make_term_table(coupler.equation, case)
     yield from explain_remarks(coupler.equation, case)
     yield from explain_deduction(stage, second, set(first.unknowns))

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Iterator, Set
 from dataclasses import replace
 from functools import reduce
+from itertools import chain
 from typing import assert_never
 
 from kinegrade.language.message import Message, Text
@@ -82,7 +83,7 @@ def explain_step(step: Step, stage: Stage) -> Iterator[Block]:
         yield from _explain_earlier_vectors(equation, case)
     for equation in stage.equations:
         yield from _explain_contact(equation, case)
-        yield case.say(introduce_equation(equation, case))
+        yield case.say(introduce_with_lengths(equation, stage))
         yield from _explain_mark(equation, case)
         yield make_term_table(equation, case)
         yield from explain_remarks(equation, case)
@@ -98,6 +99,19 @@ def explain_step(step: Step, stage: Stage) -> Iterator[Block]:
         deduction, *later = later
         yield from explain_deduction(stage, deduction, solved, later)
         solved |= set(deduction.unknowns)
+
+
+def introduce_with_lengths(equation: VectorEquation, stage: Stage) -> Message:
+    """The theorem by which an equation holds, and the lengths that the tables of its step need, as
+    far as they have not been found.
+    """
+    case, parts = stage.case, chain.from_iterable(one.parts for one in stage.equations)
+    said, arms = introduce_equation(equation, case), find_arms(parts)
+    lengths = tuple(map(case.tell, introduce_lengths(arms, case)))
+    if not lengths:
+        return said
+    here = Message("solution.here", equations=_list_equations(lengths))
+    return Message("solution.sentences", first=said, next=here)
 
 
 def _name_together(equation: VectorEquation, part: Part, case: Case) -> VectorSymbol:
@@ -210,8 +224,7 @@ def _make_term(equation: VectorEquation, part: Part, case: Case) -> Term:
 
 def explain_remarks(equation: VectorEquation, case: Case) -> Iterator[Block]:
     """What a composition's vectors consist of, and which parts vanish."""
-    arms = introduce_lengths(find_arms(equation.parts), case)
-    listed = [*describe_meanings(equation, case), *map(case.tell, arms)]
+    listed = tuple(describe_meanings(equation, case))
     if listed:
         yield case.say(Message("solution.here", equations=_list_equations(listed)))
     shifted = _find_shifted(equation, case)

@@ -15,6 +15,7 @@ from kinegrade.worked.formulas.numbers import state_quantity
 from kinegrade.worked.formulas.symbols import collect_symbols, join_letters, read_symbol
 from kinegrade.worked.positions.algebra import TWO, is_negated
 from kinegrade.worked.positions.instance import METRE, Instance, make_instance
+from kinegrade.worked.positions.leaning_lengths import measure_along
 from kinegrade.worked.vectors.vectors import vanishes
 
 
@@ -102,6 +103,7 @@ def _state_length(start: str, end: str, case: Case) -> Equation | None:
     tree = (
         _find_radius(start, end, case)
         or _find_half(start, end, case)
+        or measure_along(start, end, instance)
         or _measure_distance(start, end, instance)
     )
     if tree is None:

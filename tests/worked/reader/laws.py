@@ -36,7 +36,7 @@ from tests.worked.reader.formula_reader import (
 from tests.worked.reader.givens import find_introduced, find_letters, read_givens
 from tests.worked.reader.inclined import find_underived
 from tests.worked.reader.polygons import judge_polygons
-from tests.worked.reader.tables import find_without_sense
+from tests.worked.reader.tables import find_early, find_without_sense
 
 Law: TypeAlias = Literal[
     "equal",
@@ -56,6 +56,7 @@ Law: TypeAlias = Literal[
     "another",
     "inclined",
     "sense",
+    "early",
     "way",
 ]
 LAWS: dict[Law, str] = {
@@ -75,6 +76,7 @@ LAWS: dict[Law, str] = {
     "once": "no long sentence stands twice under a title",
     "inclined": "a vector normal to a line is projected by an angle that a sentence has derived",
     "sense": "a vector in a table has a direction, not the line alone",
+    "early": "the length of an arm in a table is given, or has been found before the table",
     "way": "words beside the box of an answer with a sign say where it points",
     "another": "a check goes by another way: it does not project the vectors that were projected",
 }
@@ -133,6 +135,7 @@ def find_faults(blocks: Sequence[Block], solution: Solution) -> Iterator[Fault]:
     yield from (Fault("used", line) for line in find_unused(blocks))
     yield from (Fault("once", sentence) for sentence in find_repeated(blocks))
     yield from (Fault("sense", column) for column in find_without_sense(blocks))
+    yield from (Fault("early", length) for length in find_early(blocks, solution))
     yield from (Fault("way", line) for line in find_without_way(blocks, solution))
     yield from (Fault("another", check) for check in find_projected_again(blocks))
     yield from (Fault("inclined", line) for line in find_underived(blocks, solution))
