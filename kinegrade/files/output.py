@@ -37,6 +37,7 @@ from kinegrade.files.placing.publishing import (
     publish,
     sync_folder,
 )
+from kinegrade.files.placing.standing import find_standing
 from kinegrade.files.temporary import clear_temporary_folders
 from kinegrade.language.message import Fault, Message
 
@@ -82,13 +83,15 @@ def output_folder(
     `marker` is the file by which kinegrade recognises its own folders, None where they have none;
     `contents` are all that it writes: names at their top, or paths of files in folders there. With
     `force` an existing folder is replaced only if it is empty, or contains the marker and nothing
-    beyond `contents`, so that no file of the user's is lost. With `access` the folder is closed to
+    beyond `contents`, so that no file of the user's is lost; and only if nothing changed in it
+    during the block, so that what was read of it there holds. With `access` the folder is closed to
     all other users from the start; without it, the mode of a replaced folder is kept. Raises
     OutputError.
     """
     target = _find_place(path)
     with _open_partial(path, target, resumable) as partial:
         check_folder(path, target, marker, contents, force)
+        stood = find_standing(target)
         if not partial.exists():
             partial.mkdir(mode=0o777 if access is None else 0o700)
         if target.exists() and access is None:
@@ -101,7 +104,7 @@ def output_folder(
         check_folder(path, target, marker, contents, force)
         if resumable:
             remove(partial / resumable.workings)
-        publish(path, partial, target)
+        publish(path, partial, target, stood)
 
 
 def find_unfinished(path: Path, workings: str) -> Path | None:

@@ -13,6 +13,7 @@ from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.files.answer_file import AnswerFile
 from kinegrade.files.output import output_folder
 from kinegrade.files.placing.edits import find_edits
+from kinegrade.files.placing.standing import Standing
 from kinegrade.files.tables import Table, read_table
 from kinegrade.grade_scale.kinds import make_scale
 from kinegrade.grade_scale.scale import Scale
@@ -60,7 +61,8 @@ class MarkingWishes:
     this one; `never_lower` is an earlier marking whose totals are kept where they are higher;
     `follows` works out what follows from wrong answers. A
     marking in which most answers fit other papers is refused, unless `own_papers` confirms that
-    they belong to the students' own. A `pseudonymous` marking leaves names out of the folder.
+    they belong to the students' own. A `pseudonymous` marking leaves names out of the folder. What
+    is replaced is still what `stood` there when it was read.
     """
 
     exports: Mapping[str, Export] = field(default_factory=dict)
@@ -72,6 +74,7 @@ class MarkingWishes:
     manual: tuple[Path, ...] = ()
     pseudonymous: bool = False
     before: MarksFolder | None = None
+    stood: Standing | None = None
 
     def find_hand_sources(self, output: Path) -> HandSources:
         """Where marks by hand come from, when they are written into a folder."""
@@ -151,8 +154,11 @@ def _mark(
 
 def _require_same_exam(exam: ExamFolder, wishes: MarkingWishes, sources: HandSources) -> None:
     """Raises TableError for a marking before, that is replaced, or whose marks by hand would
-    be carried over, of another exam or of several.
+    be carried over, of another exam or of several; OutputError where what is replaced has
+    changed.
     """
+    if wishes.stood is not None:
+        wishes.stood.require(sources.replaced, sources.replaced)
     for earlier in (wishes.before, wishes.never_lower):
         if earlier is not None:
             require_same_exam(exam, earlier)

@@ -13,6 +13,7 @@ from typing import Literal
 from kinegrade.errors import OptionError
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.follow_through import FollowThrough
+from kinegrade.files.placing.standing import Standing, find_standing
 from kinegrade.grading.grade import Export, MarkingWishes
 from kinegrade.grading.grade import grade as mark_class
 from kinegrade.grading.judging.follow import Follows
@@ -93,8 +94,8 @@ class GradeOptions:
         rows = () if self.earlier is None else self.earlier.log
         return {CHANGES.name: lambda _: write_log(rows)} if rows else {}
 
-    def marking(self, exam: ExamFolder) -> MarkingWishes:
-        """How answers are marked."""
+    def marking(self, exam: ExamFolder, stood: Standing) -> MarkingWishes:
+        """How answers are marked, and written in place of what `stood` there."""
         return MarkingWishes(
             {moodle.FILE: moodle.export, **self.log},
             self.decimal,
@@ -105,6 +106,7 @@ class GradeOptions:
             tuple(map(Path, _list_files(self.manual))),
             self.pseudonymous,
             self.earlier,
+            stood,
         )
 
 
@@ -154,12 +156,12 @@ def grade(
     place = Path(output)
     expect_own_place(place)
     require_known(options)
-    _require_kept_log(place, options)
+    stood = _find_replaced(place, options)
     read = read_class([Path(file) for file in _list_files(answers)], exam, options.reading)
     for assumption in read.assumed:
         options.assuming(assumption)
     lapsed, totals = _read_earlier(place, options)  # before they are replaced
-    grades = mark_class(exam, read.files, place, options.marking(exam), force=force)
+    grades = mark_class(exam, read.files, place, options.marking(exam, stood), force=force)
     marks = MarksFolder(place)  # was checked before it was put there
     written = [
         *list_written(grades, place, kept=options.never_lower is not None),
@@ -169,14 +171,16 @@ def grade(
         *describe_points(grades, marks),
         *describe_grades(marks, exam, options.policy),
     ]
-    complaints = tuple(complaint.fault for complaint in grades.complaints)
-    return Graded(place, tuple(written), complaints, grades=grades, assumed=read.assumed)
+    faults = (complaint.fault for complaint in grades.complaints)
+    return Graded(place, tuple(written), tuple(faults), grades=grades, assumed=read.assumed)
 
 
-def _require_kept_log(place: Path, options: GradeOptions) -> None:
-    """Raises OptionError where a reason or an earlier marking is missing, or where a log would be
-    lost by which changes of marks are accounted for.
+def _find_replaced(place: Path, options: GradeOptions) -> Standing:
+    """What stands there, before anything is read of it. Raises OptionError where a reason or an
+    earlier marking is missing, or where a log would be lost by which changes of marks are accounted
+    for.
     """
+    stood = find_standing(place)
     if (options.since is None) != (not options.reason.strip()):
         raise OptionError(Message("terminal.since-and-reason"))
     replaced = _read_log(place)
@@ -184,6 +188,7 @@ def _require_kept_log(place: Path, options: GradeOptions) -> None:
     if replaced and not {*replaced} <= {*kept}:
         what, do = Message("terminal.log-lost"), Message("terminal.keep-log")
         raise OptionError(Fault(str(place / CHANGES.name), what, do=do))
+    return stood
 
 
 def _read_earlier(

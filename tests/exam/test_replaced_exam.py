@@ -65,6 +65,16 @@ def refusals(folder: Path, *options: str) -> list[str]:
     return result.stderr.splitlines()
 
 
+def test_an_exam_that_changed_after_it_was_read_is_not_replaced(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def come_between(*_: object) -> None:
+        (folder / "EXAM" / "exam.json").touch()
+
+    monkeypatch.setattr("kinegrade.exam.generating.generate.require_languages", come_between)
+    assert "changed while this command ran, perhaps by another one" in refused(folder)
+
+
 def test_a_printed_exam_keeps_its_numbers(folder: Path) -> None:
     before = contents(folder / "EXAM")
     result = generate(folder, "--force")

@@ -5,12 +5,20 @@ from __future__ import annotations
 import csv
 import shutil
 from pathlib import Path
+from typing import Any
 
 import pytest
 from pypdf import PdfReader
 
 from kinegrade.exam.folder.exam_folder import open_exam
+from kinegrade.exam.folder.records import Candidate
+from kinegrade.exam.owners import assigning
 from tests.small_class import BANK, ROSTER, contents, generate, kinegrade, write_class
+
+CHANGED = (
+    "changed while this command ran, perhaps by another one; what stands there stays - "
+    "expected one command at a time - give this command again"
+)
 
 
 @pytest.fixture(scope="module")
@@ -91,6 +99,24 @@ def test_an_assigned_paper_is_that_of_the_student(exam: Path, tmp_path: Path) ->
     with (tmp_path / "MARKS" / "grades.csv").open(encoding="utf-8-sig", newline="") as lines:
         totals = {row["student"]: row["total"] for row in csv.DictReader(lines)}
     assert totals["0099"] == "3"
+
+
+def test_of_two_papers_assigned_at_once_the_second_is_refused(
+    exam: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    codes = list_codes(exam)
+
+    def come_first(*arguments: Any) -> Candidate:
+        monkeypatch.undo()
+        kinegrade("assign", exam, codes[1], "0098")
+        return assigning.make_owner(*arguments)
+
+    monkeypatch.setattr(assigning, "make_owner", come_first)
+    done = kinegrade("assign", exam, codes[0], "0099")
+    assert done.exit_code == 2
+    assert done.stderr == f"error: {exam}: {CHANGED}\n"
+    assert list_codes(exam) == codes[:1]
+    assert "0098" in open_exam(exam).students
 
 
 def test_answers_typed_into_the_workbook_outlive_an_assigned_paper(exam: Path) -> None:

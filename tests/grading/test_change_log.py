@@ -4,10 +4,13 @@ from __future__ import annotations
 
 from datetime import date
 from pathlib import Path
+from typing import Any
 
 import pytest
 from click.testing import Result
 
+from kinegrade.lms.responses.class_files import ClassFiles, read_class
+from kinegrade.public import marking
 from tests.grading.marked_folder import RIGHT, mark_class
 from tests.small_class import kinegrade, table
 
@@ -109,3 +112,20 @@ def test_an_explanation_tells_what_was_changed(marked: Path) -> None:
     assert "total 9.5 -> 9.5" not in said
     assert f"Changed on {today}: q1.v_B 0 -> 4, " in said
     assert "Changed" not in kinegrade("explain", marked / "EXAM", marked / "MARKS2", "S9").output
+
+
+def test_a_log_that_another_marking_wrote_meanwhile_stays(
+    marked: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def read_late(*arguments: Any) -> ClassFiles:
+        monkeypatch.undo()
+        since = "--since", marked / "MARKS", "--reason", "hearing"
+        done = grade(marked, "MARKS", "--policy", marked / "wider.toml", "--force", *since)
+        assert done.exit_code == 0, done.stderr
+        return read_class(*arguments)
+
+    monkeypatch.setattr(marking, "read_class", read_late)
+    done = grade(marked, "MARKS", "--force")
+    assert done.exit_code == 2
+    assert "MARKS: changed while this command ran, perhaps by another one; " in done.stderr
+    assert [row[-1] for row in log(marked, "MARKS")] == ["hearing", "hearing"]

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from kinegrade.errors import ExamError
 from kinegrade.exam.folder.exam_folder import ExamFolder
-from kinegrade.files.placing.publishing import DESKTOP_DROPPINGS
+from kinegrade.files.placing.droppings import DESKTOP_DROPPINGS
 from kinegrade.files.zip_package import open_package
 from kinegrade.language.message import Fault, Message
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Iterator, Mapping
-from contextlib import AbstractContextManager, closing
+from contextlib import closing, contextmanager
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
@@ -55,6 +55,7 @@ from kinegrade.exam.setting.dealing import ClassDeal, deal_exam
 from kinegrade.exam.setting.kept_exam import student_of
 from kinegrade.figure.sketchbook import open_sketchbook
 from kinegrade.files.output import Resumable, output_folder
+from kinegrade.files.placing.standing import Standing, find_standing
 from kinegrade.language import Language
 from kinegrade.language.known import known_languages
 from kinegrade.language.message import Fault, Message
@@ -99,7 +100,7 @@ def generate(
 
     Raises KinegradeError; then nothing is written.
     """
-    wish, extras = options.wish, options.extras
+    wish, extras, stood = options.wish, options.extras, find_standing(output)
     require_tools(extras)
     old = replaced_exam(output, new_numbers=wish.new) if force else None
     begun = find_begun(output) if options.resume else None
@@ -112,7 +113,7 @@ def generate(
     run = PrintRun(bank, language, options.press_order(bank), extras)
     basis = Basis(sources, roster, stays.papers if stays else {})
     order = _require_same_order(begun, run, basis, options)
-    exam = _open_exam_folder(output, options, begun, force=force)
+    exam = _open_exam_folder(output, options, begun, stood, force=force)
     jobs = count_processes(options.processes, len(roster.students))
     processes = open_executor(jobs, "generate", cluster=options.cluster)
     with bulk_work(), exam as folder, processes as workers, open_sketchbook(jobs) as sketchbook:
@@ -179,18 +180,23 @@ def _require_printable(run: PrintRun, dealt: ClassDeal, printer: Printer) -> Non
         deque(papers, maxlen=0)
 
 
+@contextmanager
 def _open_exam_folder(
-    output: Path, options: GenerateOptions, begun: Begun | None, *, force: bool
-) -> AbstractContextManager[Path]:
-    """The folder, new or `begun`, which becomes `output` when it is whole."""
-    return output_folder(
+    output: Path, options: GenerateOptions, begun: Begun | None, stood: Standing, *, force: bool
+) -> Iterator[Path]:
+    """The folder, new or `begun`, which becomes `output` when it is whole, in place of what
+    `stood` there.
+    """
+    with output_folder(
         output,
         marker=HEAD,
         contents=CONTENTS,
         force=force,
         access=options.access,
         resumable=Resumable(UNFINISHED, begun.folder if begun else None, options.resume),
-    )
+    ) as folder:
+        stood.require(output, output)
+        yield folder
 
 
 def _write_rest(head: ExamHead, sources: Mapping[str, bytes], folder: Path) -> None:

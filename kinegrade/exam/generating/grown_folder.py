@@ -5,27 +5,34 @@ copy takes the folder's place whole.
 from __future__ import annotations
 
 import shutil
-from collections.abc import Mapping
-from contextlib import AbstractContextManager
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from pathlib import Path, PurePosixPath
 
 from kinegrade.exam.folder.contents import CONTENTS, HEAD
 from kinegrade.exam.folder.exam_folder import ExamFolder
+from kinegrade.exam.folder.head import read_head
 from kinegrade.exam.generating.hand_work import digest_editable
 from kinegrade.exam.generating.options import PRIVATE, SHARED_WITH_GROUP
 from kinegrade.files.output import Access, output_folder
+from kinegrade.files.placing.standing import refuse_changed
 
 _GROUP_READS = 0o040
 
 
-def open_grown_folder(exam: ExamFolder) -> AbstractContextManager[Path]:
+@contextmanager
+def open_grown_folder(exam: ExamFolder) -> Iterator[Path]:
     """A hidden folder that takes the place of the exam at the end; the same people may read it.
 
-    Raises OutputError.
+    Raises OutputError, also where the exam is no longer the one that was opened.
     """
     shared = exam.path.stat().st_mode & _GROUP_READS
     access: Access = SHARED_WITH_GROUP if shared else PRIVATE
-    return output_folder(exam.path, marker=HEAD, contents=CONTENTS, force=True, access=access)
+    place = exam.path
+    with output_folder(place, marker=HEAD, contents=CONTENTS, force=True, access=access) as folder:
+        if read_head(place) != exam.head:  # of whoever came between
+            raise refuse_changed(place)
+        yield folder
 
 
 def copy_exam(exam: ExamFolder, folder: Path) -> None:

@@ -13,7 +13,7 @@ from kinegrade.exam.folder.contents import ANSWERS
 from kinegrade.exam.folder.records import ExamHead
 from kinegrade.exam.printing.room_booklets import name_booklets
 from kinegrade.files.cell_text import make_header_key, trim
-from kinegrade.files.placing.publishing import DESKTOP_DROPPINGS
+from kinegrade.files.placing.droppings import DESKTOP_DROPPINGS
 from kinegrade.files.tables import read_table
 from kinegrade.language.message import Fault, Message, list_plainly
 

@@ -12,8 +12,8 @@ from collections.abc import Collection, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
+from kinegrade.files.placing.droppings import DESKTOP_DROPPINGS
 from kinegrade.files.placing.previous import find_free_name
-from kinegrade.files.placing.publishing import DESKTOP_DROPPINGS
 from kinegrade.language.message import Message, list_first
 
 _SECOND = 10**9  # in nanoseconds

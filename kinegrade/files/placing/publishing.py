@@ -13,10 +13,12 @@ from collections.abc import Collection, Iterator
 from pathlib import Path, PurePosixPath
 
 from kinegrade.errors import OutputError
+from kinegrade.files.placing.droppings import DESKTOP_DROPPINGS
 from kinegrade.files.placing.leftovers import remove
+from kinegrade.files.placing.one_at_a_time import alone_in
+from kinegrade.files.placing.standing import Standing
 from kinegrade.language.message import Fault, Message, list_plainly
 
-DESKTOP_DROPPINGS = {".DS_Store", "Thumbs.db", "desktop.ini"}
 _MOST_NAMED = 5
 
 _CURRENT_FOLDER = -100  # AT_FDCWD
@@ -36,12 +38,16 @@ def sync_folder(folder: Path) -> None:
         os.close(handle)
 
 
-def publish(path: Path, partial: Path, target: Path) -> None:
-    """Puts what was built beside its place there. Raises OutputError where the place was taken."""
-    if not target.exists():
-        move_to_free_place(path, partial, target)
-    elif not _rename_atomically(partial, target, exchange=True):
-        _replace_in_two_steps(partial, target)
+def publish(path: Path, partial: Path, target: Path, stood: Standing) -> None:
+    """Puts what was built beside its place there. Raises OutputError where something else stands
+    there than `stood`.
+    """
+    with alone_in(target.parent):
+        stood.require(target, path)
+        if not target.exists():
+            move_to_free_place(path, partial, target)
+        elif not _rename_atomically(partial, target, exchange=True):
+            _replace_in_two_steps(path, partial, target, stood)
     sync_folder(target.parent)
 
 
@@ -56,9 +62,17 @@ def move_to_free_place(path: Path, partial: Path, target: Path) -> None:
         raise OutputError(Fault(str(path), Message("files.name-taken"))) from None
 
 
-def _replace_in_two_steps(partial: Path, target: Path) -> None:
+def _replace_in_two_steps(path: Path, partial: Path, target: Path, stood: Standing) -> None:
+    """Network disks need this: there no lock holds others off, so that what was taken away is
+    looked at again.
+    """
     previous = target.with_name(f".{target.name}.previous-{secrets.token_hex(4)}")
     os.rename(target, previous)
+    try:
+        stood.require(previous, path)
+    except OutputError:
+        os.rename(previous, target)
+        raise
     os.rename(partial, target)
     remove(previous)
 
