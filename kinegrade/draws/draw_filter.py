@@ -37,6 +37,7 @@ from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.hints import FigureHints
 from kinegrade.problem.template.template import Template
 from kinegrade.students.rounding.accuracy import Accuracy
+from kinegrade.students.rounding.rounding import Rounding, take_one
 
 if TYPE_CHECKING:
     from kinegrade.numbers.pad import Doubles
@@ -52,11 +53,11 @@ Verdict = Reason | None  # why a combination is refused; None for a good one
 
 @dataclass(frozen=True)
 class _Screened:
-    """A combination, why doubles refuse it already, and the `bounds` of honest rounding by ask."""
+    """A combination, why doubles refuse it already, and the `roundings` of students by ask."""
 
     values: Combination
     refusal: Refused | None
-    bounds: Mapping[str, float]
+    roundings: Mapping[str, Rounding[float]]
 
 
 @dataclass(frozen=True)
@@ -124,23 +125,25 @@ class DrawFilter:
         seen = self.separation.compare(collect_columns(combinations))
         refusals = screen(self.separation, self.accuracy, seen)
         return [
-            _Screened(values, refusal, _take_one(seen.bounds.items(), place))
+            _Screened(values, refusal, take_one(seen.roundings, place))
             for place, (values, refusal) in enumerate(zip(combinations, refusals, strict=True))
         ]
 
     def _examine_screened(self, screened: _Screened) -> Examined | Refused:
-        return screened.refusal or self._examine_one(screened.values, screened.bounds)
+        return screened.refusal or self._examine_one(screened.values, screened.roundings)
 
     def explain_first(self) -> Problem:
         """Why the first combination is refused, as an example; "" where it is good."""
         (found,) = self.examine([self.deck.combination(0)])
         return found.detail if isinstance(found, Refused) else ""
 
-    def _examine_one(self, values: Combination, bounds: Mapping[str, float]) -> Examined | Refused:
+    def _examine_one(
+        self, values: Combination, roundings: Mapping[str, Rounding[float]]
+    ) -> Examined | Refused:
         """An instance in which no mistake is taken for the truth."""
         try:
             solution = solve_sensible(self.template, values, self.asks, self.plan)
-            examined = require_room(solution, self.accuracy, bounds)
+            examined = require_room(solution, self.accuracy, roundings)
         except Refused as refusal:
             return refusal
         zero = self._find_zero_by_chance(solution)
@@ -181,9 +184,9 @@ class DrawFilter:
         self._bounded.clear()
         new = [values for values in draws if tuple(values.values()) not in self._found]
         if new:
-            found = self.bound(new, self.carry).items()
+            found = self.bound(new, self.carry)
             for place, values in enumerate(new):
-                self._bounded[tuple(values.values())] = _take_one(found, place)
+                self._bounded[tuple(values.values())] = take_one(found, place)
 
     def _find_dealt(self, values: Combination) -> Examined:
         """A combination that was dealt, solved once however often it is asked for in a row."""
@@ -197,26 +200,26 @@ class DrawFilter:
     def _work_out(self, values: Combination) -> Examined:
         """An instance, fit for students or not: what honest rounding would leave is as stated."""
         solution = solve_template(self.template, values, self.asks, self.plan)
-        bounds = self._bounded.get(tuple(values.values()))
-        if bounds is None:
-            bounds = _take_one(self.bound([values], self.carry).items(), 0)
-        allowed = self.accuracy.allow(solution, bounds)
+        roundings = self._bounded.get(tuple(values.values()))
+        if roundings is None:
+            roundings = take_one(self.bound([values], self.carry), 0)
+        allowed = self.accuracy.allow(solution, roundings)
         stated = {name: self.accuracy.find_stated(name) for name in allowed}
         return Examined(solution, {name: allowed[name] or stated[name] for name in allowed})
 
-    def bound(self, draws: Sequence[Combination], carry: int) -> Mapping[str, Doubles]:
-        """By ask how far off rounding to `carry` significant figures may put the answer of each
-        draw, in the ask's unit; nothing where no instance can be worked out.
+    def bound(self, draws: Sequence[Combination], carry: int) -> Mapping[str, Rounding[Doubles]]:
+        """By ask how rounding to `carry` significant figures bears on the answer of each draw;
+        nothing where no instance can be worked out.
         """
         if self.plan is None:
             return {}
         from kinegrade.students.mistaking.mistakes import convert_parameters
-        from kinegrade.students.rounding.bounds import find_error_bounds
+        from kinegrade.students.rounding.bounds import find_roundings
         from kinegrade.students.separation import collect_columns
 
         asks = {name: self.template.asks[name] for name in self.asks}
         arrays = convert_parameters(self.template, collect_columns(draws))
-        return find_error_bounds(self.template, asks, arrays, self.plan, carry)
+        return find_roundings(self.template, asks, arrays, self.plan, carry)
 
     def _find_zero_by_chance(self, solution: Solution) -> str:
         """The first ask whose answer is zero here and not in all draws, which would be easier than
@@ -260,7 +263,7 @@ class DrawFilter:
         return {}
 
     @cached_property
-    def _bounded(self) -> dict[tuple[str, ...], Mapping[str, float]]:
+    def _bounded(self) -> dict[tuple[str, ...], Mapping[str, Rounding[float]]]:
         """What `bound_together` found last, by values."""
         return {}
 
@@ -273,8 +276,3 @@ class DrawFilter:
     def _sample(self) -> Deck:
         """Combinations in an order that does not depend on the secret."""
         return Deck(self.deck.domains, "sample", self.template.name)
-
-
-def _take_one(bounds: Iterable[tuple[str, Doubles]], place: int) -> Mapping[str, float]:
-    """The bounds of one of several instances, by ask."""
-    return {name: float(row[place]) for name, row in bounds}

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
-from math import inf, isfinite
+from math import isfinite
 from typing import Literal
 
 from kinegrade.errors import MechanismError, Problem
@@ -30,6 +30,7 @@ from kinegrade.problem.tolerance import find_scale_of_mechanism
 from kinegrade.sign_conventions import UNSIGNED
 from kinegrade.students.rounding.accuracy import Accuracy
 from kinegrade.students.rounding.kept_decimals import RightRange, find_fitting_factor
+from kinegrade.students.rounding.rounding import UNBOUNDED, Rounding
 
 SMALLEST, LARGEST = (
     1e-3,
@@ -118,14 +119,17 @@ def require_doubles(solution: Solution) -> None:
         raise Refused("absurd", Message("template.size-beyond")) from error
 
 
-def require_room(solution: Solution, accuracy: Accuracy, bounds: Mapping[str, float]) -> Examined:
-    """The solution with the tolerance of each answer, by `bounds` of honest rounding in the asks'
-    units. Raises Refused where rounding may leave one.
+def require_room(
+    solution: Solution, accuracy: Accuracy, roundings: Mapping[str, Rounding[float]]
+) -> Examined:
+    """The solution with the tolerance of each answer. Raises Refused where honest rounding may
+    leave one.
     """
     allowed = {}
-    for name, tolerance in accuracy.allow(solution, bounds).items():
+    for name, tolerance in accuracy.allow(solution, roundings).items():
         if tolerance is None:
-            raise Refused("rounding", explain_rounding(name, bounds.get(name, inf), accuracy), name)
+            bound = roundings.get(name, UNBOUNDED).bound
+            raise Refused("rounding", explain_rounding(name, bound, accuracy), name)
         allowed[name] = tolerance
     return Examined(solution, allowed)
 

@@ -45,6 +45,6 @@ def _find_strayed(accuracy: Accuracy, seen: Comparison, place: int) -> Refused |
     """The refusal for the first ask whose tolerance honest rounding leaves."""
     for name, strayed in seen.strayed.items():
         if strayed[place]:
-            why = explain_rounding(name, float(seen.bounds[name][place]), accuracy)
+            why = explain_rounding(name, float(seen.roundings[name].bound[place]), accuracy)
             return Refused("rounding", why, name)
     return None

@@ -4,7 +4,9 @@ Each value that is written to d significant figures is off by at most half a uni
 first order a result is off by at most the sum of these errors, each times the result's derivative
 with respect to that value. The derivatives are found by one sweep back over the pad (S. Linnainmaa,
 Taylor expansion of the accumulated rounding error, BIT 16, 1976; F. L. Bauer, Computational graphs
-and rounding error, SIAM J. Numer. Anal. 11, 1974).
+and rounding error, SIAM J. Numer. Anal. 11, 1974). The same sweep finds the largest term of a
+result: a value times the derivative with respect to it is what of the result stands or falls with
+that value.
 
 Numbers are arrays with an entry for each instance; `noting` is the arithmetic of such numbers.
 """
@@ -37,10 +39,23 @@ class Use:
 
 @dataclass(frozen=True)
 class Entry:
-    """What was used for a value, and how far writing it down puts it off at most."""
+    """What was used for a value, how far writing it down puts it off at most, and its size as a
+    term; an exact angle is none.
+    """
 
     uses: tuple[Use, ...]
     error: Doubles
+    size: Doubles
+
+
+@dataclass(frozen=True)
+class Swept:
+    """How far results may be off, and their largest terms: a row for each result, an entry for each
+    instance.
+    """
+
+    errors: Doubles
+    terms: Doubles
 
 
 @dataclass(frozen=True)
@@ -71,7 +86,8 @@ class Pad:
         whole = np.abs(shown - np.rint(shown / unit) * unit) <= _WHOLE * unit
         zero = np.abs(shown) < NOTHING
         sure = exact & (whole | zero)
-        self.entries.append(Entry(tuple(uses), np.where(sure | zero | copied, 0.0, error)))
+        size = np.where(sure & angle, 0.0, np.abs(value))
+        self.entries.append(Entry(tuple(uses), np.where(sure | zero | copied, 0.0, error), size))
         return Noted(self, len(self.entries) - 1, value, sure, angle)
 
     def find_unit(self, shown: Doubles) -> Doubles:
@@ -83,23 +99,25 @@ class Pad:
         unit: Doubles = 10.0 ** (exponent + 1 - self.figures)
         return unit
 
-    def sum_errors(self, results: Sequence[Noted]) -> Doubles:
-        """How far each result may be off: a row for each, an entry for each instance."""
+    def sweep_back(self, results: Sequence[Noted]) -> Swept:
+        """How far each result may be off, and the largest term that goes into it."""
         slopes: dict[int, Doubles] = {}
         for row, result in enumerate(results):
             start = np.zeros((len(results), self.count))
             start[row] = 1.0
             slopes[result.place] = slopes.get(result.place, 0.0) + start
-        total = np.zeros((len(results), self.count))
+        total, largest = (np.zeros((len(results), self.count)) for _ in range(2))
         for place in range(len(self.entries) - 1, -1, -1):
             slope = slopes.pop(place, None)
             if slope is None:
                 continue
             entry = self.entries[place]
-            total += np.abs(slope) * entry.error
+            steepness = np.abs(slope)
+            total += steepness * entry.error
+            largest = np.fmax(largest, steepness * entry.size)
             for use in entry.uses:
                 slopes[use.place] = slopes.get(use.place, 0.0) + slope * use.derivative
-        return total
+        return Swept(total, largest)
 
 
 @dataclass(frozen=True, eq=False)

@@ -1,4 +1,6 @@
-"""The tolerance for an answer that is zero or next to it: a share of the mechanism's scale."""
+"""The tolerance for an answer that is zero or next to it: a share of the largest term that goes
+into it.
+"""
 
 from __future__ import annotations
 
@@ -13,16 +15,22 @@ from kinegrade.numbers.units import Unit
 from kinegrade.problem.scale import find_scale
 
 
-def find_effective_tolerance(
-    tolerance: Tolerance, value: float, unit: Unit, motion: Motion
-) -> Tolerance:
-    """The tolerance for an answer of `value` units: where it is zero or next to it, the rule's
-    share of the mechanism's scale is allowed. Next to zero means smaller than that.
+def find_effective_tolerance(tolerance: Tolerance, value: float, largest: float) -> Tolerance:
+    """The tolerance for an answer of `value` units: where terms of which the `largest` has that
+    size cancel, so that it is zero or next to it, the rule's share of that term is allowed. Next to
+    zero means smaller than that.
     """
-    room = tolerance.share * find_scale_of_mechanism(motion, unit)
+    room = tolerance.share * round_to_two_figures(largest)
     if abs(value) >= room:
         return tolerance
     return replace(tolerance, absolute=max(tolerance.absolute, room))
+
+
+def may_cancel(tolerance: Tolerance, value: float, unit: Unit, motion: Motion) -> bool:
+    """Whether terms may cancel in an answer of `value` units so far that a share of the largest is
+    allowed: no term is taken to be larger than the mechanism's scale.
+    """
+    return abs(value) < tolerance.share * find_scale_of_mechanism(motion, unit)
 
 
 @lru_cache(maxsize=1024)

@@ -79,8 +79,8 @@ def _weigh_number(report: Report) -> None:
 
 
 def _find_unmarked_senses(report: Report) -> Iterator[Message]:
-    """The asks that are small beside the largest of their kind in the mechanism, of which a share
-    is allowed next to zero, so that zero and the other sense count as right.
+    """The asks in which larger terms cancel, a share of which is allowed, so that zero and the
+    other sense count as right.
     """
     for ask, spread in report.spreads.items():
         share = report.near.passing.get(ask, {}).get("sense-reversed", 0.0)

@@ -19,6 +19,7 @@ import numpy as np
 from kinegrade.errors import KinegradeError
 from kinegrade.mechanics.plan import Plan
 from kinegrade.numbers.floats import Floats
+from kinegrade.numbers.pad import Doubles
 from kinegrade.problem.holding import find_room, is_surely_unmet
 from kinegrade.problem.template.template import Ask, Template
 from kinegrade.students.mistaking.mistake_kinds import Mistake, find_candidates
@@ -26,7 +27,8 @@ from kinegrade.students.mistaking.mistake_outcomes import SAME, Outcomes, find_o
 from kinegrade.students.mistaking.mistakes import Values, convert_parameters
 from kinegrade.students.mistaking.written_mistakes import list_answer_factors
 from kinegrade.students.rounding.accuracy import WIDEST, Accuracy
-from kinegrade.students.rounding.bounds import find_error_bounds
+from kinegrade.students.rounding.bounds import find_roundings
+from kinegrade.students.rounding.rounding import Rounding
 
 _HALF = 0.5  # share of instances above which a mistake is inseparable from the truth
 # The same for one given misread: there are many of these, and a mirrored figure hides some
@@ -54,8 +56,8 @@ class Comparison:
     `right` has every ask's right answers, in its unit; `near` marks where a mistaken value might be
     taken for right, `changed` where it is another value at all, `stuck` where there is none because
     no mechanism has such measures; `fit` marks the instances that may be drawn, as far as doubles
-    can decide. `bounds` are those of honest rounding, in the asks' units, and `strayed` marks where
-    rounding leaves what is allowed. `unmet` is the place of the first condition that an instance
+    can decide. `roundings` are those of honest students, and `strayed` marks where rounding leaves
+    what is allowed. `unmet` is the place of the first condition that an instance
     does not meet, -1 where there is none.
     """
 
@@ -65,7 +67,7 @@ class Comparison:
     changed: Mapping[str, Any]
     stuck: Mapping[str, Any]
     fit: Any
-    bounds: Mapping[str, Any]
+    roundings: Mapping[str, Rounding[Doubles]]
     strayed: Mapping[str, Any]
     unmet: Any
 
@@ -112,7 +114,7 @@ class Separation:
         arrays = convert_parameters(self.template, values)
         found = find_outcomes(self.template, self.asks, self.mistakes, arrays, self.plan)
         carry = self.accuracy.carry
-        bounds = find_error_bounds(self.template, self.asks, arrays, self.plan, carry)
+        roundings = find_roundings(self.template, self.asks, arrays, self.plan, carry)
         written_share = 0.5 * 10.0 ** (1 - carry)
         identifiers, near, changed, stuck, strayed = {}, {}, {}, {}, {}
         for name, ask in self.asks.items():
@@ -120,7 +122,7 @@ class Separation:
             truth, *wrong = found.answers[name]
             wrong += [truth * float(factor) for factor in written.values()]
             identifiers[name] = (*(mistake.label for mistake in self.mistakes), *written)
-            room = self.room(name, truth, found, bounds[name])
+            room = self.room(name, truth, roundings[name])
             with np.errstate(all="ignore"):
                 near[name] = np.array(
                     [
@@ -130,12 +132,12 @@ class Separation:
                 )
                 changed[name] = np.array([_is_different(one, truth) for one in wrong])
             stuck[name] = np.isnan(wrong)
-            strayed[name] = self.find_strayed(name, truth, found, bounds[name])
+            strayed[name] = self.find_strayed(name, truth, roundings[name])
             near[name][len(self.mistakes) :] &= truth != 0  # zero has no sense and no decimal point
         right = {name: rows[0] for name, rows in found.answers.items()}
         unmet = _find_unmet(self.template, arrays)
         fit = self.fit(found, unmet)
-        return Comparison(identifiers, right, near, changed, stuck, fit, bounds, strayed, unmet)
+        return Comparison(identifiers, right, near, changed, stuck, fit, roundings, strayed, unmet)
 
     def inseparable(self, seen: Comparison) -> dict[str, tuple[str, ...]]:
         """For each ask the mistakes that the sample, as it was compared, cannot distinguish from
@@ -166,27 +168,27 @@ class Separation:
             )
         return found
 
-    def room(self, name: str, right: Any, found: Outcomes, bounds: Any) -> Any:
+    def room(self, name: str, right: Any, rounding: Rounding[Doubles]) -> Any:
         """How far from the right answers one may be, in the ask's unit: a bound, for the draw
-        alone; `bounds` are those of honest rounding.
+        alone.
         """
-        stated = self._stated_room(name, right, found)
+        stated, bounds = self._stated_room(name, right, rounding), rounding.bound
         widened = np.where(np.isfinite(bounds) & (bounds > stated), _PLAIN * bounds, 0.0)
         return np.maximum(stated, widened) if self.accuracy.may_widen(name) else stated
 
-    def find_strayed(self, name: str, right: Any, found: Outcomes, bounds: Any) -> Any:
+    def find_strayed(self, name: str, right: Any, rounding: Rounding[Doubles]) -> Any:
         """Where honest rounding surely leaves the tolerance of an answer, widened if it may be."""
-        strayed = bounds > _SURELY * self._stated_room(name, right, found)
+        strayed = rounding.bound > _SURELY * self._stated_room(name, right, rounding)
         if self.accuracy.may_widen(name):
-            strayed &= bounds > _SURELY * float(WIDEST) * np.abs(right)
+            strayed &= rounding.bound > _SURELY * float(WIDEST) * np.abs(right)
         return strayed
 
-    def _stated_room(self, name: str, right: Any, found: Outcomes) -> Any:
+    def _stated_room(self, name: str, right: Any, rounding: Rounding[Doubles]) -> Any:
         """How far from the right answers one may be at most by the tolerance as it is stated."""
         tolerance = self.accuracy.find_stated(name)
         share, absolute = float(tolerance.share), float(tolerance.absolute)
         room = np.maximum(share * np.abs(right), absolute)
-        next_to_zero = share * _ROOM * found.scales[name]
+        next_to_zero = share * _ROOM * rounding.largest
         return np.where(np.abs(right) < next_to_zero, np.maximum(room, next_to_zero), room)
 
     def fit(self, found: Outcomes, unmet: Any) -> Any:

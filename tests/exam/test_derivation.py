@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from decimal import Decimal
 from math import inf, nextafter
@@ -12,16 +12,20 @@ from typing import Any
 import msgspec
 import pytest
 
+from kinegrade.draws.deck import Combination
 from kinegrade.errors import ExamError
 from kinegrade.exam.bank.bank import read_bank
-from kinegrade.exam.bank.blueprint import Bank
+from kinegrade.exam.bank.blueprint import Bank, BankQuestion
 from kinegrade.exam.folder.exam_secret import FromWords
 from kinegrade.exam.folder.records import KeyQuestion, StatedTolerance
 from kinegrade.exam.roster.roster import Roster
 from kinegrade.exam.setting.dealing import deal_exam
 from kinegrade.exam.setting.derivation import derive_question
 from kinegrade.exam.setting.key_record import make_key_question
+from kinegrade.exam.setting.setting import SetQuestion
 from kinegrade.expressions.reading import read_expression
+from kinegrade.students.rounding.rounding import Rounding, take_one
+from tests.problem.draws import draw_filter
 from tests.small_class import write_class
 
 REMEDY = (
@@ -77,12 +81,21 @@ def without(part: str, name: str) -> Change:
     return change
 
 
+def derive(question: BankQuestion, kept: KeyQuestion) -> SetQuestion:
+    """The question by its key, where terms cancel by the roundings of four figures."""
+
+    def find_roundings(values: Combination) -> Mapping[str, Rounding[float]]:
+        return take_one(draw_filter(question.template).bound([values], 4), 0)
+
+    return derive_question(question, kept, WHERE, find_roundings)
+
+
 @pytest.mark.parametrize("form", [earlier, lambda question: question])
 def test_what_is_derived_again_is_the_key(
     bank: Bank, kept: tuple[KeyQuestion, ...], form: Change
 ) -> None:
     for question, line in zip(bank.questions, kept, strict=True):
-        derived = derive_question(question, form(line), WHERE)
+        derived = derive(question, form(line))
         assert earlier(make_key_question(derived, {})) == earlier(line)
         assert derived.question is question
 
@@ -98,7 +111,7 @@ def test_what_is_derived_again_is_the_key(
 def test_another_way_of_stating_the_same_is_the_same(
     bank: Bank, kept: tuple[KeyQuestion, ...], change: Change
 ) -> None:
-    derive_question(bank.questions[0], change(kept[0]), WHERE)
+    derive(bank.questions[0], change(kept[0]))
 
 
 def test_the_last_digits_of_another_version_do_not_matter(
@@ -113,16 +126,16 @@ def test_the_last_digits_of_another_version_do_not_matter(
         "decimal": ask.decimal[:-1] + str(last - 1 if last else 1),
         "value": neighbour,
     }
-    derive_question(bank.questions[0], changed_ask(**other_digits)(kept[0]), WHERE)
+    derive(bank.questions[0], changed_ask(**other_digits)(kept[0]))
     with pytest.raises(ExamError, match=r"v_B is .* by the key"):
-        derive_question(bank.questions[0], changed_ask(decimal=ask.decimal[:-6])(kept[0]), WHERE)
+        derive(bank.questions[0], changed_ask(decimal=ask.decimal[:-6])(kept[0]))
 
 
 def test_a_value_known_as_a_double_only_decides_as_far_as_doubles_go(
     bank: Bank, kept: tuple[KeyQuestion, ...]
 ) -> None:
     rounded = changed_parameter(exact=None)(earlier(kept[0]))
-    derive_question(bank.questions[0], rounded, WHERE)
+    derive(bank.questions[0], rounded)
 
 
 TOLERANCE = StatedTolerance(Decimal("0.05"), Decimal(0))
@@ -161,7 +174,7 @@ def test_a_key_that_says_something_else_is_refused(
     bank: Bank, kept: tuple[KeyQuestion, ...], change: Change, difference: str
 ) -> None:
     with pytest.raises(ExamError) as caught:
-        derive_question(bank.questions[0], change(kept[0]), WHERE)
+        derive(bank.questions[0], change(kept[0]))
     message = str(caught.value)
     assert re.search(re.escape(f"{WHERE}: ") + difference, message), message
     assert message.endswith(REMEDY)
@@ -170,7 +183,7 @@ def test_a_key_that_says_something_else_is_refused(
 def test_all_differences_are_said_at_once(bank: Bank, kept: tuple[KeyQuestion, ...]) -> None:
     changed = changed_ask(decimal="5", points=Decimal(4))(kept[0])
     with pytest.raises(ExamError) as caught:
-        derive_question(bank.questions[0], changed, WHERE)
+        derive(bank.questions[0], changed)
     assert len(caught.value.problems) == 2
 
 
@@ -187,7 +200,7 @@ def test_values_that_give_no_mechanism_are_refused(
 ) -> None:
     drawn = {**kept[0].drawn, **values}
     with pytest.raises(ExamError) as caught:
-        derive_question(bank.questions[0], msgspec.structs.replace(kept[0], drawn=drawn), WHERE)
+        derive(bank.questions[0], msgspec.structs.replace(kept[0], drawn=drawn))
     message = str(caught.value)
     assert message.startswith(f"{WHERE}: no longer follows (slider-crank: ")
     assert reason in message
@@ -201,4 +214,4 @@ def test_an_answer_at_infinity_is_refused(bank: Bank, kept: tuple[KeyQuestion, .
     far = replace(asks["v_B"], quantity=read_expression("x(pole(AB))"), unit=asks["v_B"].unit)
     template = replace(question.template, asks={**asks, "v_B": far})
     with pytest.raises(ExamError, match=r"v_B is .* by the key"):
-        derive_question(replace(question, template=template), kept[0], WHERE)
+        derive(replace(question, template=template), kept[0])

@@ -44,9 +44,9 @@ def write(message: Message, language: str) -> str:
         (
             "1/100",
             "0",
-            "by at most 1 % of that value. Where the exact value is zero, or less than 1 % of the "
-            "largest",
-            "不超过精确值的 1 %即判为正确。精确值为零或小于该机构中同类量最大值的 1 % 时，允许偏差为该最大值的 1 %。",
+            "by at most 1 % of that value. Where larger terms cancel, so that the exact value is "
+            "zero or less than 1 % of the largest of them",
+            "不超过精确值的 1 %即判为正确。若较大的各项相互抵消，使精确值为零或小于其中最大项的 1 %，则允许偏差为该最大项的 1 %。",
         ),
         (
             "1/200",
@@ -74,22 +74,23 @@ def test_the_rule_in_words(relative: str, absolute: str, english: str, chinese: 
         (
             Tolerance(Fraction(0), Fraction(0), 3),
             "an answer is right if it agrees with the exact value to 3 significant digits "
-            "(where that is 1.2304, from 1.225 to 1.235). Where the exact value is zero, or "
-            "less than 0.5 % of the largest quantity of its kind in the mechanism, 0.5 % of "
-            "that quantity is allowed.",
+            "(where that is 1.2304, from 1.225 to 1.235). Where larger terms cancel, so that the "
+            "exact value is zero or less than 0.5 % of the largest of them, 0.5 % of that term "
+            "is allowed.",
             "答案与精确值在 3 位有效数字内一致（如精确值为 1.2304 时，从 1.225 到 1.235）即判为正确。"
-            "精确值为零或小于该机构中同类量最大值的 0.5 % 时，允许偏差为该最大值的 0.5 %。",
+            "若较大的各项相互抵消，使精确值为零或小于其中最大项的 0.5 %，则允许偏差为该最大项的 0.5 %。",
         ),
         (
             Tolerance(Fraction(1, 100), Fraction(0), 4),
             "(where that is 1.23404, from 1.2335 to 1.2345), or differs from it by at most 1 % "
-            "of it. Where the exact value is zero, or less than 1 % of",
+            "of it. Where larger terms cancel, so that the exact value is zero or less than 1 % of",
             "（如精确值为 1.23404 时，从 1.2335 到 1.2345），或与其之差不超过精确值的 1 %，即判为正确。",
         ),
         (
             Tolerance(Fraction(1, 200), Fraction(1, 50), 2),
             "(where that is 1.204, from 1.15 to 1.25), or differs from it by at most 0.5 % of it "
-            "or $0.02\\,\\unit{m/s}$. Where the exact value is zero, or less than 5 % of",
+            "or $0.02\\,\\unit{m/s}$. Where larger terms cancel, so that the exact value is zero or "
+            "less than 5 % of",
             "或与其之差不超过精确值的 0.5 %或 $0.02\\,\\unit{m/s}$，即判为正确。",
         ),
     ],
@@ -159,15 +160,16 @@ def test_the_rules_leave_every_tolerance_to_the_rows(tmp_path: Path) -> None:
     bank = read_bank(file)
     english, chinese = write_rules(bank, "en"), write_rules(bank, "zh")
     assert len(english) == len(chinese) == 3
-    assert "%" not in "".join(english)
-    assert "smaller in magnitude than the amount stated for “near zero”" in english[-1]
-    assert "小于“近零”后所注的数值" in chinese[-1]
+    assert english[-1].endswith(
+        "less than 1 % of the largest of them, 1 % of that term is allowed."
+    )
+    assert "若较大的各项相互抵消" in chinese[-1]
 
 
 def test_nothing_is_said_of_zero_where_amounts_alone_are_allowed(tmp_path: Path) -> None:
     file = tmp_path / "bank.toml"
     file.write_text(BANK.replace('relative = "1 %"', "absolute = 0.1"), encoding="utf-8")
-    assert "near zero" not in "".join(write_rules(read_bank(file), "en"))
+    assert "terms cancel" not in "".join(write_rules(read_bank(file), "en"))
 
 
 def test_the_rules_say_what_agreeing_to_digits_means(tmp_path: Path) -> None:

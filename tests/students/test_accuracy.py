@@ -12,22 +12,28 @@ from kinegrade.numbers.tolerance import Tolerance
 from kinegrade.problem.solution import Solution
 from kinegrade.problem.solving import solve_template
 from kinegrade.students.rounding.accuracy import Accuracy, find_plain_figure
+from kinegrade.students.rounding.rounding import Rounding
 from tests.problem.crank import crank
 
 PER_CENT = Tolerance(Fraction(1, 100))
 
 
 def solution(h: str = "1") -> Solution:
-    """v_x is -2 h; the largest velocity is 4 m/s."""
+    """v_x is -2 h."""
     vanishing = crank(('sign = "+x", points', 'sign = "+x", vanishes = true, points'))
     return solve_template(vanishing, {"r": "2", "h": h, "omega": "2"}, ("v_x",))
 
 
 def allow(
-    bound: float, *, h: str = "1", stated: Tolerance = PER_CENT, honest: bool = True
+    bound: float,
+    *,
+    h: str = "1",
+    largest: float = 2.0,
+    stated: Tolerance = PER_CENT,
+    honest: bool = True,
 ) -> object:
     accuracy = Accuracy({"v_x": stated}, 4, frozenset({"v_x"} if honest else ()))
-    return accuracy.allow(solution(h), {"v_x": bound})["v_x"]
+    return accuracy.allow(solution(h), {"v_x": Rounding(bound, largest)})["v_x"]
 
 
 @pytest.mark.parametrize("honest", [True, False])
@@ -55,13 +61,16 @@ def test_no_tolerance_is_wider_than_a_tenth_of_the_answer() -> None:
 
 
 def test_an_answer_next_to_zero_is_allowed_its_amount_and_no_more() -> None:
-    """A hundredth of 4 m/s for h = 0."""
-    assert allow(0.04, h="0") == Tolerance(Fraction(1, 100), Fraction(4, 100))
-    assert allow(0.041, h="0") is None
+    """A hundredth of the largest term that goes into it."""
+    assert allow(0.04, h="0", largest=4.0) == Tolerance(Fraction(1, 100), Fraction(4, 100))
+    assert allow(0.041, h="0", largest=4.0) is None
+    assert allow(0.0, h="0", largest=0.0) == PER_CENT
 
 
 def test_an_ask_without_a_stated_tolerance_is_honest() -> None:
-    assert Accuracy().allow(solution(), {"v_x": 0.05})["v_x"] == Tolerance(Fraction(3, 100))
+    assert Accuracy().allow(solution(), {"v_x": Rounding(0.05, 2.0)})["v_x"] == Tolerance(
+        Fraction(3, 100)
+    )
 
 
 def test_plain_figures_are_those_that_people_say() -> None:

@@ -20,9 +20,10 @@ from kinegrade.problem.template.template import Template
 from kinegrade.students.following.connections import find_generic_plan
 from kinegrade.students.mistaking.mistake_outcomes import find_outcomes
 from kinegrade.students.mistaking.mistakes import convert_parameters
-from kinegrade.students.rounding.bounds import find_error_bounds
+from kinegrade.students.rounding.bounds import find_roundings
 from kinegrade.students.rounding.working import Working
 from kinegrade.students.separation import collect_columns, measure_distance
+from tests.problem.crank import crank
 
 STUDENTS = 10_000
 # Of the bound, to first order, that second orders may exceed
@@ -75,7 +76,8 @@ def require_bounds(name: str, figures: int) -> None:
     deck = make_deck(template, "bounds", name)
     arrays = convert_parameters(template, collect_columns(deck.first(60)))
     right = find_outcomes(template, asks, (), arrays, plan).answers
-    bounds = find_error_bounds(template, asks, arrays, plan, figures)
+    roundings = find_roundings(template, asks, arrays, plan, figures)
+    bounds = {ask: each.bound for ask, each in roundings.items()}
     good = np.all([np.isfinite(right[ask][0]) & np.isfinite(bounds[ask]) for ask in asks], axis=0)
     good &= np.all([bounds[ask] <= WELL * np.abs(right[ask][0]) for ask in asks], axis=0)
     place = np.flatnonzero(good)[0]
@@ -96,5 +98,40 @@ def test_a_partial_sum_of_a_textbook_is_allowed_for() -> None:
     right = 10 * 0.35 * sin(radians(15)) - 36 * 0.35 * cos(radians(15)) + 0.3 * 36
     student = round(10 * 0.35 * 0.2588 - round(36 * 0.35 * 0.9659, 2), 2) + 10.8
     assert (round(right, 4), round(student, 2)) == (-0.4648, -0.46)
-    bounds = find_error_bounds(template, asks, arrays, find_plan(template), 4)
-    assert abs(student - right) <= bounds["a_BC_y"][0]
+    found = find_roundings(template, asks, arrays, find_plan(template), 4)["a_BC_y"]
+    assert abs(student - right) <= found.bound[0]
+
+
+@pytest.mark.parametrize(
+    ("quantity", "size"),
+    [
+        ("x(velocity(A))", 6),  # omega h alone
+        ("x(velocity(A)) + 5*omega*h/6", 6),  # a sixth is left of it
+    ],
+)
+def test_the_largest_term_of_an_answer_by_hand(quantity: str, size: float) -> None:
+    """A crank of 5 m turns at 2 rad/s with A 3 m above the pivot and 4 m beside it."""
+    template = crank(
+        ('quantity = "x(velocity(A))"', f'quantity = "{quantity}"'),
+        ('gives = { v_x = "-omega*h" }', 'gives = { v_y = "omega*sqrt(r**2 - h**2)" }'),
+    )
+    arrays = convert_parameters(template, {"r": ["5"], "h": ["3"], "omega": ["2"]})
+    plan = find_plan(template)
+    found = find_roundings(template, {"v_x": template.asks["v_x"]}, arrays, plan, 4)["v_x"]
+    assert found.largest[0] == pytest.approx(size)
+
+
+@pytest.mark.sampled(8, first=2)
+@pytest.mark.parametrize("name", find_template_names())
+def test_the_largest_term_lies_between_the_answer_and_the_scale_of_its_kind(name: str) -> None:
+    template = load_template(name)
+    plan, asks = find_plan(template), {ask: template.asks[ask] for ask in template.asked()}
+    arrays = convert_parameters(
+        template, collect_columns(make_deck(template, "largest", name).first(60))
+    )
+    right = find_outcomes(template, asks, (), arrays, plan)
+    for ask, found in find_roundings(template, asks, arrays, plan, 4).items():
+        answers, scale = np.abs(right.answers[ask][0]), right.scales[ask]
+        known = np.isfinite(found.bound) & np.isfinite(answers)
+        assert np.all(found.largest[known] <= scale[known])
+        assert np.all(found.largest[known] >= np.fmin(answers, scale)[known] * (1 - 1e-9))

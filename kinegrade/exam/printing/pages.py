@@ -21,7 +21,6 @@ from kinegrade.figure.sketch import Sketcher, sketch
 from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.mechanics.mechanism import Mechanism
-from kinegrade.mechanics.motion import Motion
 from kinegrade.press.paper_head import PaperHead
 from kinegrade.press.sheet import (
     AnswerRow,
@@ -120,8 +119,7 @@ def _lay_out_set_question(
     template, solution = question.question.template, question.drawn.solution
     mechanism = solution.assembly.mechanism.map(float)
     rows = tuple(
-        _make_paper_row(entry, template.asks[entry.ask.name], solution.doubles, language)
-        for entry in question.asks
+        _make_paper_row(entry, template.asks[entry.ask.name], language) for entry in question.asks
     )
     asks = tuple(entry.ask.name for entry in question.asks)
     shown = ShownInstance(template, solution.parameters, mechanism, asks)
@@ -183,11 +181,11 @@ def make_answer_row(ask: Ask, points: Fraction, language: Language) -> AnswerRow
     return AnswerRow(ask.symbol, ask.means.in_language(language), ask.unit.text, sign, points)
 
 
-def _make_paper_row(entry: SetAsk, ask: Ask, motion: Motion, language: Language) -> AnswerRow:
+def _make_paper_row(entry: SetAsk, ask: Ask, language: Language) -> AnswerRow:
     """The row as a paper has it, which states its tolerance, and on which any number of turns may
     be written.
     """
-    tolerance = write_row_tolerance(entry, motion, language)
+    tolerance = write_row_tolerance(entry, language)
     row = replace(make_answer_row(ask, entry.ask.points, language), tolerance=tolerance)
     if not ask.cyclic:
         return row

@@ -10,17 +10,15 @@ from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.decimal_mark import write_decimals_of_prose
 from kinegrade.language.message import Message, Part, list_choices
-from kinegrade.mechanics.motion import Motion
-from kinegrade.problem.tolerance import find_scale_of_mechanism
-from kinegrade.round_numbers import round_down
 
 
-def write_row_tolerance(entry: SetAsk, motion: Motion, language: Language) -> tuple[str, ...]:
-    """The lines of an ask's row, as prose: its tolerance on this paper, and the amount that is
-    allowed next to zero, whatever its answer is. `motion` is the instance's, in doubles.
+def write_row_tolerance(entry: SetAsk, language: Language) -> tuple[str, ...]:
+    """The lines of an ask's row, as prose: its tolerance on this paper.
+
+    What is allowed next to zero would tell how large the answer is: the rules of the paper say it.
     """
     words = open_catalogue(language)
-    lines = map(words.write, (*_list_stated(entry), *_list_near_zero(entry, motion)))
+    lines = map(words.write, _list_stated(entry))
     return tuple(write_decimals_of_prose(line, language) for line in lines)
 
 
@@ -37,13 +35,3 @@ def _list_stated(entry: SetAsk) -> Iterator[Message]:
     decimals = None if stated.share else make_decimals_rule(stated.absolute)
     if decimals:
         yield decimals
-
-
-def _list_near_zero(entry: SetAsk, motion: Motion) -> Iterator[Message]:
-    """The amount as far down as it is round, so that what the row allows is always right: other
-    figures would tell how large the mechanism's answers are.
-    """
-    room = entry.ask.tolerance.share * find_scale_of_mechanism(motion, entry.answer.measure)
-    if room > 0 and (amount := round_down(room)) > entry.stated.absolute:
-        number = write_amount(amount, entry.answer.unit, r"\pm")
-        yield Message("paper.tolerance-near-zero", number=number)

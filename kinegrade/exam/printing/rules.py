@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from decimal import Decimal
 from fractions import Fraction
 from math import sqrt
@@ -30,8 +30,9 @@ def write_rules(bank: Bank, language: Language) -> tuple[str, ...]:
     """
     asked = [ask.tolerance for question in bank.questions for ask in question.asks]
     right = Message("paper.rule-of-rows")
-    if any(tolerance.share for tolerance in asked):
-        near_zero = Message("paper.rule-near-zero")
+    shares = sorted({tolerance.share for tolerance in asked if tolerance.share})
+    if shares:
+        near_zero = _make_rule_near_zero(shares)
         right = Message("paper.sentences", first=right, second=near_zero)
     figures = sorted({each.figures for each in asked if each.figures})
     rules = (
@@ -91,15 +92,22 @@ def make_marking_rule(tolerance: Tolerance, unit: str, stated: Tolerance | None 
         return _make_figures_rule(tolerance, tolerance.figures, unit)
     if tolerance.relative == 0:
         return _make_amount_rule(tolerance.absolute, unit)
-    share, zero = make_percent(tolerance.relative), _make_rule_near_zero(stated or tolerance)
+    share, zero = (
+        make_percent(tolerance.relative),
+        _make_rule_near_zero([(stated or tolerance).share]),
+    )
     if not tolerance.absolute:
         return Message("paper.right-within-share", share=share, zero=zero)
     amount = _make_amount(tolerance.absolute, unit)
     return Message("paper.right-within-share-or-amount", share=share, amount=amount, zero=zero)
 
 
-def _make_rule_near_zero(tolerance: Tolerance) -> Message:
-    return Message("paper.near-zero", share=make_percent(tolerance.share))
+def _make_rule_near_zero(shares: Sequence[Fraction]) -> Message:
+    """What is allowed where terms cancel, by the shares in ascending order that asks state: a row
+    may show a wider one, which does not hold there.
+    """
+    kind = "near-zero" if len(shares) == 1 else "near-zero-least"
+    return Message(f"paper.{kind}", share=make_percent(shares[0]))
 
 
 def _make_amount_rule(allowed: Fraction, unit: str) -> Message:
@@ -130,7 +138,7 @@ def _make_figures_rule(tolerance: Tolerance, figures: int, unit: str) -> Message
     """The rule of significant figures, by an example: to 3 of them, 1.2304 allows 1.225 to
     1.235.
     """
-    parts = _give_example(figures) | {"zero": _make_rule_near_zero(tolerance)}
+    parts = _give_example(figures) | {"zero": _make_rule_near_zero([tolerance.share])}
     amounts = []
     if tolerance.relative:
         amounts.append(Message("paper.share-of-value", share=make_percent(tolerance.relative)))

@@ -7,14 +7,15 @@ contradicts the key is never made, whether the folder or this program has change
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import replace
 from decimal import Decimal
 from fractions import Fraction
-from typing import assert_never
+from typing import TypeAlias, assert_never
 
 import msgspec
 
+from kinegrade.draws.deck import Combination
 from kinegrade.errors import FieldError, KinegradeError, Problem
 from kinegrade.exam.bank.blueprint import BankAsk, BankQuestion
 from kinegrade.exam.folder.contradictions import (
@@ -33,7 +34,12 @@ from kinegrade.numbers.tolerance import Tolerance
 from kinegrade.problem.quantity import CERTIFIED_DIGITS, Quantity
 from kinegrade.problem.solution import Solution
 from kinegrade.problem.solving import solve_template
-from kinegrade.problem.tolerance import find_effective_tolerance
+from kinegrade.problem.tolerance import (
+    find_effective_tolerance,
+    find_scale_of_mechanism,
+    may_cancel,
+)
+from kinegrade.students.rounding.rounding import Rounding
 
 # Relative: between certified decimals, between doubles, and where a drawn value is only a double
 _CERTIFIED = Fraction(1, 10 ** (CERTIFIED_DIGITS - 2))
@@ -42,18 +48,27 @@ _OF_DOUBLES = Fraction(1, 10**9)
 _DIGITS_SHOWN = 12
 
 
+# How rounding bears on the answers at the values that a question has on a paper, by ask
+FindRoundings: TypeAlias = Callable[[Combination], Mapping[str, Rounding[float]]]
+
+
 def derive_question(
-    question: BankQuestion, kept: KeyQuestion, where: Text, plan: Plan | None = None
+    question: BankQuestion,
+    kept: KeyQuestion,
+    where: Text,
+    find_roundings: FindRoundings,
+    plan: Plan | None = None,
 ) -> SetQuestion:
     """The question as it was set for a student whose line of the key says `kept`; `where` names
-    that place in messages, `plan` is one that may serve.
+    that place in messages, `find_roundings` is asked where terms may cancel in an answer, `plan`
+    is one that may serve.
 
     The tolerance of an honest ask is the one that the key keeps, because another version may find
-    that rounding takes another.
+    that rounding takes another; so is an amount next to zero that earlier versions allowed.
 
     Raises ExamError, with all differences, if the result is not what the key states.
     """
-    derived = work_out(question, kept, where, plan)
+    derived = work_out(question, kept, where, find_roundings, plan)
     differences = list(find_differences(derived, kept))
     if differences:
         raise explain_contradiction(where, differences)
@@ -61,15 +76,24 @@ def derive_question(
 
 
 def work_out(
-    question: BankQuestion, kept: KeyQuestion, where: Text, plan: Plan | None = None
+    question: BankQuestion,
+    kept: KeyQuestion,
+    where: Text,
+    find_roundings: FindRoundings,
+    plan: Plan | None = None,
 ) -> SetQuestion:
     """The question with the values that its key keeps, whatever follows from them.
 
     Raises ExamError where nothing does.
     """
     solution = _solve(question, kept, where, plan)
+    roundings = (
+        find_roundings(kept.values)
+        if any(_may_cancel(ask, solution) for ask in question.asks)
+        else {}
+    )
     tolerances = {
-        ask.name: _find_tolerance(ask, solution, kept.asks.get(ask.name), where)
+        ask.name: _find_tolerance(ask, solution, roundings.get(ask.name), kept, where)
         for ask in question.asks
     }
     return set_drawn(question, Drawn(kept.values, solution), tolerances)
@@ -84,21 +108,41 @@ def _solve(question: BankQuestion, kept: KeyQuestion, where: Text, plan: Plan | 
         raise explain_contradiction(where, reasons) from error
 
 
+def _may_cancel(ask: BankAsk, solution: Solution) -> bool:
+    answer = solution[ask.name]
+    return may_cancel(ask.tolerance, answer.value, answer.measure, solution.doubles)
+
+
 def _find_tolerance(
-    ask: BankAsk, solution: Solution, kept: StatedAnswer | None, where: Text
+    ask: BankAsk,
+    solution: Solution,
+    rounding: Rounding[float] | None,
+    kept: KeyQuestion,
+    where: Text,
 ) -> Tolerance:
     """The tolerance by which an answer is marked: that of an honest ask as the key keeps it, but
-    never less than the bank's.
+    never less than the bank's; with what holds next to zero, where `rounding` says how it bears on
+    the answer.
     """
-    answer = solution[ask.name]
-    stated = find_effective_tolerance(ask.tolerance, answer.value, answer.measure, solution.doubles)
-    if not ask.honest or kept is None:
+    stated = ask.tolerance
+    if rounding is not None:
+        stated = find_effective_tolerance(stated, solution[ask.name].value, rounding.largest)
+    answer = kept.asks.get(ask.name)
+    if answer is None or not (ask.honest or _may_cancel(ask, solution)):
         return stated
     try:
-        rule = read_rule(kept.tolerance)
+        rule = read_rule(answer.tolerance)
     except FieldError as error:
         raise explain_contradiction(where, error.faults) from error
-    return replace(stated, relative=max(rule.relative, stated.relative))
+    if _may_cancel(ask, solution) and rule.absolute == _find_earlier_room(ask, solution):
+        stated = replace(stated, absolute=rule.absolute)
+    return replace(stated, relative=max(rule.relative, stated.relative)) if ask.honest else stated
+
+
+def _find_earlier_room(ask: BankAsk, solution: Solution) -> Fraction:
+    """What versions up to 0.2 allow next to zero: a share of the mechanism's scale."""
+    scale = find_scale_of_mechanism(solution.doubles, solution[ask.name].measure)
+    return ask.tolerance.share * scale
 
 
 def find_differences(derived: SetQuestion, kept: KeyQuestion) -> Iterator[Problem]:

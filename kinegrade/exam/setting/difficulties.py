@@ -46,8 +46,8 @@ def bound_coarse_rounding(kept: KeptExam, draws: Draws) -> Predicted:
     bounds: Predicted = {}
     for name, by_student in draws.items():
         drawn = [*by_student.values()]
-        for ask, row in kept.unkeyed.filters[name].bound(drawn, coarse).items():
-            for student, bound in zip(by_student, row.tolist(), strict=True):
+        for ask, rounding in kept.unkeyed.filters[name].bound(drawn, coarse).items():
+            for student, bound in zip(by_student, rounding.bound.tolist(), strict=True):
                 bounds.setdefault(student, {})[f"{name}.{ask}"] = bound
     return bounds
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Literal, TypeAlias
 
+from kinegrade.draws.deck import Combination
 from kinegrade.errors import ExamError
 from kinegrade.exam.bank.bank import read_kept_bank
 from kinegrade.exam.bank.blueprint import Bank, BankQuestion
@@ -17,10 +18,16 @@ from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.faults import explain_broken
 from kinegrade.exam.folder.records import Candidate, KeyLine, KeyQuestion
 from kinegrade.exam.roster.students import Student, read_place
-from kinegrade.exam.setting.derivation import derive_question, find_differences, work_out
+from kinegrade.exam.setting.derivation import (
+    FindRoundings,
+    derive_question,
+    find_differences,
+    work_out,
+)
 from kinegrade.exam.setting.setting import Exam, SetPaper, SetQuestion
 from kinegrade.language.message import Fault, Message, Quoted
 from kinegrade.mechanics.plan import Plan
+from kinegrade.students.rounding.rounding import Rounding, take_one
 
 _Term: TypeAlias = Literal["code", "version", "questions", "printed"]
 
@@ -59,7 +66,7 @@ class KeptExam:
         question = self._questions.get(kept.question)
         if question is None:
             raise explain_contradiction(where, [Message("exam.no-question-of-bank")])
-        return derive_question(question, kept, where, plan)
+        return derive_question(question, kept, where, self._make_finder(kept.question), plan)
 
     def rework(self, candidate: Candidate) -> tuple[SetPaper, tuple[Fault, ...]]:
         """The paper of a student worked out from its values, whatever follows from them, and each
@@ -72,7 +79,7 @@ class KeptExam:
         for name in names:
             question = self._questions[name]
             where = Message("exam.student-question", student=Quoted(line.student), question=name)
-            reworked = work_out(question, stated[name], where)
+            reworked = work_out(question, stated[name], where, self._make_finder(name))
             differences += [Fault(where, each) for each in find_differences(reworked, stated[name])]
             questions.append(reworked)
         order = tuple(map(names.index, line.order))
@@ -103,6 +110,15 @@ class KeptExam:
             line.version,
             line.place,
         )
+
+    def _make_finder(self, question: str) -> FindRoundings:
+        """What finds how rounding bears on the answers to a question."""
+
+        def find_roundings(values: Combination) -> Mapping[str, Rounding[float]]:
+            draw_filter = self.unkeyed.filters[question]
+            return take_one(draw_filter.bound([values], self.bank.carry), 0)
+
+        return find_roundings
 
     def _list_held(self, line: KeyLine) -> tuple[str, ...]:
         """The questions that a paper holds, in the bank's order; all of the bank where those of its

@@ -7,12 +7,13 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
-from math import ceil, inf
+from math import ceil
 
 from kinegrade.numbers.tolerance import ONE_PER_CENT, USUAL_CARRY, Tolerance
 from kinegrade.problem.solution import Solution
 from kinegrade.problem.tolerance import find_effective_tolerance
 from kinegrade.round_numbers import round_up
+from kinegrade.students.rounding.rounding import UNBOUNDED, Rounding
 
 # A widened tolerance is one of these per cents
 _PLAIN = tuple(Fraction(number) for number in ("1", "1.5", "2", "3", "4", "5", "6", "8"))
@@ -40,21 +41,23 @@ class Accuracy:
         """Whether an ask's tolerance is widened where rounding needs it."""
         return ask in self.honest or ask not in self.tolerances
 
-    def allow(self, solution: Solution, bounds: Mapping[str, float]) -> dict[str, Tolerance | None]:
+    def allow(
+        self, solution: Solution, roundings: Mapping[str, Rounding[float]]
+    ) -> dict[str, Tolerance | None]:
         """The tolerance of each answer of an instance; None where honest rounding may leave it.
 
-        `bounds` are those of `find_error_bounds`, in the asks' units.
+        `roundings` are those of `find_roundings`.
         """
         allowed: dict[str, Tolerance | None] = {}
         for name, answer in solution.answers.items():
+            found = roundings.get(name, UNBOUNDED)
             tolerance = find_effective_tolerance(
-                self.find_stated(name), answer.value, answer.measure, solution.doubles
+                self.find_stated(name), answer.value, found.largest
             )
-            bound = bounds.get(name, inf)
-            if _holds(tolerance, answer.value, bound):
+            if _holds(tolerance, answer.value, found.bound):
                 allowed[name] = tolerance
             elif self.may_widen(name):
-                allowed[name] = _widen(tolerance, answer.value, bound)
+                allowed[name] = _widen(tolerance, answer.value, found.bound)
             else:
                 allowed[name] = None
         return allowed

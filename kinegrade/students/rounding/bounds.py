@@ -1,14 +1,15 @@
 """How far off a student may be who works correctly and writes every value down rounded: a bound for
-every instance, whatever the roundings come to.
+every instance, whatever the roundings come to; and the largest term that goes into an answer.
 
 Every operation of `working` is written down. Textbooks also add the terms of a velocity or an
-acceleration in another order, over other arms; a partial sum is then as large as the largest one in
-the mechanism, at most, and half a unit of that is allowed for, twice.
+acceleration in another order, over other arms; a partial sum is then as large as the largest term,
+at most, and half a unit of that is allowed for, twice.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping
+from math import inf
 from typing import Any
 
 import numpy as np
@@ -18,24 +19,26 @@ from kinegrade.mechanics.plan import Plan
 from kinegrade.numbers.elimination import Singular
 from kinegrade.numbers.floats import Floats
 from kinegrade.numbers.noting import Noting
-from kinegrade.numbers.pad import DEGREE, Doubles, Noted, Pad
+from kinegrade.numbers.pad import DEGREE, NOTHING, Doubles, Noted, Pad, Swept
 from kinegrade.problem.template.template import Ask, Template
 from kinegrade.students.mistaking.mistake_outcomes import find_outcomes
+from kinegrade.students.rounding.rounding import Rounding
 from kinegrade.students.rounding.working import Working
 
 
-def find_error_bounds(
+def find_roundings(
     template: Template,
     asks: Mapping[str, Ask],
     values: Mapping[str, Any],
     plan: Plan,
     carry: int,
-) -> dict[str, Doubles]:
-    """For every ask how far off an answer may be, in its unit, in an array of instances, where
-    `carry` significant figures are written of everything.
+) -> dict[str, Rounding[Doubles]]:
+    """For every ask how far off an answer may be and what its largest term is, in an array of
+    instances, where `carry` significant figures are written of everything.
 
-    `values` are the parameters in SI, arrays of instances. Infinite where an instance cannot be
-    worked out. To first order in the roundings.
+    `values` are the parameters in SI, arrays of instances. The bound is infinite where an instance
+    cannot be worked out. To first order in the roundings. An answer that is known in closed form
+    is not worked out: its largest term is the mechanism's scale.
     """
     pad = Pad(carry, np.size(next(iter(values.values()), 0.0)))
     arithmetic = Noting(pad)
@@ -47,17 +50,26 @@ def find_error_bounds(
         try:
             found = Working(arithmetic).answer(template, asks, given, plan)
         except (KinegradeError, Singular):
-            return dict.fromkeys(asks, np.full(pad.count, np.inf))
+            return dict.fromkeys(asks, Rounding(np.full(pad.count, inf), np.zeros(pad.count)))
         noted = {name: number for name, number in found.items() if isinstance(number, Noted)}
-        errors = dict(zip(noted, pad.sum_errors(tuple(noted.values())), strict=True))
+        swept = pad.sweep_back(tuple(noted.values()))
+        rows = {name: row for row, name in enumerate(noted)}
         scales = find_outcomes(template, asks, (), values, plan).scales
-        sums = {name: pad.find_unit(scales[name]) for name in noted if _is_sum(asks[name])}
-    return {
-        name: _convert(errors[name], ask) + sums.get(name, 0.0)
-        if name in errors
-        else np.zeros(pad.count)
-        for name, ask in asks.items()
-    }
+        return {
+            name: _round_swept(pad, ask, swept, rows[name], scales[name])
+            if name in rows
+            else Rounding(np.zeros(pad.count), scales[name])
+            for name, ask in asks.items()
+        }
+
+
+def _round_swept(pad: Pad, ask: Ask, swept: Swept, row: int, scale: Doubles) -> Rounding[Doubles]:
+    """The rounding of an answer that was worked out on the pad."""
+    bound = _convert(swept.errors[row], ask)
+    largest = np.fmin(_convert(swept.terms[row], ask), scale)
+    if _is_sum(ask):
+        bound = bound + np.where(largest > NOTHING, pad.find_unit(largest), 0.0)
+    return Rounding(bound, largest)
 
 
 def _is_sum(ask: Ask) -> bool:
@@ -68,4 +80,4 @@ def _is_sum(ask: Ask) -> bool:
 def _convert(error: Doubles, ask: Ask) -> Doubles:
     """An error in SI in the unit of an ask; infinite where there is none."""
     size = DEGREE if ask.unit.degrees else Floats().scale(ask.unit.scale)
-    return np.where(np.isfinite(error), error / size, np.inf)
+    return np.where(np.isfinite(error), error / size, inf)
