@@ -61,12 +61,12 @@ def test_only_the_banks_domains_are_drawn(bank: Bank) -> None:
         assert (values["h"], values["r"] in "123", values["omega"] in "234") == ("0", True, True)
 
 
-def test_a_zero_answer_gets_room_from_the_mechanisms_scale(bank: Bank) -> None:
+def test_a_zero_answer_has_room_for_what_a_calculator_leaves_of_it(bank: Bank) -> None:
     for paper in papers(bank, 4):
         values, (v_x, v_y) = paper.questions[1].drawn.values, paper.questions[1].asks
         fastest = int(values["r"]) * int(values["omega"])
         assert v_x.answer.is_zero
-        assert v_x.tolerance.absolute == Fraction(fastest, 100)
+        assert v_x.tolerance.absolute == Fraction(fastest, 10**6)
         assert (v_y.tolerance.relative, v_y.tolerance.absolute) == (0, Fraction(1, 4))
 
 

@@ -19,11 +19,13 @@ from kinegrade.mechanics.plan import Plan
 from kinegrade.numbers.elimination import Singular
 from kinegrade.numbers.floats import Floats
 from kinegrade.numbers.noting import Noting
-from kinegrade.numbers.pad import DEGREE, NOTHING, Doubles, Noted, Pad, Swept
+from kinegrade.numbers.pad import DEGREE, Doubles, Noted, Pad, Swept
 from kinegrade.problem.template.template import Ask, Template
 from kinegrade.students.mistaking.mistake_outcomes import find_outcomes
 from kinegrade.students.rounding.rounding import Rounding
 from kinegrade.students.rounding.working import Working
+
+_LEFT = 1e-4  # of the scale, at least: what a calculator leaves of a zero, 6e-17, is right
 
 
 def find_roundings(
@@ -54,7 +56,8 @@ def find_roundings(
         noted = {name: number for name, number in found.items() if isinstance(number, Noted)}
         swept = pad.sweep_back(tuple(noted.values()))
         rows = {name: row for row, name in enumerate(noted)}
-        scales = find_outcomes(template, asks, (), values, plan).scales
+        outcomes = find_outcomes(template, asks, (), values, plan)
+        scales = {name: np.nan_to_num(scale) for name, scale in outcomes.scales.items()}
         return {
             name: _round_swept(pad, ask, swept, rows[name], scales[name])
             if name in rows
@@ -66,10 +69,8 @@ def find_roundings(
 def _round_swept(pad: Pad, ask: Ask, swept: Swept, row: int, scale: Doubles) -> Rounding[Doubles]:
     """The rounding of an answer that was worked out on the pad."""
     bound = _convert(swept.errors[row], ask)
-    largest = np.fmin(_convert(swept.terms[row], ask), scale)
-    if _is_sum(ask):
-        bound = bound + np.where(largest > NOTHING, pad.find_unit(largest), 0.0)
-    return Rounding(bound, largest)
+    largest = np.clip(_convert(swept.terms[row], ask), _LEFT * scale, scale)
+    return Rounding(bound + pad.find_unit(largest) if _is_sum(ask) else bound, largest)
 
 
 def _is_sum(ask: Ask) -> bool:

@@ -18,8 +18,8 @@ class Rounding(Generic[_Number]):
     """How rounding bears on an answer, in its unit, in one instance or an array of them.
 
     No student is further off than the `bound`. `largest` is the largest term that goes into the
-    answer, which is far larger than the answer where terms cancel; never larger than the
-    mechanism's scale of such quantities.
+    answer, which is far larger than the answer where terms cancel; it is between a
+    ten-thousandth and the whole of the mechanism's scale of such quantities.
     """
 
     bound: _Number
