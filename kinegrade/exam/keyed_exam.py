@@ -58,6 +58,11 @@ class KeyedExam:
         return {}
 
     @property
+    def former_ids(self) -> Mapping[str, str]:
+        """None: ids of papers in memory do not change."""
+        return {}
+
+    @property
     def spare_codes(self) -> Collection[str]:
         """None: all papers in memory are somebody's."""
         return ()

@@ -143,7 +143,7 @@ def _mark(
     settled = by_hand.settle(_leave_out_names(grades) if wishes.pseudonymous else grades)
     scale = None if settled.still_open else _make_scale(rules, exam.language)
     grades = replace(settled.grades, complaints=(*untimed, *settled.grades.complaints))
-    earlier = _find_earlier(wishes.never_lower)
+    earlier = _find_earlier(wishes.never_lower, exam)
     grades = _write_totals(folder, grades, TotalTerms(rules.penalties, earlier, scale))
     folder.policy(rules.text)
     folder.printed(orders)
@@ -187,8 +187,12 @@ def _write_by_hand(folder: MarksWriter, settled: Settled, exam: ExamFolder) -> N
     folder.bonus({**exam.head.bonus, **settled.bonus})
 
 
-def _find_earlier(marks: MarksFolder | None) -> Mapping[str, StudentTotal] | None:
-    return None if marks is None else marks.totals.by_student
+def _find_earlier(marks: MarksFolder | None, exam: ExamFolder) -> Mapping[str, StudentTotal] | None:
+    """The earlier totals, by the ids that the students have now."""
+    if marks is None:
+        return None
+    now = exam.former_ids
+    return {now.get(student, student): each for student, each in marks.totals.by_student.items()}
 
 
 def _make_scale(rules: Policy, language: Language) -> Scale | None:

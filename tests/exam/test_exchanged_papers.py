@@ -11,7 +11,7 @@ from pypdf import PdfReader
 
 from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.exam.folder.records import ExamHead
-from tests.small_class import BANK, contents, generate, kinegrade, write_class
+from tests.small_class import BANK, contents, generate, kinegrade, table, write_class
 
 
 @pytest.fixture(scope="module")
@@ -143,6 +143,29 @@ def test_a_spare_paper_that_was_assigned_to_a_mistyped_id_is_passed_on(exam: Pat
     assert "0990" not in "".join(
         page.extract_text() for page in PdfReader(exam / "spare-key.pdf").pages
     )
+
+
+def test_what_was_marked_for_a_mistyped_id_goes_on_with_its_paper(exam: Path) -> None:
+    code, right = open_exam(exam).head.spares[0].paper, right_answer(exam, "spare-1")
+    assert kinegrade("assign", exam, code, "0990").exit_code == 0
+    sheet, hands, marks = (exam.with_name(name) for name in ("typed.csv", "hands.csv", "MARKS"))
+    sheet.write_text(f"student,q1.v_B\n0990,{right}\n", encoding="utf-8")
+    hands.write_text("student,question,points\n0990,bonus,2\n", encoding="utf-8")
+    again = "grade", exam, sheet, "-o", marks, "--force", "--own-papers"
+    kinegrade(*again, "--manual", hands)
+    shutil.copytree(marks, before := exam.with_name("BEFORE"))
+    assert kinegrade("exchange", exam, code, "0099").exit_code == 0
+    done = kinegrade(*again)
+    assert done.exit_code == 1, done.stderr
+    said = 'typed.csv: 1 student id is not as in the exam: "0990" for "0099"'
+    assert said in done.stderr
+    assert "1 mark by hand carried over" in done.stderr
+    assert {row["student"]: row["total"] for row in table(marks / "grades.csv")}["0099"] == "5"
+    sheet.write_text("student,q1.v_B\n0099,?\n", encoding="utf-8")
+    lower = *again[:3], "-o", exam.with_name("NEW"), "--never-lower", before, "--own-papers"
+    assert "no student" not in kinegrade(*lower).stderr
+    kept = {row["student"]: row["total"] for row in table(exam.parent / "NEW" / "grades.csv")}
+    assert kept["0099"] == "5"
 
 
 def test_a_student_who_sat_another_version_is_marked_by_that(versions: Path) -> None:

@@ -82,6 +82,11 @@ class ExamFolder:
         return self.head.owners
 
     @property
+    def former_ids(self) -> Mapping[str, str]:
+        """The candidates by the ids that they had before."""
+        return self.head.former_ids
+
+    @property
     def spare_codes(self) -> Collection[str]:
         """The codes of spare papers, which are nobody's."""
         return [each.paper for each in self.head.spares]

@@ -229,6 +229,10 @@ class Sitting(Protocol):
         """The examinees by the codes of their papers."""
 
     @property
+    def former_ids(self) -> Mapping[str, str]:
+        """The examinees by the ids that they had before, which files may still have."""
+
+    @property
     def spare_codes(self) -> Collection[str]:
         """The codes of spare papers, which are nobody's."""
 

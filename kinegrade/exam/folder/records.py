@@ -24,7 +24,8 @@ from kinegrade.numbers.amounts import add_amounts
 class Candidate(msgspec.Struct, frozen=True, gc=False, omit_defaults=True):
     """A student of the exam: `paper` is the code on the paper, `version` its letter where there are
     versions, `file` where a printed paper stands in the folder. What the roster did not say is
-    empty; `language` is then that of the exam. `was_spare` is a paper made without a student.
+    empty; `language` is then that of the exam. `was_spare` is a paper made without a student. Files
+    may have them by the ids that they had `formerly`.
     """
 
     student: str
@@ -40,6 +41,7 @@ class Candidate(msgspec.Struct, frozen=True, gc=False, omit_defaults=True):
     extra_time: str = ""
     print_format: PrintFormat = ""
     was_spare: bool = False
+    formerly: tuple[str, ...] = ()
 
 
 class ExamQuestion(msgspec.Struct, frozen=True, kw_only=True):
@@ -169,6 +171,11 @@ class ExamHead(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True, di
     def owners(self) -> Mapping[str, str]:
         """The students by the codes of their papers, as far as the folder states them."""
         return {each.paper: each.student for each in self.students if each.paper}
+
+    @cached_property
+    def former_ids(self) -> Mapping[str, str]:
+        """The students by the ids that they had before."""
+        return {before: each.student for each in self.students for before in each.formerly}
 
     @cached_property
     def file_stems(self) -> Mapping[str, str]:

@@ -139,7 +139,7 @@ def _pass_on(exam: ExamFolder, code: str, student: Student) -> _Change:
         raise _refuse(exam, what, Message("exam.only-spare-passed-on"))
     stated = student.name or student.email or student.group
     kept = replace(student, name=before.name, email=before.email, group=before.group)
-    owner = make_owner(exam, before, student if stated else kept)
+    owner = _with_former_ids(make_owner(exam, before, student if stated else kept), before)
     return _Change(
         {before.student: owner},
         {before.student: _with_owner(exam.line_of(before.student), owner)},
@@ -152,6 +152,14 @@ def _pass_on(exam: ExamFolder, code: str, student: Student) -> _Change:
         ),
         {before: owner},
     )
+
+
+def _with_former_ids(owner: Candidate, before: Candidate) -> Candidate:
+    """Somebody in the place of another, whose ids files may still have."""
+    new = make_student_key(owner.student)
+    former = (*before.formerly, before.student)
+    kept = tuple(each for each in former if make_student_key(each) != new)
+    return structs.replace(owner, formerly=kept)
 
 
 def _find_paper(exam: ExamFolder, code: str) -> Candidate:

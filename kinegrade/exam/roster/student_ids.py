@@ -12,6 +12,7 @@ import re
 from collections import defaultdict
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from functools import cached_property
+from types import MappingProxyType
 
 from kinegrade.exam.roster.students import make_student_key, make_student_keys
 from kinegrade.files.cell_text import shorten, trim
@@ -20,6 +21,7 @@ from kinegrade.language.message import Message, Quoted
 # As programs write a column of numbers with gaps
 _WRITTEN_AS_FRACTION = re.compile(r"([0-9]+)\.0+")
 _LOOK_ALIKES = str.maketrans("ILO", "110")
+_NONE: Mapping[str, str] = MappingProxyType({})
 _WRAPPED = re.compile(r"""=\s*"(.*)"|['#](.*)""", re.DOTALL)
 
 
@@ -35,17 +37,25 @@ def _unwrap(identifier: str) -> str:
 
 
 class StudentIds:
-    """The ids of a class, and the students by the codes of their papers, which stand for ids.
+    """The ids of a class, and the students by the codes of their papers, which stand for ids, and
+    by `former` ids, which files may still have.
 
     >>> ids = StudentIds(["0012345", "S9"], {"K0Q1-9FHM": "S9"})
     >>> ids.exact('="0012345"'), ids.exact("12345"), ids.near("12345"), ids.near("s9")
     ('0012345', None, ('0012345',), ('S9',))
     >>> ids.exact("kOql 9fhm")
     'S9'
+    >>> StudentIds(["0077"], {}, {"0012345": "0077"}).near("12345")
+    ('0077',)
     """
 
-    def __init__(self, students: Iterable[str], codes: Mapping[str, str]) -> None:
-        self._students, self._codes = tuple(students), codes
+    def __init__(
+        self,
+        students: Iterable[str],
+        codes: Mapping[str, str],
+        former: Mapping[str, str] = _NONE,
+    ) -> None:
+        self._students, self._codes, self._former = tuple(students), codes, former
 
     @cached_property
     def _exact(self) -> Mapping[str, str]:
@@ -61,9 +71,11 @@ class StudentIds:
     @cached_property
     def _near(self) -> Mapping[str, tuple[str, ...]]:
         """The students by what is left of their ids where spreadsheets strip them."""
-        near: dict[str, list[str]] = defaultdict(list)
+        near: dict[str, dict[str, None]] = defaultdict(dict)
         for student in self._students:
-            near[_strip(make_student_key(student))].append(student)
+            near[_strip(make_student_key(student))][student] = None
+        for before, student in self._former.items():
+            near[_strip(make_student_key(before))][student] = None
         return {stripped: tuple(found) for stripped, found in near.items()}
 
     def exact(self, cell: str) -> str | None:
@@ -84,7 +96,9 @@ class StudentIds:
         return self._coded.get(_fold_code(cell))
 
     def near(self, cell: str) -> tuple[str, ...]:
-        """The students whose ids differ from a cell by leading zeros, case or a final .0 alone."""
+        """The students whose ids, or former ones, differ from a cell by leading zeros, case or a
+        final .0 alone.
+        """
         stripped = _strip(_unwrap(cell))
         return self._near.get(stripped, ()) if stripped else ()
 

@@ -79,7 +79,7 @@ def find_markable(
     shuffled = any(
         list(order) != sorted(order, key=exam.questions.index) for order in orders.values()
     )
-    ids, people = StudentIds(exam.students, exam.codes), StudentNames(exam.names)
+    ids, people = StudentIds(exam.students, exam.codes, exam.former_ids), StudentNames(exam.names)
     codes = {student: code for code, student in exam.codes.items()}
     spares = StudentIds((), {code: code for code in exam.spare_codes})
     names = AskNames(exam.head.columns, by_hand, shuffled)

@@ -82,7 +82,7 @@ def read_part(answers: AnswerFile, exam: Sitting) -> Part:
 def _group_rows(
     table: Table, columns: Columns, exam: Sitting
 ) -> tuple[Mapping[str, Sequence[Row]], list[Complaint]]:
-    ids = StudentIds(exam.students, exam.codes)
+    ids = StudentIds(exam.students, exam.codes, exam.former_ids)
     papers = _Papers(ids, StudentIds((), {code: code for code in exam.spare_codes}))
     kept = drop_headers(table)
     exactly = ids.all_exact([row.cell(columns.student) for row in kept])

@@ -60,7 +60,8 @@ class People:
     def __init__(self, students: Iterable[Candidate], spares: Iterable[Candidate] = ()) -> None:
         known = list(students)
         codes = {person.paper: person.student for person in known if person.paper}
-        self._ids = StudentIds((person.student for person in known), codes)
+        former = {before: person.student for person in known for before in person.formerly}
+        self._ids = StudentIds((person.student for person in known), codes, former)
         self._spares = StudentIds((), {each.paper: each.paper for each in spares})
         self._by_email = _grouped(known, lambda person: make_header_key(person.email))
 

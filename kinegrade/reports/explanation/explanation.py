@@ -104,7 +104,7 @@ def explain_marks(
 
 def _find_candidate(exam: ExamFolder, student: str) -> Candidate:
     """The student meant, as ids are read in files of answers. Raises ExamError."""
-    ids = StudentIds(exam.students, exam.codes)
+    ids = StudentIds(exam.students, exam.codes, exam.former_ids)
     found = ids.exact(student)
     near = ids.near(student)
     if found is None and len(near) == 1:

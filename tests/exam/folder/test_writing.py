@@ -83,6 +83,7 @@ HEAD = ExamHead(
             extra_time="25 %",
             print_format="large-print",
             was_spare=True,
+            formerly=("0012354",),
         ),
     ),
     spares=(Candidate("spare-1", "", paper="B-C9PV-269B", file="papers/spare-1.pdf"),),
