@@ -328,6 +328,17 @@ def test_a_radius_that_is_the_length_of_a_bar_is_noted() -> None:
     assert note("radius of the crank") == note("length of the bar") == []
 
 
+def test_a_bar_that_is_called_a_diameter_is_a_fault() -> None:
+    fault = (
+        'statement: it says "diameter {{ r }}", and no circle of the mechanism has that diameter: '
+        "r is the length OA"
+    )
+    assert find("The crank $OA$ of diameter {{ r }}") == [fault]
+    meant = ('en = "length"', 'en = "diameter of the disc"')
+    disc = read_template("crank", changed(meant, ('en = "{{ r }} ', 'en = "diameter {{ r }} ')))
+    assert all_said(find_false_claims(disc, [solve_template(disc, {}, ())])) == []
+
+
 def test_a_given_that_means_a_diameter_and_is_a_radius_is_a_fault() -> None:
     template = crank("")
     figure = replace(template.figure, circles=(Rimmed("OA", "O", "A"),))

@@ -57,6 +57,9 @@ def test_a_sense_is_read_without_a_verb(said: str, right: str, wrong: str) -> No
         ("角速度为 {{ omega }}，角加速度为 {{ eps }}（与角速度%s）", "同向", "反向"),
         ("以角加速度 {{ eps }} %s转动", "加速", "减速"),
         ("{{ omega }} and {{ eps }} in the %s sense", "same", "opposite"),
+        ("{{ omega }}, and it is %s, namely by {{ eps }}", "speeding up", "slowing down"),
+        ("its %s, and that by {{ eps }}", "speed is growing", "speed is falling"),
+        ("sie wird %s, und zwar um {{ eps }}", "schneller", "gebremst"),
     ],
 )
 def test_a_pace_that_the_signs_contradict_is_a_fault(said: str, right: str, wrong: str) -> None:
@@ -80,6 +83,8 @@ def test_a_pace_that_some_values_contradict_is_a_fault() -> None:
     "said",
     [
         "the length increases with the angle; {{ eps }}",
+        "slowing down or speeding up, as the case may be, by {{ eps }}",
+        "slowing down, it turns at {{ omega }}",
         "which decreases with the radius {{ r }}",
         "{{ omega }}, und {{ eps }} nimmt ab",
         "以角加速度 {{ eps }} 转动",

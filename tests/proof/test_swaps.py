@@ -43,6 +43,19 @@ def test_two_givens_that_have_changed_places_are_a_fault(said: str, means: str) 
     ]
 
 
+def test_givens_of_several_parts_that_have_changed_places_are_a_fault() -> None:
+    def find(*names: str) -> list[str]:
+        one, other = (f"{{{{ {name} }}}}" for name in names)
+        said = f"the module of gears 1 and 2 is {one}, that of gears 3 and 4 is {other}"
+        template = crank(said, ("k", "module of gears 1 and 2"), ("l", "module of gears 3 and 4"))
+        return all_said(find_false_claims(template, [solve_template(template, {}, ())]))
+
+    assert find("k", "l") == []
+    assert find("l", "k") == [
+        "statement: l stands where the words mean k, and k where they mean l: exchange the two"
+    ]
+
+
 def test_givens_of_parts_that_are_not_named_have_no_places() -> None:
     template = crank("a gear of {{ l }} and one of {{ k }}", ("k", "gear 2"), ("l", "gear 3"))
     assert all_said(find_false_claims(template, [solve_template(template, {}, ())])) == []

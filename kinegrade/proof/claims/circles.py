@@ -61,10 +61,22 @@ def find_wrong_circles(template: Template, examples: Sequence[Solution]) -> Iter
         for claim in read_claims(template, kind):
             if claim["given"] in lengths:
                 yield from lengths[claim["given"]].judge("statement", kind, claim["said"])
+                yield from _judge_bars(lengths[claim["given"]], kind, claim["said"])
         for name, sizes in lengths.items():
             for said in template.parameters[name].means.texts:
                 if _names(said, kind) and not _names(said, other):
                     yield from sizes.judge(f"parameters.{name}.means", kind, said)
+
+
+def _judge_bars(sizes: _Sizes, kind: str, said: str) -> Iterator[Fault]:
+    """That what is called a diameter is the length of a bar alone, by its meaning too."""
+    means = " ".join(sizes.given.means.texts)
+    if kind != "diameter" or _names(means, kind) or any(map(sizes.is_a, _OTHERS)):
+        return
+    bar = sizes.find_bar()
+    if bar:
+        what = Message("template.diameter-of-bar", said=said, name=sizes.given.name, bar=bar)
+        yield Fault("statement", what)
 
 
 def note_radii_of_bars(template: Template, examples: Sequence[Solution]) -> Iterator[Message]:

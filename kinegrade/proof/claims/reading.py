@@ -33,6 +33,11 @@ def read_texts(texts: Iterable[str], kind: str, before: str = "") -> Iterator[di
                 yield {**match.groupdict(""), "said": said, "ahead": ahead}
 
 
+def list_sentences_of(text: str) -> Iterator[str]:
+    """The sentences of a text that speak of the instant at hand."""
+    yield from (each for each in _ENDS.split(text) if not is_of_another_case(each))
+
+
 def is_of_another_case(sentence: str) -> bool:
     """Whether a sentence speaks of another instant or of what would be: half a turn later."""
     return re.search(write_words("another-case"), sentence, re.IGNORECASE) is not None

@@ -31,9 +31,11 @@ def find_swapped_givens(template: Template) -> Iterator[Message]:
     teeth, and gear 3, with {{ z2 }}`.
     """
     letters = {name: _find_only_name(template, each) for name, each in template.parameters.items()}
+    groups = {name: _find_group(each) for name, each in template.parameters.items()}
     sides = {name: _find_only_side(each) for name, each in template.parameters.items()}
     for text in template.words.statement.texts:
         yield from _find_swapped(template, letters, dict(_list_slots(text)))
+        yield from _find_swapped(template, groups, dict(_list_groups(text)))
         yield from _find_swapped(template, sides, dict(_list_sides(text)))
 
 
@@ -58,6 +60,23 @@ def _find_only_name(template: Template, given: Parameter) -> str | None:
         nouns = [noun for text in texts for noun in Nouns(template).read_nouns(text)]
         named = {thing.body for _, things in nouns for thing in things}
     return next(iter(named)) if len(named) == 1 else None
+
+
+def _find_group(given: Parameter) -> str | None:
+    """The parts that a given means, where they are several: 1 2 of the module of gears 1 and 2."""
+    named = {" ".join(sorted({*_NAME.findall(text)})) for text in given.means.texts}
+    return next(iter(named)) if len(named) == 1 and " " in next(iter(named)) else None
+
+
+def _list_groups(text: str) -> Iterator[tuple[str, str]]:
+    """The givens of a text, each with the parts named between it and the one before, in its
+    sentence.
+    """
+    start = 0
+    for slot in _SLOT.finditer(text):
+        before = re.split(r"[.;。；]", text[start : slot.start()])[-1]
+        yield slot[1], " ".join(sorted({*_NAME.findall(before)}))
+        start = slot.end()
 
 
 def _find_only_side(given: Parameter) -> str | None:

@@ -9,7 +9,11 @@ from collections.abc import Iterator, Sequence
 from kinegrade.language.message import Fault
 from kinegrade.problem.solution import Solution
 from kinegrade.problem.template.template import Template
+from kinegrade.proof.clauses.bars import find_wrong_bars
+from kinegrade.proof.clauses.counts import find_wrong_counts
 from kinegrade.proof.clauses.goings import find_wrong_goings
+from kinegrade.proof.clauses.guides import find_wrong_guides
+from kinegrade.proof.clauses.orders import find_wrong_orders
 from kinegrade.proof.clauses.sides import find_wrong_sides
 
 
@@ -18,5 +22,9 @@ def find_false_clauses(template: Template, examples: Sequence[Solution]) -> Iter
     found = (
         *find_wrong_sides(template, examples),
         *find_wrong_goings(template, examples),
+        *find_wrong_counts(template, examples),
+        *find_wrong_orders(template, examples),
+        *find_wrong_guides(template, examples),
+        *find_wrong_bars(template, examples),
     )
     yield from (Fault("statement", what) for what in dict.fromkeys(found))

@@ -15,7 +15,7 @@ from kinegrade.problem.solution import Solution
 from kinegrade.problem.template.template import Template
 from kinegrade.proof.claims.patterns import SENSES, write_words
 from kinegrade.proof.claims.reading import name_senses
-from kinegrade.proof.clauses.parts import Part
+from kinegrade.proof.clauses.parts import STILL, Part
 from kinegrade.proof.clauses.sentences import Mention, Sentence, has_condition, list_sentences
 from kinegrade.sign_conventions import Convention
 
@@ -27,7 +27,6 @@ _MOVES: Mapping[Convention, Vector] = {
     "-y": Vector(0.0, -1.0),
 }
 _IN_VERBS: tuple[tuple[Convention, str], ...] = (("+y", "goes-up"), ("-y", "goes-down"))
-_STILL = 1e-9  # m/s or rad/s: less is what doubles leave
 
 
 @dataclass(frozen=True)
@@ -112,4 +111,4 @@ def _goes_back(part: Part, sense: Convention, each: Solution) -> bool:
         rates = [rate * _TURNS[sense] for rate in part.list_rates(each)]
     else:
         rates = [float(each.dot(_MOVES[sense])) for each in part.list_velocities(each)]
-    return bool(rates) and max(rates) < -_STILL
+    return bool(rates) and max(rates) < -STILL

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from typing import Literal, assert_never
 
 from kinegrade.expressions.tree import find_names
+from kinegrade.figure.plane import length
 from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.shapes import Line
 from kinegrade.mechanics.vector import Vector
@@ -14,6 +15,7 @@ from kinegrade.problem.solution import Solution
 from kinegrade.problem.template.template import Template
 from kinegrade.proof.claims.nouns import Nouns, Thing
 
+STILL = 1e-9  # m/s or rad/s: less is what doubles leave
 Kind = Literal["wheel", "slider", "guide", "load", "crank"]
 
 
@@ -34,11 +36,14 @@ class Part:
 
     def list_rates(self, each: Solution) -> list[float]:
         """How fast its bodies turn, rad/s counter-clockwise."""
+        if not each.template.scheme.drivers:
+            return []  # a pose
         return [float(each.doubles.omega(name)) for name in self.bodies]
 
     def list_velocities(self, each: Solution) -> list[Vector]:
         """How its points move, as points of each body that has them."""
-        bodies = each.template.scheme.bodies
+        scheme = each.template.scheme
+        bodies = scheme.bodies if scheme.drivers else ()
         return [
             each.doubles.velocity(point, body.name)
             for point in self.centres or self.points
@@ -123,3 +128,9 @@ def list_guides(each: Solution) -> Iterator[Line]:
     for sentence, joint in zip(each.template.scheme.joints, joints, strict=True):
         if GROUND in {sentence.of, sentence.body}:
             yield from joint.list_lines()
+
+
+def is_moving(each: Solution, point: str) -> bool:
+    """Whether a point moves as one of all bodies that have it."""
+    speeds = [length(step) for step in Part((point,)).list_velocities(each)]
+    return min(speeds, default=0.0) > STILL

@@ -69,10 +69,10 @@ found = { quantity = "omega(OA)", unit = "rad/s", points = 1, means = "a" }
 _MECHANISMS = {"drum": _DRUM, "slider": _SLIDER}
 
 
-def find_faults(mechanism: str, said: str) -> list[str]:
+def find_faults(mechanism: str, said: str, **choices: list[str]) -> list[str]:
     """What is wrong with these words for it, in two instances where there are as many."""
     template = read_template("t", _MECHANISMS[mechanism].replace("SAID", said))
-    angles = template.parameters["phi"].choices if "phi" in template.parameters else [None]
-    values = [{"phi": each} if each else {} for each in angles]
+    angles = {"phi": template.parameters["phi"].choices} if mechanism == "slider" else {}
+    values = [{"phi": each} for each in (angles | choices).get("phi", ())] or [{}]
     solved = [solve_template(template, each, ()) for each in values]
     return all_said(find_false_clauses(template, solved))
