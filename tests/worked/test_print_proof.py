@@ -103,10 +103,14 @@ WRONG: dict[Law, tuple[Block, ...]] = {
         Prose(r"$AB$ makes the acute angle $\psi$ with the $x$ axis."),
         Display((read_math(r"v_{A}\sin\psi = 2\,\unit{m/s}", ""),)),
     ),
-    "another": (
+    "redone": (
         Prose(
-            "Check by the projection on the $x$ axis, which has not been used: "
-            r"left side $1\,\unit{m/s}$, right side $1\,\unit{m/s}$; they agree."
+            r"Check by Pythagoras: left side $(2\,\unit{m/s})^{2} + (1.333\,\unit{m/s})^{2} \approx"
+            r" 5.778\,\unit{m^2/s^2}$, right side $5.778\,\unit{m^2/s^2}$; they agree."
+        ),
+        Prose(
+            r"Check by Pythagoras: left side $(2\,\unit{m/s})^{2} + (1.333\,\unit{m/s})^{2} \approx"
+            r" 5.779\,\unit{m^2/s^2}$, right side $5.778\,\unit{m^2/s^2}$; they agree."
         ),
     ),
     "label": (Display((read_math(r"v_S = 2\,\unit{m}", ""),)), _draw([ALONG], [ACROSS, BACK])),

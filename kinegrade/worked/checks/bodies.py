@@ -15,8 +15,9 @@ from kinegrade.mechanics.rates import make_turning
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Level
 from kinegrade.worked.case import Case
-from kinegrade.worked.checks.check import Check, Side, compare
+from kinegrade.worked.checks.check import Check, compare
 from kinegrade.worked.checks.components import Turned, list_component_checks
+from kinegrade.worked.checks.sides import Side
 from kinegrade.worked.findings import Fact, Piece
 from kinegrade.worked.formulas.atoms import TWO, ZERO, add_terms
 from kinegrade.worked.formulas.formula import Formula

@@ -16,7 +16,8 @@ from kinegrade.mechanics.rates import make_turning
 from kinegrade.mechanics.shapes import Circle
 from kinegrade.mechanics.vector_equation import Level
 from kinegrade.worked.case import Case
-from kinegrade.worked.checks.check import Check, Side, compare
+from kinegrade.worked.checks.check import Check, compare
+from kinegrade.worked.checks.sides import Side
 from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.measures import double, length
 from kinegrade.worked.formulas.numbers import measure

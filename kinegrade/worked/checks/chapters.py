@@ -15,10 +15,8 @@ from kinegrade.worked.checks.check import Check, choose_check
 from kinegrade.worked.checks.constraints import list_constraint_checks
 from kinegrade.worked.checks.places import list_place_checks
 from kinegrade.worked.checks.poles import list_pole_checks
-from kinegrade.worked.checks.projections import (
-    list_projection_checks,
-    list_theorem_checks,
-)
+from kinegrade.worked.checks.right_angles import list_right_angle_checks
+from kinegrade.worked.checks.theorems import list_theorem_checks
 from kinegrade.worked.checks.tracks import list_track_checks
 from kinegrade.worked.checks.trains import list_train_checks
 from kinegrade.worked.document import Block
@@ -27,8 +25,7 @@ from kinegrade.worked.vectors.stage import Stage
 
 def check_rates(stages: Mapping[Step, Stage], level: Level, case: Case) -> Iterator[Block]:
     """The check of a chapter that goes by another way than its steps: the last step's that has
-    one. A vector equation is multiplied again by what has not been used only where nothing else
-    tells whether it is right.
+    one. No vector equation is projected once more, which would test the arithmetic alone.
     """
     if case.findings.places_alone:
         yield from _say_chosen([list_pole_checks(stages.values(), case)], case)
@@ -38,11 +35,13 @@ def check_rates(stages: Mapping[Step, Stage], level: Level, case: Case) -> Itera
     tracks = (list_track_checks(step, stage) for step, stage in last_first)
     kinds = (list_carrier_checks, list_train_checks)
     laws = (kind(level, case) for kind in kinds)
-    constraints = (list_constraint_checks(stage) for _, stage in last_first)
+    constraints = (
+        chain(list_right_angle_checks(stage), list_constraint_checks(stage))
+        for _, stage in last_first
+    )
     others = chain(theorems, tracks, laws, constraints, (list_new_body_checks(level, case),))
-    projections = (list_projection_checks(step, stage) for step, stage in last_first)
-    again = (chain.from_iterable(projections), list_body_checks(level, case))
-    yield from _say_chosen((chain.from_iterable(others), *again), case)
+    groups = (chain.from_iterable(others), list_body_checks(level, case))
+    yield from _say_chosen(groups, case)
 
 
 def check_places(asked: Sequence[Ask], case: Case) -> Iterator[Block]:

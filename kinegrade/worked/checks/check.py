@@ -7,24 +7,19 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any
 
+from kinegrade.language.math.tree import Row, list_nodes
 from kinegrade.language.math.width import measure_row
 from kinegrade.language.message import Message
-from kinegrade.mechanics.rates import Rate
 from kinegrade.worked.case import Case
-from kinegrade.worked.deductions.deductions import explain_deduction
+from kinegrade.worked.checks.sides import Side
 from kinegrade.worked.document import Block
 from kinegrade.worked.formulas.atoms import ZERO, list_summands
-from kinegrade.worked.formulas.equation import WIDEST, Equation, Link, approximate, equate
-from kinegrade.worked.formulas.exactness import is_rounded
+from kinegrade.worked.formulas.equation import WIDEST, Equation
 from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.measures import double
 from kinegrade.worked.formulas.notation import PLAIN
-from kinegrade.worked.formulas.numbers import state_number
-from kinegrade.worked.vectors.projection import Deduction
-from kinegrade.worked.vectors.stage import Stage
-from kinegrade.worked.vectors.vectors import name_part
+from kinegrade.worked.vectors.arms import introduce_lengths, name_length
 
 _AT_A_GLANCE = 2 * WIDEST  # letters of both sides
 _LONGEST = 4 * WIDEST  # of those that are told where no shorter one is found
@@ -32,33 +27,16 @@ _CLOSE = 1e-9  # relative: far below a digit that is printed
 
 
 @dataclass(frozen=True)
-class Lacking:
-    """A vector that the answers do without, with the deduction that gives it."""
-
-    stage: Stage
-    deduction: Deduction
-    solved: frozenset[Rate]
-
-    def explain(self) -> Iterator[Block]:
-        """The deduction, under what it is for."""
-        (rate,) = self.deduction.unknowns
-        ((equation, part),) = self.stage.occurrences(rate)
-        vector = self.stage.case.text(name_part(equation, part, self.stage.case, bold=True))
-        yield self.stage.case.say(Message("solution.check-needs", vector=vector))
-        yield from explain_deduction(self.stage, self.deduction, self.solved)
-
-
-@dataclass(frozen=True)
 class Check:
-    """By which way, and what either side amounts to; `lacking` is what the check alone needs,
-    `sums` the terms of both sides where they stand there by a short name.
+    """By which way, and what either side amounts to; `sums` has the terms of both
+    sides where they stand there by a short name, `arm` two points whose distance is told before.
     """
 
     way: Message
     left: Equation
     right: Equation
-    lacking: tuple[Lacking, ...] = ()
     sums: tuple[Formula, Formula] | None = None
+    arm: tuple[str, str] | None = None
 
     @cached_property
     def letters(self) -> float:
@@ -93,44 +71,27 @@ class Check:
         """Whether the sides are read at a glance."""
         return self.letters <= _AT_A_GLANCE
 
+    def with_length(self, ends: tuple[str, str], case: Case) -> Check:
+        """The check after the distance of two points, where it takes that."""
+        letters = name_length(*ends, case).row
+        sides = (side.print_inline(PLAIN) for side in (self.left, self.right))
+        taken = any(_holds(side, letters) for side in sides)
+        return replace(self, arm=ends) if taken else self
+
     def say(self, case: Case) -> Iterator[Block]:
-        """The check in one sentence, after the vectors that it needs."""
-        for one in self.lacking:
-            yield from one.explain()
+        """The check in one sentence, after the length that it needs."""
+        for equation in introduce_lengths((self.arm,) if self.arm else (), case):
+            yield case.say(Message("solution.here", equations=case.tell(equation)))
         left, right = map(case.tell, (self.left, self.right))
         said = case.say(Message("solution.check", way=self.way, left=left, right=right))
         yield replace(said, compact=True)
 
 
-@dataclass(frozen=True)
-class Side:
-    """One side in numbers, and its value in SI; in letters first where it has such, told by the
-    `short` ones where there are.
-    """
-
-    numbers: Formula
-    value: Any
-    letters: Formula | None = None
-    short: Formula | None = None
-
-    @property
-    def sum(self) -> Formula:
-        """Its terms, in letters where it has such."""
-        return self.letters or self.numbers
-
-    def work_out(self, unit: str) -> Equation:
-        """The side with its value; alone where it is nothing but a value."""
-        letters = self.short or self.letters
-        if letters is None:
-            return Equation(self.numbers, self._find_value(unit))
-        return Equation(letters, (*equate(self.numbers), *self._find_value(unit)))
-
-    def _find_value(self, unit: str) -> tuple[Link, ...]:
-        if self.numbers.is_decimal:
-            return ()
-        *_, decimal = state_number(self.value, unit)
-        alone = self.letters is None and is_rounded(self.numbers)
-        return approximate(decimal.right) if alone else (decimal,)
+def _holds(formula: Row, letters: Row) -> bool:
+    """Whether letters stand side by side in a formula."""
+    nodes = tuple(list_nodes(formula))
+    places = range(len(nodes) - len(letters) + 1)
+    return any(nodes[place : place + len(letters)] == letters for place in places)
 
 
 def choose_check(checks: Iterable[Check]) -> Check | None:
@@ -151,5 +112,6 @@ def compare(way: Message, left: Side, right: Side, unit: str, largest: float = 0
     greatest = max(abs(double(left.value)), largest)
     same = abs(double(left.value) - double(right.value)) < _CLOSE * greatest
     other = replace(right, value=left.value) if same else right
-    sides = left.work_out(unit), other.work_out(unit)
+    digits = min(left.digits, other.digits)
+    sides = left.work_out(unit, digits), other.work_out(unit, digits)
     return Check(way, *sides, sums=(left.sum, right.sum))

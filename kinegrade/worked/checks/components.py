@@ -13,7 +13,8 @@ from kinegrade.language.message import Message
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Level
 from kinegrade.worked.case import Case
-from kinegrade.worked.checks.check import Check, Side, compare
+from kinegrade.worked.checks.check import Check, compare
+from kinegrade.worked.checks.sides import Side
 from kinegrade.worked.findings import Fact, Piece
 from kinegrade.worked.formulas.atoms import AXES, OTHER, TWO, ZERO, AxisName, add_terms
 from kinegrade.worked.formulas.formula import Formula

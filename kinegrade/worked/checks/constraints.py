@@ -5,32 +5,28 @@ angle, no triangle of vectors and no projection is used again.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Iterator
+from dataclasses import dataclass
 from itertools import pairwise
 from typing import assert_never
 
-from kinegrade.language.math.width import measure_row
 from kinegrade.language.message import Message
 from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.relations import Term
 from kinegrade.mechanics.vector import Vector
-from kinegrade.mechanics.vector_equation import VectorEquation
-from kinegrade.worked.case import Case
 from kinegrade.worked.checks.amounts import (
     Amount,
     Multiplier,
-    add_letters,
-    add_numbers,
     point_along,
 )
-from kinegrade.worked.checks.arms import find_normal_from, point_from, point_from_base
-from kinegrade.worked.checks.check import Check, Side, compare
+from kinegrade.worked.checks.arms import find_normal_from, point_from_base
+from kinegrade.worked.checks.check import Check
+from kinegrade.worked.checks.multiplied import Multiplied, TermSide
 from kinegrade.worked.checks.relative_shares import find_speed
+from kinegrade.worked.checks.right_angles import is_own, turns_slot
 from kinegrade.worked.checks.shares import Shares
-from kinegrade.worked.formulas.atoms import AXES, TWO, ZERO, AxisName, VectorSymbol, add_terms
-from kinegrade.worked.formulas.formula import Formula
-from kinegrade.worked.formulas.measures import double, find_sign, is_zero, length, size
+from kinegrade.worked.formulas.atoms import AXES, TWO, AxisName
+from kinegrade.worked.formulas.measures import double, find_sign, is_zero, length
 from kinegrade.worked.formulas.numbers import measure
 from kinegrade.worked.formulas.symbols import draw_arrow, join_letters
 from kinegrade.worked.vectors.arms import name_length
@@ -38,9 +34,6 @@ from kinegrade.worked.vectors.magnitudes import find_track_ends
 from kinegrade.worked.vectors.stage import Stage
 from kinegrade.worked.vectors.vectors import (
     UNITS,
-    name_by_role,
-    name_point_vector,
-    number_composition,
 )
 
 
@@ -55,17 +48,8 @@ def list_constraint_checks(stage: Stage) -> Iterator[Check]:
 
 
 @dataclass(frozen=True)
-class _Differentiated:
-    """The two chains of a vector equation, whose ends are one point."""
-
-    equation: VectorEquation
-    shares: Shares
-    case: Case
-
-    @property
-    def _chains(self) -> tuple[tuple[Term, ...], tuple[Term, ...]]:
-        relation = self.equation.relation
-        return tuple(relation.left), tuple(relation.right)
+class _Differentiated(Multiplied):
+    """Two chains to one point, whose place is differentiated."""
 
     def list_coordinates(self) -> Iterator[Check]:
         """A coordinate of the point at the end of both chains."""
@@ -73,50 +57,62 @@ class _Differentiated:
         yield from sorted(checks, key=lambda check: check.is_one_sided)
 
     def _check_coordinate(self, axis: AxisName) -> Iterator[Check]:
-        left, right = self._chains
+        left, right = self.chains
         if left and right:
             point = self.case.naming.point(left[-1].point)
             kind = f"solution.coordinate-derivative-{self.equation.level}"
             way = Message(kind, axis=axis, point=point)
-            yield from self._compare(way, _Side(left), _Side(right), point_along(axis))
+            yield from self.compare(way, TermSide(left), TermSide(right), point_along(axis))
 
     def list_directions(self) -> Iterator[Check]:
         """The direction of a line through the axis of a body, along which a point slides; where it
         is that of an axis, a coordinate says the same.
         """
-        for before, other in (self._chains, self._chains[::-1]):
+        for before, other in (self.chains, self.chains[::-1]):
             for turn, slide in pairwise(before):
                 if other and 0 in map(double, slide.vector):
                     continue
-                own = self._state_turning(turn, slide) if _turns_slot(turn, slide) else None
+                own = self._state_turning(turn, slide) if turns_slot(turn, slide) else None
                 if own is not None:
                     by = point_from_base(turn, self.case).turned()
                     rest = tuple(one for one in before if one not in (turn, slide))
                     moment = self.shares.measure((turn, slide), by)
-                    sides = _Side((), tuple(own), moment), _Side(other, without=rest)
-                    yield from self._compare(self._name("direction", turn), *sides, by)
+                    sides = TermSide((), tuple(own), moment), TermSide(other, without=rest)
+                    yield from self.compare(self._name("direction", turn), *sides, by)
 
     def list_offsets(self) -> Iterator[Check]:
         """The distance of the axis of a body from a line of it along which a point slides."""
-        for before, other in (self._chains, self._chains[::-1]):
+        for before, other in (self.chains, self.chains[::-1]):
             for turn, slide in pairwise(before):
-                if not _is_own(turn, slide) or not double(turn.vector.cross(slide.vector)):
+                if not is_own(turn, slide) or not double(turn.vector.cross(slide.vector)):
                     continue
-                by = self._find_normal(turn, slide)
+                by, ends = self._find_normal(turn, slide)
                 if by is not None:
                     way = self._name_offset(turn.base, slide.point)
-                    yield from self._compare(way, _Side(other), _Side(before), by)
+                    for check in self.compare(way, TermSide(other), TermSide(before), by):
+                        yield check.with_length(ends, self.case) if ends else check
 
-    def _find_normal(self, turn: Term, slide: Term) -> Multiplier | None:
-        """A normal to the line, None where no two points give one."""
+    def _find_normal(
+        self, turn: Term, slide: Term
+    ) -> tuple[Multiplier | None, tuple[str, str] | None]:
+        """A normal to the line, None where no two points give one, and two points of the line whose
+        distance it has and that have to be told.
+        """
         for axis in map(point_along, AXES):
             if not double(axis.vector.dot(slide.vector)):
-                return axis
+                return axis, None
         if not double(turn.vector.dot(slide.vector)):
-            return point_from_base(turn, self.case)
+            return point_from_base(turn, self.case), None
+        normal = find_normal_from(turn.base, slide.vector, self.case)
         ends = find_track_ends(slide, self.case)
-        along = point_from(*ends, self.case).turned() if ends else None
-        return find_normal_from(turn.base, slide.vector, self.case) or along
+        if normal is not None or ends is None:
+            return normal, None
+        along = Term("rotation", turn.rate, self._find_vector(*ends), ends[1], ends[0])
+        return point_from_base(along, self.case).turned(), ends
+
+    def _find_vector(self, start: str, end: str) -> Vector:
+        """The vector from one point to another."""
+        return self.case.motion.points[end] - self.case.motion.points[start]
 
     def _name_offset(self, axis: str, slider: str) -> Message:
         """The constant distance of an axis from a line."""
@@ -150,7 +146,7 @@ class _Differentiated:
         """The distance of two points of a body, or of a point from the centre of the circle on
         which it moves in a body, of which only velocities have to be known.
         """
-        for before, other in (self._chains, self._chains[::-1]):
+        for before, other in (self.chains, self.chains[::-1]):
             if not before or not _keeps_distance(before[-1]):
                 continue
             *rest, own = before
@@ -158,8 +154,11 @@ class _Differentiated:
             held = own.remainder(self.case.motion.rates) if shares else Vector(0, 0)
             value = double(by.vector.dot(held))
             line = draw_arrow(map(self.case.naming.letter, (own.base, own.point)))
-            sides = _Side(other, line=line), _Side(tuple(rest), tuple(shares), value, line=line)
-            yield from self._compare(self._name("length", own), *sides, by)
+            sides = (
+                TermSide(other, line=line),
+                TermSide(tuple(rest), tuple(shares), value, line=line),
+            )
+            yield from self.compare(self._name("length", own), *sides, by)
 
     def _list_normal(self, own: Term) -> list[Amount]:
         """What velocities leave of accelerations along a distance that does not change."""
@@ -206,85 +205,6 @@ class _Differentiated:
         return Message(
             f"solution.derivative-{kind}-{self.equation.level}", first=first, second=second
         )
-
-    def _compare(self, way: Message, one: _Side, other: _Side, by: Multiplier) -> Iterator[Check]:
-        """The check of two sides, where every share of both is on the page and a rotation counts
-        on one of them.
-        """
-        left, right = (self._state(side, by) for side in (one, other))
-        if left is None or right is None or not (left.letters or right.letters):
-            return
-        if left.numbers == right.numbers == ZERO:
-            return
-        if not _are_shorter(left, right):
-            left, right = (replace(side, short=None) for side in (left, right))
-        terms = (*one.terms, *other.terms, *other.without)
-        largest = size(by.vector) * max(size(self.shares.find_vector(term)) for term in terms)
-        yield compare(way, left, right, by.name_unit(self.equation.level), largest)
-
-    def _state(self, side: _Side, by: Multiplier) -> Side | None:
-        added, taken = (self.shares.list_of(terms, by) for terms in (side.terms, side.without))
-        if added is None or taken is None:
-            return None
-        every = (*side.own, *added, *(one.signed(-1) for one in taken))
-        value = self.shares.measure(side.terms, by) - self.shares.measure(side.without, by)
-        letters = add_letters(every) if every else None
-        short = self._shorten(side) if side.line is not None and every else None
-        return Side(add_numbers(every), value + side.value, letters, short)
-
-    def _shorten(self, side: _Side) -> Formula:
-        """The same as the product of a line and the vector of a point, and what stands besides."""
-        own = [one.letters.signed(one.sign) for one in side.own]
-        if not side.terms or side.line is None:
-            return add_terms(own)
-        return add_terms((side.line.dot(self._name_vector(side.terms)), *own))
-
-    def _name_vector(self, terms: Sequence[Term]) -> VectorSymbol:
-        """The vector of the point to which terms lead, of a frame's point that of the transport."""
-        level, case, last = self.equation.level, self.case, terms[-1]
-        beyond = next((one for one in self.equation.compositions if one.point == last.point), None)
-        if beyond is None or beyond.term is last or beyond.term not in self._follow(terms):
-            return replace(name_point_vector(last.point, level, case), bold=True)
-        number = number_composition(self.equation, beyond, case)
-        return name_by_role("e", level, number, bold=True)
-
-    def _follow(self, terms: Sequence[Term]) -> Sequence[Term]:
-        """The terms that follow in the same chain."""
-        chains = [chain for chain in self._chains if chain[: len(terms)] == tuple(terms)]
-        return [one for chain in chains for one in chain[len(terms) :]]
-
-
-@dataclass(frozen=True)
-class _Side:
-    """The terms of a side, what stands there besides, with its value, and terms taken from it;
-    the line by which the vector of their point is multiplied, where that says the same.
-    """
-
-    terms: tuple[Term, ...]
-    own: tuple[Amount, ...] = ()
-    value: float = 0.0
-    without: tuple[Term, ...] = ()
-    line: Formula | None = None
-
-
-def _are_shorter(left: Side, right: Side) -> bool:
-    """Whether the short names of both sides are shorter than their letters."""
-    short = [side.short or side.letters for side in (left, right)]
-    return _measure(short) < _measure([left.letters, right.letters])
-
-
-def _measure(formulas: Iterable[Formula | None]) -> float:
-    return sum(measure_row(one.print()) for one in formulas if one is not None)
-
-
-def _turns_slot(turn: Term, slide: Term) -> bool:
-    """Whether a point slides along a line through the axis of the body that turns."""
-    return _is_own(turn, slide) and not double(turn.vector.cross(slide.vector))
-
-
-def _is_own(turn: Term, slide: Term) -> bool:
-    """Whether a point slides along a line of the body that turns."""
-    return turn.kind == "rotation" and slide.kind == "sliding" and slide.frame == turn.rate.body
 
 
 def _keeps_distance(term: Term) -> bool:

@@ -15,7 +15,8 @@ from kinegrade.language.message import Message
 from kinegrade.problem.template.template import Ask
 from kinegrade.worked.answers.pose_working import AXIS_X, AXIS_Y
 from kinegrade.worked.case import Case
-from kinegrade.worked.checks.check import Check, Side, compare
+from kinegrade.worked.checks.check import Check, compare
+from kinegrade.worked.checks.sides import Side
 from kinegrade.worked.formulas.atoms import ZERO, add_squares
 from kinegrade.worked.formulas.formula import Formula, Function
 from kinegrade.worked.formulas.measures import length

@@ -6,8 +6,9 @@ from collections.abc import Iterable, Iterator
 
 from kinegrade.language.message import Message
 from kinegrade.worked.case import Case
-from kinegrade.worked.checks.check import Check, Side, compare
+from kinegrade.worked.checks.check import Check, compare
 from kinegrade.worked.checks.places import state_difference
+from kinegrade.worked.checks.sides import Side
 from kinegrade.worked.formulas.atoms import ZERO, add_squares
 from kinegrade.worked.formulas.measures import length
 from kinegrade.worked.formulas.numbers import measure

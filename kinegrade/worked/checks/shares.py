@@ -19,11 +19,14 @@ from kinegrade.worked.checks.arms import point_from_base
 from kinegrade.worked.checks.relative_shares import list_relative_shares
 from kinegrade.worked.findings import Fact, Piece
 from kinegrade.worked.formulas.atoms import TWO, AxisName
-from kinegrade.worked.formulas.measures import double
+from kinegrade.worked.formulas.measures import double, find_sign
 from kinegrade.worked.formulas.numbers import measure
+from kinegrade.worked.rates.rolling import state_rolled_radius
+from kinegrade.worked.rates.speeds import find_rotation_value
 from kinegrade.worked.vectors.components import find_heading, list_component
 from kinegrade.worked.vectors.facts import make_key
 from kinegrade.worked.vectors.known_vectors import find_positive_sense
+from kinegrade.worked.vectors.summands import PLACES
 from kinegrade.worked.vectors.vectors import UNITS, name_part, name_point_vector
 
 
@@ -100,6 +103,8 @@ class Shares:
         """The share of a vector along a path that does not turn, by its components."""
         if not double(by.vector.dot(self.find_vector(term))):
             return []
+        if self._is_spared(term):
+            return self._list_rolling(term, by)
         fact = self.find_fact(term)
         if fact is None or any(find_heading(piece, self.case) is None for piece in fact.parts):
             return None
@@ -114,10 +119,33 @@ class Shares:
                 components[axis] = Amount(plain.in_symbols, plain.in_numbers, sign)
         return list(by.dot(components))
 
+    def _list_rolling(self, term: Term, by: Multiplier) -> list[Amount] | None:
+        """The share of a wheel's centre along an axis by the rotation, r omega; None for any other
+        point whose speed nobody needs.
+        """
+        case, level, vector = self.case, self.equation.level, self.find_vector(term)
+        for relation in case.motion.frames.relations:
+            roll = relation.source.find_rolling() if relation.source else None
+            if roll is None or roll.of != GROUND or roll.circle.centre != term.point:
+                continue
+            rate = find_rotation_value(roll.body, case, level)
+            turning = Amount(
+                case.naming.turning(roll.body, level), measure(rate, UNITS[level, True])
+            )
+            arm = Amount(state_rolled_radius(roll, case), measure(roll.circle.radius, "m"))
+            for axis, place in PLACES.items():
+                if not double(vector[1 - place]):
+                    sign = find_sign(vector[place]) * find_sign(rate)
+                    return list(by.dot({axis: arm.times(turning).signed(sign)}))
+        return None
+
+    def _is_spared(self, term: Term) -> bool:
+        return self.case.findings.spares(term.rate, self.equation.level)
+
     def find_fact(self, term: Term) -> Fact | None:
         """What has been found of a sliding motion; None where nothing has."""
         level = self.equation.level
-        if self.case.findings.spares(term.rate, level):
+        if self._is_spared(term):
             return None
         part = next((one for one in self.equation.parts if _is_of(one, term)), None)
         if part is None:

@@ -8,7 +8,8 @@ from collections.abc import Iterator
 
 from kinegrade.language.message import Message
 from kinegrade.mechanics.plan import Step
-from kinegrade.worked.checks.check import Check, Side, compare
+from kinegrade.worked.checks.check import Check, compare
+from kinegrade.worked.checks.sides import Side
 from kinegrade.worked.steps.two_tracks import find_two_tracks
 from kinegrade.worked.vectors.stage import Stage
 from kinegrade.worked.vectors.vectors import UNITS

@@ -15,7 +15,8 @@ from kinegrade.mechanics.shares import RIGHT
 from kinegrade.mechanics.vector_equation import Level
 from kinegrade.numbers.number import Number
 from kinegrade.worked.case import Case
-from kinegrade.worked.checks.check import Check, Side, compare
+from kinegrade.worked.checks.check import Check, compare
+from kinegrade.worked.checks.sides import Side
 from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.measures import double
 from kinegrade.worked.formulas.numbers import measure

@@ -21,7 +21,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 from typing import ClassVar, Literal, TypeAlias
 
-from kinegrade.language.math.tree import Fenced, Row, Scripts, Space, list_nodes
+from kinegrade.language.math.tree import Fenced, Letter, Row, Scripts, Space, list_nodes
 from kinegrade.language.math.tree import Function as FunctionMark
 from kinegrade.language.math.tree import Number as Digits
 from kinegrade.language.math.tree import Quotient as Fraction
@@ -276,8 +276,16 @@ class Power(Formula):
     def _is_plain(self) -> bool:
         """Whether the base needs no brackets."""
         row = self.base.print()
+        if self.base.kind == "symbol" and len(row) > 1 and not _is_segment(row):
+            return False
         letter = self.base.kind in ("number", "symbol") and not self.base.begins_with_minus
         return letter and DOT not in row and not ends_raised(row)
+
+
+def _is_segment(row: Row) -> bool:
+    """Whether letters side by side are the ends of a line, as OA, and no product, as kb."""
+    letters = ([one for one in list_nodes((node,)) if isinstance(one, Letter)] for node in row)
+    return all(of_one and of_one[0].name.isupper() for of_one in letters)
 
 
 @dataclass(frozen=True)

@@ -103,20 +103,20 @@ def measure(number: Any, unit: str) -> Formula:
     return ZERO if rounded == ZERO else Measured(rounded, unit)
 
 
-def round_number(number: Any) -> Number:
-    """A number in SI to four significant digits, without unit; what is rounded keeps its zeros.
+def round_number(number: Any, digits: int = DIGITS) -> Number:
+    """A number in SI to so many significant digits, without unit; what is rounded keeps its zeros.
 
     >>> round_number(0.00002), round_number(-2 / 3), round_number(7.0004)
     (Number(digits='0.00002'), Number(digits='-0.6667'), Number(digits='7.000'))
     """
-    return _keep_zeros(write_decimal(number, DIGITS), write_decimal(number, _CERTAINLY))
+    return _keep_zeros(write_decimal(number, digits), write_decimal(number, _CERTAINLY), digits)
 
 
-def _keep_zeros(short: str, long: str) -> Number:
-    """A decimal of four digits without the zeros at its end, or with them where it has more digits
-    than it shows.
+def _keep_zeros(short: str, long: str, digits: int = DIGITS) -> Number:
+    """A decimal of so many digits without the zeros at its end, or with them where it has more
+    digits than it shows.
     """
-    zeros = "" if short == long else "0" * (DIGITS - count_digits(short))
+    zeros = "" if short == long else "0" * (digits - count_digits(short))
     point = "." if zeros and "." not in short else ""
     return Number(short + point + zeros, rounded=short != long)
 

@@ -1,4 +1,4 @@
-"""What the checks of a page go by."""
+"""What the checks of a page print is what a reader gets who works their printed numbers out again."""
 
 from __future__ import annotations
 
@@ -6,25 +6,50 @@ import re
 from collections.abc import Iterator, Sequence
 
 from kinegrade.language.known import known_languages
+from kinegrade.language.math.reading import read_math
 from kinegrade.language.message import Message
-from kinegrade.language.sentence import write_sentence
-from kinegrade.worked.document import Block, Prose
+from kinegrade.worked.document import Block, Prose, write_sentence
+from tests.worked.reader.amounts import Amount, MixedUnits, Unreadable
+from tests.worked.reader.forms import measure_last_digit
+from tests.worked.reader.formula_reader import read_formula
 
 _ANY = "体"  # stands for any words: a Chinese sentence has no space beside it
-_PROJECTIONS = (
-    Message("solution.check-projection", axis=_ANY),
-    Message("solution.equation-projected", point=_ANY, axis=_ANY),
-)
+_RELATION = re.compile(r"(=|\\approx)")
+_CLOSE = 1e-9  # relative
 
 
-def find_projected_again(blocks: Sequence[Block]) -> Iterator[str]:
-    """The checks that project a vector equation once more, which tests the arithmetic alone."""
-    ways = [_make_pattern(way, language) for language in known_languages() for way in _PROJECTIONS]
+def find_unrepeatable(blocks: Sequence[Block]) -> Iterator[str]:
+    """The sides of checks whose printed numbers do not amount to the printed value, exactly after a
+    sign of equality, else to within one of the last digit.
+    """
+    sentences = [_make_pattern(language) for language in known_languages()]
     for block in blocks:
-        if isinstance(block, Prose) and any(way.fullmatch(block.text) for way in ways):
-            yield block.text
+        if isinstance(block, Prose):
+            found = next(filter(None, (one.fullmatch(block.text) for one in sentences)), None)
+            for side in found.groups() if found else ():
+                if not _is_repeatable(side.strip().strip("$")):
+                    yield side
 
 
-def _make_pattern(way: Message, language: str) -> re.Pattern[str]:
-    message = Message("solution.check", way=way, left=_ANY, right=_ANY)
-    return re.compile(re.escape(write_sentence(message, language)).replace(_ANY, ".*"))
+def _make_pattern(language: str) -> re.Pattern[str]:
+    message = Message("solution.check", way=_ANY, left=_ANY, right=_ANY)
+    way, left, right, end = re.escape(write_sentence(message, language)).split(_ANY)
+    return re.compile(rf"{way}.*{left}(\$.*\$){right}(\$.*\$){end}")
+
+
+def _is_repeatable(side: str) -> bool:
+    """Whether the last two links of a side are the same, as far as its digits say."""
+    *_, formula, relation, value = ["", "", *_RELATION.split(side)]
+    rows = [read_math(one.strip(), "test") for one in (formula, value)]
+    try:
+        printed, stated = (read_formula(row, _refuse) for row in rows)
+    except (Unreadable, MixedUnits):
+        return True  # a letter and its value
+    away = abs(printed.value - stated.value)
+    if relation == "=":
+        return away <= _CLOSE * max(abs(printed.value), 1e-3)
+    return not stated.value or away <= measure_last_digit(rows[1], stated.value) * (1 + 1e-6)
+
+
+def _refuse(symbol: str) -> Amount:
+    raise Unreadable(symbol)

@@ -100,3 +100,13 @@ def find_located_points(row: Row) -> Iterator[str]:
     for node in list_nodes(row):
         if isinstance(node, Scripts) and node.base in (Letter("x"), Letter("y")) and node.lower:
             yield name_symbol(node.lower)
+
+
+def measure_last_digit(row: Row, value: float) -> float:
+    """One of the last digit of a decimal that is worth so much; zeros at the end of a whole number
+    only hold its place.
+    """
+    digits = ".".join(node.digits for node in list_nodes(row) if isinstance(node, Number))
+    places = len(digits.partition(".")[2])
+    zeros = 0 if places else len(digits) - len(digits.rstrip("0"))
+    return float(abs(value / float(digits)) * 10.0 ** (zeros - places))

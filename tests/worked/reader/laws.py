@@ -16,7 +16,7 @@ from kinegrade.worked.case import write_row
 from kinegrade.worked.document import Block, Prose
 from tests.worked.reader.amounts import Amount, MixedUnits, Unreadable
 from tests.worked.reader.answers import find_without_way
-from tests.worked.reader.checks import find_projected_again
+from tests.worked.reader.checks import find_unrepeatable
 from tests.worked.reader.economy import find_repeated, find_unused
 from tests.worked.reader.equations import Line, Said, Side, read_page
 from tests.worked.reader.forms import (
@@ -26,6 +26,7 @@ from tests.worked.reader.forms import (
     is_decimal,
     is_exact_form,
     is_long,
+    measure_last_digit,
 )
 from tests.worked.reader.formula_reader import (
     find_symbols,
@@ -53,8 +54,8 @@ Law: TypeAlias = Literal[
     "corner",
     "used",
     "once",
-    "another",
     "inclined",
+    "redone",
     "sense",
     "early",
     "way",
@@ -78,7 +79,7 @@ LAWS: dict[Law, str] = {
     "sense": "a vector in a table has a direction, not the line alone",
     "early": "the length of an arm in a table is given, or has been found before the table",
     "way": "words beside the box of an answer with a sign say where it points",
-    "another": "a check goes by another way: it does not project the vectors that were projected",
+    "redone": "whoever works out a check with its printed numbers gets what it prints, to one of the last digit",
 }
 NATURAL = (0.0, 90.0, 180.0, 270.0, 360.0)  # degrees
 NEXT = 10  # lines after which an unknown of an equation has been found
@@ -137,8 +138,8 @@ def find_faults(blocks: Sequence[Block], solution: Solution) -> Iterator[Fault]:
     yield from (Fault("sense", column) for column in find_without_sense(blocks))
     yield from (Fault("early", length) for length in find_early(blocks, solution))
     yield from (Fault("way", line) for line in find_without_way(blocks, solution))
-    yield from (Fault("another", check) for check in find_projected_again(blocks))
     yield from (Fault("inclined", line) for line in find_underived(blocks, solution))
+    yield from (Fault("redone", check) for check in find_unrepeatable(blocks))
     for wrong in judge_polygons(blocks, known.amounts):
         yield Fault(wrong.law, wrong.line)
 
@@ -197,18 +198,29 @@ def _learn(line: Line, values: Values, known: _Known) -> None:
 
 def _judge_values(line: Line, values: Values) -> Iterator[Fault]:
     """Whether the sides are equal, and whether their signs say what is rounded."""
+    room = _find_room(*values[-1]) if values else 0.0
     for side, amount in values[:-1]:
         end = values[-1][1]
         if side.relation == r"\propto":
             continue
         if not amount.has_unit_of(end):
             yield Fault("unit", line.text)
-        elif abs(amount.value - end.value) > amount.room + end.room + CLOSE * (1 + abs(end.value)):
+        elif abs(amount.value - end.value) > amount.room + room + CLOSE * (1 + abs(end.value)):
             yield Fault("equal", line.text)
     before = [amount.precise for _, amount in values if amount.precise is not None]
     for side, amount in values:
         if is_decimal(side.row) and before and not _is_rounded(line.left, side):
+            rounded = any(amount.precise is None for _, amount in values)
+            if rounded and side.relation == r"\approx":
+                continue
             yield from _judge_decimal(side, amount, before[0], line)
+
+
+def _find_room(side: Side, amount: Amount) -> float:
+    """How far rounding may have moved the end of a line: of a decimal by its last digit."""
+    if side.relation == r"\approx" and is_decimal(side.row) and amount.value:
+        return max(amount.room, measure_last_digit(side.row, amount.value) / 2)
+    return amount.room
 
 
 def _is_rounded(left: Row, side: Side) -> bool:

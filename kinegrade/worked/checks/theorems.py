@@ -1,0 +1,105 @@
+"""The check of a rod whose pole has given its velocities: the projection theorem."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from math import cos, radians, sin
+
+from kinegrade.language.message import Message
+from kinegrade.mechanics.plan import Step
+from kinegrade.mechanics.relations import add_vectors
+from kinegrade.mechanics.vector import Vector
+from kinegrade.worked.checks.check import Check, compare
+from kinegrade.worked.checks.sides import Side
+from kinegrade.worked.formulas.atoms import AxisName, add_terms
+from kinegrade.worked.formulas.formula import Formula
+from kinegrade.worked.formulas.measures import bearing, size
+from kinegrade.worked.formulas.numbers import measure
+from kinegrade.worked.steps.couplers import Coupler, choose_method, find_coupler
+from kinegrade.worked.vectors.facts import make_key
+from kinegrade.worked.vectors.inclinations import is_direction_told
+from kinegrade.worked.vectors.magnitudes import find_heading
+from kinegrade.worked.vectors.projection import Projection, Share
+from kinegrade.worked.vectors.stage import Stage, find_share_cosine
+from kinegrade.worked.vectors.summands import PLACES
+from kinegrade.worked.vectors.vectors import UNITS
+
+_AXES: Mapping[float, AxisName] = {0.0: "x", 90.0: "y"}
+
+
+def list_theorem_checks(step: Step, stage: Stage) -> Iterator[Check]:
+    """The checks of a step by the projection theorem where a pole has given the velocities."""
+    coupler = find_coupler(stage)
+    if coupler is not None and choose_method(coupler, stage.case) == "pole":
+        yield from _check_by_theorem(coupler, step, stage)
+
+
+def _check_by_theorem(coupler: Coupler, step: Step, stage: Stage) -> Iterator[Check]:
+    """The velocities of two points projected on their line."""
+    heading = bearing(find_heading(coupler.rotation))
+    projection = Projection(coupler.equation, (heading + 90) % 360, coupler.rotation)
+    first, second = map(stage.case.naming.point, (coupler.rotation.base, coupler.rotation.point))
+    way = Message("solution.check-theorem", first=first, second=second)
+    yield from _check_on(projection, way, step, stage)
+
+
+def _check_on(projection: Projection, way: Message, step: Step, stage: Stage) -> Iterator[Check]:
+    """The check by a projection in which two parts or more are left, all by what the solution has
+    found, with the sides of the equation.
+    """
+    shares = projection.shares
+    told = all(_can_be_told(projection, share, stage) for share in shares)
+    if len(shares) < 2 or not told:
+        return
+    left, right = (
+        _work_out_side(projection, side, step, stage)
+        for side in (projection.left, projection.right)
+    )
+    largest = max(size(share.part.value) for share in shares)
+    yield compare(way, left, right, UNITS[stage.level, False], largest)
+
+
+def _can_be_told(projection: Projection, share: Share, stage: Stage) -> bool:
+    """Whether the solution has found a share: its angle, or a component along an axis."""
+    along_axis = not share.angle and projection.axis in _AXES
+    if along_axis or _find_component(projection, share, stage) is not None:
+        return True
+    named = not share.angle or find_share_cosine(projection, share, stage.case) is not None
+    return named and is_direction_told(share.part, stage.case)
+
+
+def _find_component(projection: Projection, share: Share, stage: Stage) -> Formula | None:
+    """The component of a vector that is known by its components; None for any other."""
+    together = share.part.together
+    fact = stage.case.findings.facts.get(make_key(together, stage.level)) if together else None
+    axis = _AXES.get(projection.axis)
+    if fact is None or not fact.by_components or axis is None:
+        return None
+    return measure(share.part.value[PLACES[axis]], UNITS[stage.level, False])
+
+
+def _work_out_side(
+    projection: Projection, shares: Sequence[Share], step: Step, stage: Stage
+) -> Side:
+    """A side in numbers, and what it amounts to."""
+    terms = (term for share in shares for term in _state_share(projection, share, step, stage))
+    total = add_vectors(share.part.value for share in shares)
+    exact = total if projection.axis in _AXES else total.map(float)
+    value = exact.dot(_find_unit(projection.axis)) if shares else 0
+    return Side(add_terms(terms), value)
+
+
+def _state_share(
+    projection: Projection, share: Share, step: Step, stage: Stage
+) -> Iterable[Formula]:
+    """A share in numbers: by its component where that has been found, else by its magnitude."""
+    component = _find_component(projection, share, stage)
+    if component is not None:
+        return (component,)
+    return stage.list_terms(projection, (share,), 1, step.unknowns)
+
+
+def _find_unit(axis: float) -> Vector:
+    """The direction of an axis: exact along x and y."""
+    units = {0.0: Vector(1, 0), 90.0: Vector(0, 1)}
+    return units.get(axis) or Vector(cos(radians(axis)), sin(radians(axis)))
