@@ -63,6 +63,11 @@ class KeyedExam:
         return {}
 
     @property
+    def codes_before(self) -> Collection[tuple[str, str]]:
+        """None: papers in memory are not exchanged."""
+        return ()
+
+    @property
     def spare_codes(self) -> Collection[str]:
         """None: all papers in memory are somebody's."""
         return ()

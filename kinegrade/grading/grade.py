@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import assert_never
 
 from kinegrade.exam.folder.exam_folder import ExamFolder
+from kinegrade.exam.folder.ownership import list_moved
 from kinegrade.files.answer_file import AnswerFile
 from kinegrade.files.output import output_folder
 from kinegrade.files.placing.edits import find_edits
@@ -24,6 +25,7 @@ from kinegrade.grading.by_hand.markable import find_markable
 from kinegrade.grading.by_hand.settling import HandMarking, Settled
 from kinegrade.grading.fast.another_paper import PapersAnswered
 from kinegrade.grading.judging.follow import Follows
+from kinegrade.grading.kept_totals import EarlierTotals
 from kinegrade.grading.lateness.submissions import check_times
 from kinegrade.grading.marking import MarkingTerms, mark_blocks
 from kinegrade.grading.marks import ClassGrades, collect_grades
@@ -43,7 +45,6 @@ from kinegrade.language.catalogue import open_catalogue
 from kinegrade.marks_folder.folder import MarksFolder, open_marks
 from kinegrade.marks_folder.hand_marks import list_hand_marks
 from kinegrade.marks_folder.layout import FILES, FILLED_IN, MARKER
-from kinegrade.marks_folder.rows import StudentTotal
 from kinegrade.marks_folder.writing import MarksWriter
 from kinegrade.processes.garbage_collection import bulk_work
 
@@ -143,7 +144,7 @@ def _mark(
     settled = by_hand.settle(_leave_out_names(grades) if wishes.pseudonymous else grades)
     scale = None if settled.still_open else _make_scale(rules, exam.language)
     grades = replace(settled.grades, complaints=(*untimed, *settled.grades.complaints))
-    earlier = _find_earlier(wishes.never_lower, exam)
+    earlier = _find_earlier(exam, wishes.never_lower)
     grades = _write_totals(folder, grades, TotalTerms(rules.penalties, earlier, scale))
     folder.policy(rules.text)
     folder.printed(orders)
@@ -187,12 +188,13 @@ def _write_by_hand(folder: MarksWriter, settled: Settled, exam: ExamFolder) -> N
     folder.bonus({**exam.head.bonus, **settled.bonus})
 
 
-def _find_earlier(marks: MarksFolder | None, exam: ExamFolder) -> Mapping[str, StudentTotal] | None:
+def _find_earlier(exam: ExamFolder, marks: MarksFolder | None) -> EarlierTotals | None:
     """The earlier totals, by the ids that the students have now."""
     if marks is None:
         return None
-    now = exam.former_ids
-    return {now.get(student, student): each for student, each in marks.totals.by_student.items()}
+    now, moved = exam.former_ids, frozenset(list_moved(exam.head, marks.corrections))
+    had = marks.totals.by_student.items()
+    return EarlierTotals({now.get(student, student): each for student, each in had}, moved)
 
 
 def _make_scale(rules: Policy, language: Language) -> Scale | None:

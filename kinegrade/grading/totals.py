@@ -5,17 +5,16 @@ and of the total the grade.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import partial
 
 import msgspec
 
 from kinegrade.grade_scale.scale import Scale
-from kinegrade.grading.kept_totals import never_lower
+from kinegrade.grading.kept_totals import EarlierTotals, never_lower
 from kinegrade.grading.lateness.rule import NO_PENALTIES, Penalties
 from kinegrade.grading.marks import ClassGrades
-from kinegrade.marks_folder.rows import Grade, KeptTotal, StudentTotal, Submission, Subtracted
+from kinegrade.marks_folder.rows import Grade, KeptTotal, Submission, Subtracted
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,7 +25,7 @@ class TotalTerms:
     """
 
     penalties: Penalties = NO_PENALTIES
-    earlier: Mapping[str, StudentTotal] | None = None
+    earlier: EarlierTotals | None = None
     scale: Scale | None = None
 
 

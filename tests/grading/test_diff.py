@@ -13,7 +13,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from kinegrade.errors import TableError
-from kinegrade.grading.kept_totals import never_lower
+from kinegrade.grading.kept_totals import EarlierTotals, never_lower
 from kinegrade.language import ENGLISH
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.lms.grades import moodle
@@ -269,7 +269,9 @@ def test_never_lower_through_the_command_line_may_replace_the_marks_it_looks_at(
 
 
 def test_an_earlier_student_who_is_not_in_the_exam_is_a_complaint() -> None:
-    marks, kept = never_lower(marked("007,2,0,30\n"), {"008": total("008", Fraction(9), 9)})
+    marks, kept = never_lower(
+        marked("007,2,0,30\n"), EarlierTotals({"008": total("008", Fraction(9), 9)})
+    )
     assert kept == ()
     assert str(marks.complaints[0]) == (
         'grades.csv: student: student "008" has earlier marks but is not in the exam - nothing kept'
@@ -334,7 +336,7 @@ def test_never_lower_never_lowers(
         student: total(student, (share * out_of * 10**4 // 1) / Fraction(10**4), out_of)
         for student, (share, out_of) in zip(("007", "S9", "12"), earlier, strict=True)
     }
-    marks, kept = never_lower(new, before)
+    marks, kept = never_lower(new, EarlierTotals(before))
     for alone, grade in zip(new.grades, marks.grades, strict=True):
         old = before[grade.student].share
         assert grade.total >= alone.total

@@ -118,6 +118,7 @@ def _forget_head(head: ExamHead, names: Mapping[str, str]) -> ExamHead:
         head,
         students=tuple(sorted(students, key=lambda each: each.student)),
         spares=(),
+        papers_before=(),
         secret=None,
         label=None,
         codes=None,

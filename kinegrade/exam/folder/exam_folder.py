@@ -92,6 +92,11 @@ class ExamFolder:
         return [each.paper for each in self.head.spares]
 
     @property
+    def codes_before(self) -> Collection[tuple[str, str]]:
+        """Students with the codes of papers that were theirs before an exchange."""
+        return [(each.student, each.paper) for each in self.head.papers_before]
+
+    @property
     def head_file(self) -> Path:
         """The file of the head, to be named in messages."""
         return self.path / HEAD

@@ -237,6 +237,10 @@ class Sitting(Protocol):
         """The codes of spare papers, which are nobody's."""
 
     @property
+    def codes_before(self) -> Collection[tuple[str, str]]:
+        """Students with the codes of papers that were theirs before an exchange."""
+
+    @property
     def language(self) -> Language:
         """The language of the papers."""
 

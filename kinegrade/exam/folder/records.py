@@ -44,6 +44,14 @@ class Candidate(msgspec.Struct, frozen=True, gc=False, omit_defaults=True):
     formerly: tuple[str, ...] = ()
 
 
+class PaperBefore(msgspec.Struct, frozen=True, gc=False):
+    """The code of the paper that a student had before that correction of the key."""
+
+    student: str
+    paper: str
+    correction: int
+
+
 class ExamQuestion(msgspec.Struct, frozen=True, kw_only=True):
     """A question of the exam: `refused` counts by reason those of its `combinations` that were not
     good; `good` is the number of different ones dealt, if they are fewer than the papers. The
@@ -80,9 +88,9 @@ class ExamHead(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True, di
     `pages` unless in large print, 0 where earlier versions printed them; `method` found the
     velocities of worked solutions, if one was asked for, and they have graphs over the `cycle`. Of
     the questions of `choices` papers hold only some, `spares` have no student, the key had so many
-    `corrections`, and where people were `forgotten`, names stand for them and marks have the exam
-    as `known_as`. Papers of an `unprinted` exam are printed when asked for. `given` are digests by
-    path of sources before correction.
+    `corrections`, `papers_before` were exchanged, and where people were `forgotten`, names stand
+    for them and marks have the exam as `known_as`. Papers of an `unprinted` exam are printed when
+    asked for. `given` are digests by path of sources before correction.
     """
 
     format: int
@@ -116,6 +124,7 @@ class ExamHead(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True, di
     editable: dict[str, str] | None = None
     earlier: dict[str, tuple[dict[str, str], ...]] = {}
     corrections: int = 0
+    papers_before: tuple[PaperBefore, ...] = ()
     forgotten: bool = False
     known_as: str = ""
     unprinted: bool = False

@@ -152,7 +152,11 @@ def _grown_head(
     head = make_exam_head(dealt, (*exam.head.students, *newcomers), run)
     before = exam.head
     return structs.replace(
-        head, spares=before.spares, corrections=before.corrections, given=before.given
+        head,
+        spares=before.spares,
+        corrections=before.corrections,
+        papers_before=before.papers_before,
+        given=before.given,
     )
 
 

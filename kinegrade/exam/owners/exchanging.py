@@ -7,7 +7,7 @@ passed on. What is printed of these papers is printed anew; all others stay.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
@@ -15,7 +15,7 @@ from msgspec import structs
 
 from kinegrade.errors import ExamError, suggest
 from kinegrade.exam.folder.exam_folder import ExamFolder, open_exam
-from kinegrade.exam.folder.records import Candidate, KeyLine
+from kinegrade.exam.folder.records import Candidate, KeyLine, PaperBefore
 from kinegrade.exam.generating.adding import write_rest
 from kinegrade.exam.generating.grown_folder import copy_exam, open_grown_folder
 from kinegrade.exam.owners.assigning import make_owner, rename_files
@@ -64,6 +64,7 @@ def exchange_papers(path: Path, code: str, student: Student) -> Exchanged:
         students=tuple(changed.get(each.student, each) for each in exam.head.students),
         spares=tuple(changed.get(each.student, each) for each in exam.head.spares),
         corrections=exam.head.corrections + 1,  # marks that were given before are by another key
+        papers_before=(*exam.head.papers_before, *_list_before(exam, changed)),
     )
     with open_grown_folder(exam) as folder:
         copy_exam(exam, folder)
@@ -160,6 +161,14 @@ def _with_former_ids(owner: Candidate, before: Candidate) -> Candidate:
     former = (*before.formerly, before.student)
     kept = tuple(each for each in former if make_student_key(each) != new)
     return structs.replace(owner, formerly=kept)
+
+
+def _list_before(exam: ExamFolder, changed: Mapping[str, Candidate]) -> Iterator[PaperBefore]:
+    """The papers that students of the exam had who have others now."""
+    for student, now in changed.items():
+        before = exam.head.candidates.get(student)
+        if before is not None and now.student == student:
+            yield PaperBefore(student, before.paper, exam.head.corrections + 1)
 
 
 def _find_paper(exam: ExamFolder, code: str) -> Candidate:

@@ -34,10 +34,29 @@ from kinegrade.language.message import (
 
 @dataclass(frozen=True)
 class _Papers:
-    """Whose papers are whose, and the spare ones, which are nobody's."""
+    """Whose papers are whose, the spare ones, which are nobody's, and by student those that were
+    theirs before an exchange.
+    """
 
     ids: StudentIds
     spares: StudentIds
+    before: Mapping[str, StudentIds]
+
+    @classmethod
+    def of(cls, exam: Sitting) -> _Papers:
+        """Those of an exam."""
+        before: dict[str, dict[str, str]] = defaultdict(dict)
+        for student, code in exam.codes_before:
+            before[student][code] = student
+        return cls(
+            StudentIds(exam.students, exam.codes, exam.former_ids),
+            StudentIds((), {code: code for code in exam.spare_codes}),
+            {student: StudentIds((), codes) for student, codes in before.items()},
+        )
+
+    def had(self, student: str, code: str) -> bool:
+        """Whether the paper with that code was the student's before an exchange."""
+        return student in self.before and self.before[student].coded(code) is not None
 
 
 def read_part(answers: AnswerFile, exam: Sitting) -> Part:
@@ -82,8 +101,8 @@ def read_part(answers: AnswerFile, exam: Sitting) -> Part:
 def _group_rows(
     table: Table, columns: Columns, exam: Sitting
 ) -> tuple[Mapping[str, Sequence[Row]], list[Complaint]]:
-    ids = StudentIds(exam.students, exam.codes, exam.former_ids)
-    papers = _Papers(ids, StudentIds((), {code: code for code in exam.spare_codes}))
+    papers = _Papers.of(exam)
+    ids = papers.ids
     kept = drop_headers(table)
     exactly = ids.all_exact([row.cell(columns.student) for row in kept])
     found = list(zip(kept, exactly, strict=True))
@@ -121,6 +140,8 @@ def _find_other_codes(
         else:
             problem = Message("marking.no-such-code")
             done = Message("marking.marked-by-id", student=whose)
+        if papers.had(student, code):  # in a workbook from before: the exchange is not to be undone
+            done = Message("marking.own-since-exchange", student=whose)
         yield Complaint(table.file, row.line, table.header[index], shown, problem, done)
 
 
