@@ -139,6 +139,12 @@ class Separation:
         fit = self.fit(found, unmet)
         return Comparison(identifiers, right, near, changed, stuck, fit, roundings, strayed, unmet)
 
+    def find_right(self, values: Values) -> Mapping[str, Any]:
+        """Every ask's right answers in some instances, in its unit; NaN where there is none."""
+        arrays = convert_parameters(self.template, values)
+        found = find_outcomes(self.template, self.asks, (), arrays, self.plan)
+        return {name: rows[0] for name, rows in found.answers.items()}
+
     def inseparable(self, seen: Comparison) -> dict[str, tuple[str, ...]]:
         """For each ask the mistakes that the sample, as it was compared, cannot distinguish from
         the truth.

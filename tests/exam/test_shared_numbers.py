@@ -163,3 +163,31 @@ def test_a_single_value_is_the_same_on_all_papers(tmp_path: Path) -> None:
     drawn = [json.loads(each) for each in read_draws(tmp_path).values()]
     assert {(each["k"], each["phi"]) for each in drawn} == {("sqrt(3)", "30")}
     assert len({each["r"] + each["omega"] for each in drawn}) > 1
+
+
+ROLLING = """
+[[questions]]
+name = "rolling"
+statement = "A wheel of radius {{ r }} rolls with {{ v }}: find $u$ and $k$."
+parameters.v = { unit = "m/s", draw = [2, 3, 4] }
+parameters.r = { unit = "m", draw = [1, 3] }
+steps.u = "v/r"
+steps.w = "2*v"
+steps.k = "w/v"
+asks.u = { unit = "rad/s", points = 1, means = "its angular velocity" }
+asks.k = { unit = "1", points = 1, means = "the ratio of the speeds of its top and its centre" }
+"""
+
+
+def test_an_answer_that_all_papers_share_is_told(tmp_path: Path) -> None:
+    result = set_exam(tmp_path, ROLLING, "--no-papers", count=5)
+    assert result.exit_code == 1
+    assert (
+        "complaint: q1 (rolling): the answer to k is the same on all papers, whatever they have "
+        "been dealt - ask for another quantity, or draw what it depends on from more values\n"
+    ) in result.stderr
+    assert "answer to u" not in result.stderr
+
+
+def test_an_answer_that_few_papers_share_may_be_chance(tmp_path: Path) -> None:
+    assert set_exam(tmp_path, ROLLING, "--no-papers", count=4).exit_code == 0

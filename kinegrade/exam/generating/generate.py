@@ -53,6 +53,7 @@ from kinegrade.exam.roster.roster import Roster
 from kinegrade.exam.roster.spare_papers import add_spare_papers
 from kinegrade.exam.setting.dealing import ClassDeal, deal_exam
 from kinegrade.exam.setting.kept_exam import student_of
+from kinegrade.exam.setting.same_answers import list_same_answers
 from kinegrade.figure.sketchbook import open_sketchbook
 from kinegrade.files.output import Resumable, output_folder
 from kinegrade.files.placing.standing import Standing, find_standing
@@ -236,7 +237,8 @@ def list_complaints(
     """What a person should look at before papers of a class are handed out. Raises TableError
     where that is refused.
     """
-    found = (*roster_complaints(roster, press), *dealt.shortages(), *list_repeated(dealt))
+    found: tuple[Problem, ...] = (*roster_complaints(roster, press), *dealt.shortages())
+    found = (*found, *list_repeated(dealt), *list_same_answers(dealt))
     require_none(found if strict else ())
     return found
 
