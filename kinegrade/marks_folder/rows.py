@@ -133,7 +133,7 @@ class Grade(msgspec.Struct, frozen=True, gc=False):  # there are many
         if self.kept is not None:
             return self.kept
         points = work_out_total(each for each in self.points if each is not None)
-        return points - self.subtracted
+        return points - self.subtracted if self.subtracted else points
 
     @property
     def share(self) -> Fraction:

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import re
 from collections import defaultdict
-from collections.abc import Collection, Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 from types import MappingProxyType
 
@@ -86,10 +86,12 @@ class StudentIds:
         found = known.get(cell) or known.get(make_student_key(cell)) or known.get(_unwrap(cell))
         return found or self.coded(cell)
 
-    def all_exact(self, cells: Iterable[str]) -> list[str | None]:
+    def all_exact(self, cells: Sequence[str]) -> list[str | None]:
         """The same for many cells."""
-        known = self._exact
-        return [known.get(cell) or self.exact(cell) for cell in cells]
+        found = [*map(self._exact.get, cells)]
+        if None in found:
+            return [at_once or self.exact(cell) for at_once, cell in zip(found, cells, strict=True)]
+        return found
 
     def coded(self, cell: str) -> str | None:
         """The student whose paper has that code, however it is spaced."""

@@ -8,8 +8,9 @@ long, or holds a letter with a meaning here, is put in its place at the end.
 from __future__ import annotations
 
 from bisect import bisect_left
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
+from itertools import chain
 
 import numpy as np
 from numpy.typing import NDArray
@@ -68,10 +69,12 @@ class LineColumns:
         """The lines with these numbers, which ascend, one behind the other."""
         later = sorted(self.later)
         parts = (lines[begin : begin + _TOGETHER] for begin in range(0, len(lines), _TOGETHER))
-        return b"".join([self._write_part(part, later) for part in parts])
+        return b"".join(chain.from_iterable(self._write_part(part, later) for part in parts))
 
-    def _write_part(self, lines: _Places, later: Sequence[tuple[int, int, bytes]]) -> bytes:
-        """Some of them; `later` are the texts to be put in their places, in order."""
+    def _write_part(
+        self, lines: _Places, later: Sequence[tuple[int, int, bytes]]
+    ) -> Iterator[bytes]:
+        """Some of them in pieces; `later` are the texts to be put in their places, in order."""
         begin, end = int(lines[0]), int(lines[-1]) + 1
         columns = [column[begin:end] for column in self.columns]
         whole = np.empty(end - begin, [(f"{n}", each.dtype) for n, each in enumerate(columns)])
@@ -82,12 +85,13 @@ class LineColumns:
             kept = {*lines.tolist()}
             whole, put = whole[lines - begin], [each for each in put if each[0] in kept]
         text = whole.tobytes().translate(None, _NOTHING)
-        if not put:
-            return text
-        together = [b""] * (2 * len(put) + 1)
-        together[::2] = text.split(_LATER)
-        together[1::2] = [each for _, _, each in put]
-        return b"".join(together)
+        end = 0
+        for _, _, each in put:  # which is faster than to split a text that has few of them
+            begin, end = end, text.index(_LATER, end)
+            yield text[begin:end]
+            yield each
+            end += len(_LATER)
+        yield text[end:]
 
 
 def _find_later(texts: Sequence[bytes]) -> list[int]:

@@ -129,6 +129,8 @@ class GridEntries(Mapping[str, tuple[Entry, ...]]):
     def of(self, students: Iterable[str]) -> GridEntries:
         """Those of these students, empty ones of those who have none."""
         listed = [*students]
+        if listed == [*self.places]:  # as in most sheets, which `generate` wrote
+            return self
         rows = map(self.places.get, listed, repeat(_NONE))
         return GridEntries(self.grid, dict(zip(listed, rows, strict=True)))
 

@@ -15,6 +15,7 @@ from kinegrade.files.rows.letter_table import LONGEST, LetterTable, tabulate_let
 from kinegrade.numbers.decimals import FEW_DIGITS
 
 _BLANK, _MINUS, _POINT, _ZERO = b"\0-.0"
+_SCALES = np.array([1.0, 10.0])  # of what stands before a letter, and before a digit
 _TENS = 10.0 ** np.arange(LONGEST)
 
 _Flags = NDArray[np.bool_]
@@ -50,16 +51,18 @@ class PlainCells(Sequence[str]):
         if not _are_numbers(columns, are_digits):
             return None
         count = len(letters.lengths)
-        has_point, behind = np.zeros(count, dtype=np.bool_), np.zeros(count, dtype=np.intp)
+        has_point, places = np.zeros(count, dtype=np.bool_), np.zeros(count, dtype=np.uint8)
         whole = np.zeros(count)
         for column, digit, is_digit in zip(columns, digits, are_digits, strict=True):
-            whole = np.where(is_digit, 10 * whole + digit, whole)
-            behind += is_digit & has_point
+            whole *= _SCALES[is_digit.view(np.uint8)]
+            whole += digit * is_digit
+            places += is_digit & has_point
             is_point = column == _POINT
             if (is_point & has_point).any():
                 return None
             has_point |= is_point
         # Both are whole numbers that doubles hold, so that the quotient is rightly rounded
+        behind = places.astype(np.intp)
         values = np.copysign(whole / _TENS[behind], np.where(columns[0] == _MINUS, -1.0, 1.0))
         values[letters.lengths == 0] = np.nan
         found = cls(letters, has_point, behind, values)
