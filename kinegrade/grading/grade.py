@@ -42,6 +42,7 @@ from kinegrade.grading.totals import TotalTerms, work_out_totals
 from kinegrade.grading.typed.decimal_style import Mark as DecimalMark
 from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
+from kinegrade.language.message import Message
 from kinegrade.marks_folder.folder import MarksFolder, open_marks
 from kinegrade.marks_folder.hand_marks import list_hand_marks
 from kinegrade.marks_folder.layout import FILES, FILLED_IN, MARKER
@@ -154,9 +155,8 @@ def _mark(
 
 
 def _require_same_exam(exam: ExamFolder, wishes: MarkingWishes, sources: HandSources) -> None:
-    """Raises TableError for a marking before, that is replaced, or whose marks by hand would
-    be carried over, of another exam or of several; OutputError where what is replaced has
-    changed.
+    """Raises TableError for a marking before, that is replaced, or whose marks by hand are given,
+    of another exam or of several; OutputError where what is replaced has changed.
     """
     if wishes.stood is not None:
         wishes.stood.require(sources.replaced, sources.replaced)
@@ -167,9 +167,9 @@ def _require_same_exam(exam: ExamFolder, wishes: MarkingWishes, sources: HandSou
     for path in sources.own_lists:
         require_same_exam(exam, MarksFolder(path.parent))
         require_unmerged(MarksFolder(path.parent))
-    require_unmerged(MarksFolder(sources.replaced))
-    for path in sources.carried:
-        require_same_exam(exam, MarksFolder(path.parent))
+    replaced = MarksFolder(sources.replaced)
+    require_unmerged(replaced)
+    require_same_exam(exam, replaced, Message("marks.choose-folder"))
 
 
 def _leave_out_names(grades: ClassGrades) -> ClassGrades:

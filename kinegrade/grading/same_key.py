@@ -13,6 +13,7 @@ from kinegrade.marks_folder.folder import MarksFolder
 
 _BYTES = 8  # of what an exam is known by: enough to tell apart all that there are
 _KNOWN_AS = re.compile(rf"[0-9a-f]{{{2 * _BYTES}}}")
+_NAME_THEIR_EXAM = Message("exam.name-exam-of-marks")
 
 
 def require_same_key(exam: ExamFolder, marks: MarksFolder) -> None:
@@ -25,11 +26,11 @@ def require_same_key(exam: ExamFolder, marks: MarksFolder) -> None:
         raise TableError(Fault(str(marks.path), what, expected, Message("exam.mark-again")))
 
 
-def require_same_exam(exam: ExamFolder, marks: MarksFolder) -> None:
+def require_same_exam(exam: ExamFolder, marks: MarksFolder, do: Message = _NAME_THEIR_EXAM) -> None:
     """Raises TableError for marks of another exam, as far as both say which one they are."""
     if marks.exam and marks.exam != (identify_exam(exam.head) or marks.exam):
         what = Message("marks.another-exam", exam=str(exam.path))
-        raise TableError(Fault(str(marks.path), what, do=Message("exam.name-exam-of-marks")))
+        raise TableError(Fault(str(marks.path), what, do=do))
 
 
 def require_unmerged(marks: MarksFolder) -> None:

@@ -142,9 +142,6 @@ def test_points_typed_for_one_exam_are_not_taken_for_the_next(tmp_path: Path) ->
         f"error: {kept}: the points in it are for another exam - give the open.csv that marking "
         "this exam wrote\n"
     )
-    over = "grade", tmp_path / "EXAM", tmp_path / "answers.csv", "-o", tmp_path / "FIRST"
-    assert kinegrade(*over, "--force", "--own-papers").exit_code == 0
-    (tmp_path / "FIRST" / "exam.csv").write_text("exam\n0123456789abcdef\n", encoding="utf-8")
     refused = kinegrade(*again, "--force", "--manual", tmp_path / "FIRST" / "open.csv")
     assert refused.exit_code == 2
     assert "these are marks of another exam than" in refused.stderr

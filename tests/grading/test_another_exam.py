@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shutil
 from pathlib import Path
 
 import pytest
@@ -19,7 +20,6 @@ COMMANDS = (
     ("export", "{marks}", "--to", "moodle", "--exam", "{exam}", "-o", "{out}"),
     ("grade", "{exam}", "{answers}", "-o", "{out}", "--never-lower", "{marks}"),
     ("grade", "{exam}", "{answers}", "-o", "{out}", "--since", "{marks}", "--reason", "Appeals"),
-    ("grade", "{exam}", "{answers}", "-o", "{marks}", "--force"),
     ("forget", "{exam}", "{marks}", "--yes"),
 )
 
@@ -63,6 +63,25 @@ def test_marks_of_another_exam_are_refused(
     )
     assert contents(term) == before
     assert not (tmp_path / "out").exists()
+
+
+@pytest.mark.parametrize("by_hand", [True, False])
+def test_marks_of_another_exam_are_not_replaced(
+    term: Path, tmp_path: Path, *, by_hand: bool
+) -> None:
+    shutil.copytree(term / "LATER-MARKS", tmp_path / "MARKS")
+    if not by_hand:
+        (tmp_path / "MARKS" / "manual.csv").unlink()
+    before = contents(tmp_path)
+    command = "grade", "{exam}", "{answers}", "-o", "{marks}", "--force"
+    assert run(term, command, str(tmp_path / "MARKS"), tmp_path) == (
+        2,
+        f"error: {tmp_path}/MARKS: these are marks of another exam than {term}/EXAM"
+        " - choose another folder, or remove this one if nobody needs these marks any more",
+    )
+    assert contents(tmp_path) == before
+    code, _ = run(term, command, "EXAM-MARKS", tmp_path)
+    assert code in (0, 1)
 
 
 def test_markings_of_two_exams_are_not_compared(
