@@ -40,6 +40,7 @@ from kinegrade.worked.rate_chapters import find_stages, list_found, write_rate_c
 from kinegrade.worked.rates.kinds import describe_motions
 from kinegrade.worked.rates.rim_tracks import join_rims
 from kinegrade.worked.steps.couplers import goes_by_pole, name_method
+from kinegrade.worked.steps.freed import explain_accelerations
 from kinegrade.worked.steps.given_steps import is_given
 from kinegrade.worked.steps.ideas import explain_idea
 from kinegrade.worked.steps.methods import Way, find_way
@@ -113,7 +114,7 @@ def _write_blocks(case: Case, asked: Sequence[Ask], boxes: AnswerBoxes) -> Itera
     case.findings.places_alone = places and all(map(goes_by_pole, stages.values()))
     case.findings.poles_sought = find_poles(moving)
     known = () if case.findings.places_alone else given
-    yield from explain_idea(known, stages.items(), asked, case)
+    yield from explain_idea(known, stages.items(), asked, case, bool(accelerations))
     if accelerations:
         yield from _explain_accelerations(stages, accelerations, moving, case)
     points = find_used_points(case, moving, (*velocities, *accelerations))
@@ -200,7 +201,7 @@ def _explain_accelerations(
     vectorial = any(stage.equations for stage in stages.values())
     poles = any(map(name_method, velocities.values()))
     if vectorial and stages.keys() <= velocities.keys() and not poles:
-        yield case.say(Message("solution.idea-accelerations"))
+        yield case.say(explain_accelerations(stages.values()))
         return
     bodies = case.motion.frames.mechanism.bodies
     contacts = any(find_contact(body.name, case) for body in bodies if not body.particle)

@@ -96,8 +96,10 @@ def test_a_composition_of_accelerations_with_coriolis() -> None:
         Given: the angular acceleration of the crank $O_{1}A$.
         \alpha_{O_{1}A} &= 0
         ## Composition of motions: moving point $A$, moving frame on $OB$
-        $\boldsymbol{a}_{\mathrm{a}} = \boldsymbol{a}_{\mathrm{e}} + \boldsymbol{a}_{\mathrm{r}} + \boldsymbol{a}_{\mathrm{Cor}}$,
-            with the Coriolis acceleration $\boldsymbol{a}_{\mathrm{Cor}}$:
+        $\boldsymbol{a}_{\mathrm{a}} = \boldsymbol{a}_{\mathrm{e}} + \boldsymbol{a}_{\mathrm{r}} + \boldsymbol{a}_{\mathrm{Cor}}$: $\boldsymbol{a}_{\mathrm{e}}$
+            is the acceleration of the point of $OB$ which is at $A$,
+            $\boldsymbol{a}_{\mathrm{r}}$ that seen from $OB$,
+            $\boldsymbol{a}_{\mathrm{Cor}}$ the Coriolis acceleration.
         [ ] \boldsymbol{a}_{\mathrm{a}}^{\mathrm{n}} | $O_{1}A \cdot \omega_{O_{1}A}^{2} =
             16\,\unit{m/s^2}$ | $A \to O_{1}$
         [=] \boldsymbol{a}_{\mathrm{e}}^{\mathrm{n}} | $OA \cdot \omega^{2} = 8.192\,\unit{m/s^2}$ |
@@ -164,8 +166,10 @@ def test_a_composition_of_accelerations_without_coriolis() -> None:
         Given: the angular acceleration of the crank $OC$.
         \alpha_{OC} &= 0
         ## Composition of motions: moving point $C$, moving frame on block
-        $\boldsymbol{a}_{\mathrm{a}} = \boldsymbol{a}_{\mathrm{e}} + \boldsymbol{a}_{\mathrm{r}} + \boldsymbol{a}_{\mathrm{Cor}}$,
-            with the Coriolis acceleration $\boldsymbol{a}_{\mathrm{Cor}}$:
+        $\boldsymbol{a}_{\mathrm{a}} = \boldsymbol{a}_{\mathrm{e}} + \boldsymbol{a}_{\mathrm{r}} + \boldsymbol{a}_{\mathrm{Cor}}$: $\boldsymbol{a}_{\mathrm{e}}$
+            is the acceleration of the point of block which is at $C$,
+            $\boldsymbol{a}_{\mathrm{r}}$ that seen from block,
+            $\boldsymbol{a}_{\mathrm{Cor}}$ the Coriolis acceleration.
         [ ] \boldsymbol{a}_{\mathrm{a}}^{\mathrm{n}} | $OC \cdot \omega_{OC}^{2} = 20\,\unit{m/s^2}$
             | $C \to O$
         [=] \boldsymbol{a}_{D} | ? | $+x$

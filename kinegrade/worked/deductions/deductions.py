@@ -135,7 +135,7 @@ def _announce_axis(stage: Stage, projection: Projection) -> Message:
         axis = AXIS_NAMES.get(projection.axis) or _name_direction_of_part(projection, case)
         return Message("solution.project-along", axis=axis)
     dropped = case.text(name_part(projection.equation, part, case, bold=True))
-    known = AXIS_NAMES.get(projection.axis) or _name_line(projection.axis, part, case)
+    known = AXIS_NAMES.get(projection.axis) or name_line(projection.axis, part, case)
     if known is None:
         way = _describe_normal(find_heading(part), projection.axis)
         return Message("solution.project-normal", dropped=dropped, way=way)
@@ -161,7 +161,7 @@ def _name_direction_of_part(projection: Projection, case: Case) -> Message:
     return Message("solution.projection-of", vector=vector)
 
 
-def _name_line(axis: float, dropped: Part, case: Case) -> Message | None:
+def name_line(axis: float, dropped: Part, case: Case) -> Message | None:
     """The axis as the direction from one point to another, to which a rotating part is normal; None
     for other parts.
     """

@@ -35,7 +35,7 @@ def introduce_composition(equation: VectorEquation, relative: Part, case: Case) 
     whole = name_by_role("a", equation.level, _index_absolute(equation, number), bold=True)
     coriolis = name_coriolis(number, bold=True)
     turning = {"velocity": (), "acceleration": (coriolis,)}[equation.level]
-    roles = (name_by_role(role, equation.level, number, bold=True) for role in "er")
+    roles = [name_by_role(role, equation.level, number, bold=True) for role in "er"]
     composed = case.tell(Equation(whole, equate(add_terms((*roles, *turning)))))
     point, frame = case.naming.point(relative.point), case.naming.body(relative.frame)
     source = equation.relation.source
@@ -51,8 +51,15 @@ def introduce_composition(equation: VectorEquation, relative: Part, case: Case) 
                 return Message("solution.composed-velocity-of-fixed-point", **places)
             return Message("solution.composed-velocity", body=case.naming.body(body), **places)
         case "acceleration":
-            turned = case.text(coriolis)
-            return Message("solution.composed-acceleration", composed=composed, coriolis=turned)
+            vectors = zip(("transport", "relative", "coriolis"), (*roles, coriolis), strict=True)
+            letters = {name: case.text(vector) for name, vector in vectors}
+            named: dict[str, Text] = {
+                "composed": composed,
+                "point": point,
+                "frame": frame,
+                **letters,
+            }
+            return Message("solution.composed-acceleration", **named)
         case _:
             assert_never(equation.level)
 

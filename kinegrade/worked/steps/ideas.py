@@ -5,6 +5,7 @@ chosen and why.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence, Set
+from dataclasses import replace
 from typing import assert_never
 
 from kinegrade.language.message import Message, Text, list_all
@@ -29,24 +30,35 @@ from kinegrade.problem.quantities.functions import find_motion_calls
 from kinegrade.problem.template.template import Ask
 from kinegrade.worked.case import Case
 from kinegrade.worked.document import Block, Heading
+from kinegrade.worked.formulas.measures import double
+from kinegrade.worked.formulas.symbols import join_letters
 from kinegrade.worked.rates.driven import is_assumed
 from kinegrade.worked.rates.rims import say_of_carrier
 from kinegrade.worked.rates.rolling import group_rolls, tell_rolls
 from kinegrade.worked.steps.couplers import Coupler, choose_method, find_coupler, find_pole_body
+from kinegrade.worked.steps.freed import explain_unknowns
 from kinegrade.worked.steps.rigid import explain_choice, find_rigid_triangle
 from kinegrade.worked.steps.titles import find_rotations, select_scalars
 from kinegrade.worked.steps.two_tracks import find_two_tracks
+from kinegrade.worked.vectors.magnitudes import find_path_ends
 from kinegrade.worked.vectors.stage import Stage
+from kinegrade.worked.vectors.vectors import name_part
 
 
 def explain_idea(
-    given: Sequence[Step], stages: Iterable[tuple[Step, Stage]], asked: Sequence[Ask], case: Case
+    given: Sequence[Step],
+    stages: Iterable[tuple[Step, Stage]],
+    asked: Sequence[Ask],
+    case: Case,
+    accelerated: bool,
 ) -> Iterator[Block]:
-    """The known and the sought, and for each way of finding velocities why it serves."""
+    """The known and the sought, and for each way of finding velocities why it serves, with what it
+    says of accelerations where these are sought too.
+    """
     yield Heading(case.write(Message("solution.idea")), 1)
     stages = tuple(stages)
     reasons = dict.fromkeys(
-        reason for step, stage in stages for reason in _find_reasons(step, stage)
+        reason for step, stage in stages for reason in _find_reasons(step, stage, accelerated)
     )
     by_normals = {find_pole_body(stage) for _, stage in stages}
     reasons |= dict.fromkeys(_explain_poles(by_normals, case))
@@ -100,7 +112,7 @@ def _name_given(law: Imposed, case: Case) -> Iterator[Message]:
             assert_never(law)
 
 
-def _find_reasons(step: Step, stage: Stage) -> Iterator[Message]:
+def _find_reasons(step: Step, stage: Stage, accelerated: bool) -> Iterator[Message]:
     """Why the equations of a step serve; nothing for those that only carry a motion on."""
     case, coupler = stage.case, find_coupler(stage)
     wheel = find_two_tracks(step, stage)
@@ -117,13 +129,19 @@ def _find_reasons(step: Step, stage: Stage) -> Iterator[Message]:
         yield explain_choice(triangle, case)
     elif coupler is not None:
         yield _explain_choice(coupler, case)
+        if choose_method(coupler, case) == "base-point":
+            yield from explain_unknowns(step, stage)
     elif len(stage.equations) > 1:
         coupled = all(len(equation.unknowns) > 2 for equation in stage.equations)
         yield Message("solution.idea-together" if coupled else "solution.idea-several")
+        yield from explain_unknowns(step, stage)
     elif stage.equations and _joins_rotations(stage.equations[0]):
         yield _explain_common_point(stage.equations[0], case)
+        yield from explain_unknowns(step, stage)
     elif stage.equations:
-        yield from _explain_frames(stage)
+        yield from _explain_frames(stage, accelerated)
+        if len(stage.equations[0].unknowns) == 2:
+            yield from explain_unknowns(step, stage)
 
 
 def _explain_link(law: Law | None, case: Case) -> Iterator[Message]:
@@ -229,41 +247,69 @@ def _explain_poles(by_normals: Set[str | None], case: Case) -> Iterator[Message]
             yield Message("solution.idea-pole", body=case.naming.body(body))
 
 
-def _explain_frames(stage: Stage) -> Iterator[Message]:
+def _explain_frames(stage: Stage, accelerated: bool) -> Iterator[Message]:
     """Why a moving frame serves, or two, where there are as many unknowns as these can give."""
     case, compositions = stage.case, stage.equations[0].compositions
     point = case.naming.point(compositions[0].point) if compositions else ""
     frames = [case.naming.body(part.frame) for part in compositions]
-    path = _describe_path(compositions, case)
     unknown = len(stage.equations[0].unknowns)
     if unknown == 1 and len(frames) == 1:
         yield Message("solution.idea-composed-known", point=point, frame=frames[0])
-    elif unknown != 2:
+    if unknown != 2 or not frames:
         return
-    elif len(frames) == 1:
-        yield Message("solution.idea-composed", point=point, frame=frames[0], path=path)
-    elif frames and len({part.point for part in compositions}) == 1:
+    way = {
+        "path": _describe_path(compositions, case),
+        "directions": _describe_directions(stage.equations[0], accelerated, case),
+    }
+    if len(frames) == 1:
+        yield Message("solution.idea-composed", point=point, frame=frames[0], **way)
+    elif len({part.point for part in compositions}) == 1:
         every = list_all(frames)
-        yield Message("solution.idea-composed-twice", point=point, frames=every, path=path)
-    elif frames:
+        yield Message("solution.idea-composed-twice", point=point, frames=every, **way)
+    else:
         yield Message(
             "solution.idea-composed-on",
             first=point,
             frame=frames[0],
-            path=path,
             second=case.naming.point(compositions[1].point),
             other=frames[1],
+            **way,
         )
 
 
+def _describe_directions(equation: VectorEquation, accelerated: bool, case: Case) -> Message:
+    """What the paths say of relative velocities, and where they are straight of relative
+    accelerations too.
+    """
+    terms = [part.term for part in equation.compositions if part.term is not None]
+    letters = [name_part(equation, part, case, bold=True) for part in equation.compositions]
+    if all(term.kind == "sliding" for term in terms):
+        letters += [replace(one, letter="a") for one in letters if accelerated]
+        key = "straight"
+    else:
+        key = "tangent" if all(term.kind == "arc" for term in terms) else "known"
+    vectors = list_all(f"${case.text(one)}$" for one in letters)
+    return Message(f"solution.directions-{key}", vectors=vectors, count=len(letters))
+
+
 def _describe_path(relatives: Sequence[Part], case: Case) -> Message:
-    """Along what points move relative to frames, where all do so along lines, or about one
-    centre.
+    """Along what points move relative to frames: a line, which is named where there is one, or a
+    circle about a centre.
     """
     terms = [part.term for part in relatives if part.term is not None]
     centres = {term.base for term in terms}
+    line = find_path_ends(relatives[0], case) if len(terms) == 1 else None
+    if line is not None:
+        start, end = (case.motion.points[point] for point in line)
+        off = double((end - start).cross(case.motion.points[terms[0].point] - start))
+        letters = case.text(join_letters(map(case.naming.letter, line)))
+        if off:
+            return Message("solution.path-parallel", line=letters)
+        return Message("solution.path-line", line=letters)
     if all(term.kind == "sliding" for term in terms):
         return Message("solution.path-straight")
-    if all(term.kind == "arc" for term in terms) and len(centres) == 1:
+    if all(term.kind == "arc" for term in terms):
+        if len(centres) > 1:
+            return Message("solution.path-circles")
         return Message("solution.path-circle", centre=case.naming.point(*centres))
     return Message("solution.path-known")
