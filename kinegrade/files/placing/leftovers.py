@@ -51,12 +51,24 @@ def list_in_use(folder: Path, beginning: str) -> list[Path]:
 
 
 def remove(entry: Path) -> None:
-    """Remove a file or a folder, as far as that is possible."""
+    """Remove a file or a folder, also one of protected folders, as far as that is possible."""
     with suppress(OSError):  # even whether it is a folder cannot be asked of a name of 300 letters
         if entry.is_dir() and not entry.is_symlink():
             shutil.rmtree(entry, ignore_errors=True)
+            if entry.exists():
+                _take_protection_away(entry)
+                shutil.rmtree(entry, ignore_errors=True)
         else:
             entry.unlink()
+
+
+def _take_protection_away(folder: Path) -> None:
+    """All folders in it, and itself, can be emptied by their owner."""
+    folder.chmod(0o700)
+    for place, names, _ in os.walk(folder):
+        for inner in (Path(place, name) for name in names):
+            if not inner.is_symlink():
+                inner.chmod(0o700)
 
 
 def _find_process(beginning: str) -> str:

@@ -125,6 +125,22 @@ def check_folder(
                 Message("files.move-elsewhere"),
             )
         )
+    _require_no_protection(path, target)
+
+
+def _require_no_protection(path: Path, target: Path) -> None:
+    """Raises OutputError where somebody protected the folder, or one in it: it could be taken away
+    from its place, and not be removed.
+    """
+    for place, _, _ in os.walk(target, onerror=_raise):
+        if not os.access(place, os.W_OK):
+            inner = path / Path(place).relative_to(target)
+            what, expected = Message("files.write-protected"), Message("files.replaceable")
+            raise OutputError(Fault(str(inner), what, expected, Message("files.unprotect")))
+
+
+def _raise(fault: OSError) -> None:
+    raise fault
 
 
 def check_file(path: Path, target: Path, force: bool) -> None:
