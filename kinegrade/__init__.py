@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from kinegrade.exam.generating.options import GenerateOptions
     from kinegrade.exam.roster.roster import Roster
     from kinegrade.lms.grades.dialect import ExportOptions
-    from kinegrade.public.assigning import assign, exchange
+    from kinegrade.public.assigning import ExchangeOptions, assign, exchange
     from kinegrade.public.bank import Bank
     from kinegrade.public.class_page import report
     from kinegrade.public.entries import compare_entries
@@ -34,6 +34,7 @@ if TYPE_CHECKING:
 __version__ = "0.2.0"
 __all__ = [
     "Bank",
+    "ExchangeOptions",
     "ExportOptions",
     "FeedbackOptions",
     "GenerateOptions",
@@ -58,6 +59,7 @@ __all__ = [
 ]
 _HOMES = {
     "Bank": "public.bank",
+    "ExchangeOptions": "public.assigning",
     "ExportOptions": "lms.grades.dialect",
     "FeedbackOptions": "public.sheets",
     "GenerateOptions": "exam.generating.options",

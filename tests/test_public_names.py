@@ -27,6 +27,7 @@ OPTIONS: dict[str, tuple[type, set[str]]] = {
     "export": (kinegrade.ExportOptions, set()),
     "quiz": (kinegrade.QuizOptions, {"progress"}),
     "feedback": (kinegrade.FeedbackOptions, set()),
+    "exchange": (kinegrade.ExchangeOptions, {"code", "student"}),
 }  # the options of each command, and those that a terminal has no use for
 
 

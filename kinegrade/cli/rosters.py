@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import click
 
@@ -60,8 +60,10 @@ def assign(exam: Path, code: str, student: str, *, name: str, email: str, group:
 @click.argument("code")
 @click.argument("student")
 @person
+@click.option("--new-id", is_flag=True)
+@click.option("--drop-pool", is_flag=True)
 @refusing
-def exchange(exam: Path, code: str, student: str, *, name: str, email: str, group: str) -> None:
+def exchange(exam: Path, code: str, student: str, **wishes: Any) -> None:
     """Give the paper of EXAM that bears CODE to a STUDENT who wrote it in place of the own one."""
-    folder = kinegrade.open_exam(exam)
-    finish(kinegrade.exchange(folder, code, student, name=name, email=email, group=group))
+    options = kinegrade.ExchangeOptions(**wishes)
+    finish(kinegrade.exchange(kinegrade.open_exam(exam), code, student, options=options))

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.owners.assigning import assign_paper
-from kinegrade.exam.owners.exchanging import exchange_papers
+from kinegrade.exam.owners.exchanging import ExchangeWishes, exchange_papers
 from kinegrade.exam.roster.students import Student
 from kinegrade.language.message import Message
 from kinegrade.public.opened import expect_opened
@@ -39,8 +41,25 @@ def assign(
     return Outcome(exam.path, (*done.typed, said))
 
 
+@dataclass(frozen=True)
+class ExchangeOptions:
+    """Who a student is whom the exam does not have yet: `name`, `email` and `group`. With `new_id`,
+    that is the same person as before. `drop_pool` removes a quiz pool that was made of the exam and
+    that nobody answered.
+    """
+
+    name: str = ""
+    email: str = ""
+    group: str = ""
+    new_id: bool = False
+    drop_pool: bool = False
+
+
+_ORDINARY = ExchangeOptions()
+
+
 def exchange(
-    exam: ExamFolder, code: str, student: str, *, name: str = "", email: str = "", group: str = ""
+    exam: ExamFolder, code: str, student: str, *, options: ExchangeOptions = _ORDINARY
 ) -> Outcome:
     """Give the paper of that code, or the version of that letter, to a student who wrote it in
     place of the own one, as `kinegrade exchange` does: whoever had it gets the other.
@@ -59,7 +78,8 @@ def exchange(
     kinegrade.errors.ExamError: ...
     """
     expect_opened(exam=exam)
-    whose = Student(student, name, email, "", group=group)
-    done = exchange_papers(exam.path, code, whose)
+    whose = Student(student, options.name, options.email, "", group=options.group)
+    wishes = ExchangeWishes(new_id=options.new_id, drop_pool=options.drop_pool)
+    done = exchange_papers(exam.path, code, whose, wishes)
     said = Message("terminal.of", where=str(exam.path), what=done.summary)
-    return Outcome(exam.path, (*done.typed, said))
+    return Outcome(exam.path, (*done.notes, said))

@@ -253,3 +253,18 @@ def test_papers_of_which_a_pool_was_made_are_not_exchanged(exam: Path) -> None:
     assert "a quiz pool was made of these papers" in refused.stderr
     assert "answers to the pool need no exchange" in refused.stderr
     assert contents(exam) == before
+
+
+def test_a_pool_that_nobody_answered_is_given_up_for_an_exchange(exam: Path) -> None:
+    pooled = ("--to", "moodle-xml", "--variants", "2", "-o", exam.with_name("pool.xml"))
+    kinegrade("quiz", exam, *pooled)
+    right, code = right_answer(exam, "0012"), open_exam(exam).head.candidates["0012"].paper
+    assert "--drop-pool removes the pool" in kinegrade("exchange", exam, code, "007").stderr
+    done = kinegrade("exchange", exam, code, "007", "--drop-pool")
+    assert done.exit_code == 0, done.stderr
+    gone = f"{exam / 'variants.jsonl'} is gone: responses to that pool can no longer be marked"
+    assert gone in done.stderr
+    assert not (exam / "variants.jsonl").exists()
+    assert read_totals(exam, f"student,q1.v_B\n007,{right}\n")["007"] == "3"
+    assert kinegrade("verify", exam, "--all").exit_code == 0
+    assert kinegrade("quiz", exam, *pooled, "--force").exit_code in (0, 1)

@@ -14,6 +14,7 @@ from pathlib import Path
 from msgspec import structs
 
 from kinegrade.errors import ExamError, suggest
+from kinegrade.exam.folder.contents import POOL
 from kinegrade.exam.folder.exam_folder import ExamFolder, open_exam
 from kinegrade.exam.folder.records import Candidate, KeyLine, PaperBefore
 from kinegrade.exam.generating.adding import write_rest
@@ -22,15 +23,18 @@ from kinegrade.exam.owners.assigning import make_owner, rename_files
 from kinegrade.exam.owners.papers_anew import print_anew, replace_lines
 from kinegrade.exam.roster.student_ids import StudentIds
 from kinegrade.exam.roster.students import Student, make_student_key
+from kinegrade.exam.setting.kept_exam import student_of
 from kinegrade.language.message import Fault, Message, Quoted
 
 
 @dataclass(frozen=True)
 class Exchanged:
-    """What was done, in one line, and what is said of a workbook that was typed into."""
+    """What was done, in one line, and what is said of a workbook that was typed into, and of a pool
+    that is gone.
+    """
 
     summary: Message
-    typed: tuple[Message, ...]
+    notes: tuple[Message, ...]
 
 
 @dataclass(frozen=True)
@@ -45,20 +49,30 @@ class _Change:
     passed_on: Mapping[Candidate, Candidate] = field(default_factory=dict)
 
 
-def exchange_papers(path: Path, code: str, student: Student) -> Exchanged:
+@dataclass(frozen=True)
+class ExchangeWishes:
+    """With `new_id` the student is the person who has the paper already, under another id; a pool
+    that was made of the exam, which nobody answered, is removed by `drop_pool`.
+    """
+
+    new_id: bool = False
+    drop_pool: bool = False
+
+
+def exchange_papers(path: Path, code: str, student: Student, wishes: ExchangeWishes) -> Exchanged:
     """Give the paper of that code, or of that version, to a student of the exam who has another, or
     an assigned spare paper to one who has none, with the name given, by default that of the person
     before.
 
     Raises ExamError where there is no such paper, where it is the student's already, or is that of
-    somebody who would be left without, and where a pool was made of the exam; OutputError. Then
-    nothing is written.
+    somebody who would be left without, and where a pool was made of the exam and is not to be
+    removed; OutputError. Then nothing is written.
     """
     exam = open_exam(path)
-    if exam.has_pool:  # whose questions are known by the papers from which they were taken
+    change = _rename(exam, code, student) if wishes.new_id else _find_change(exam, code, student)
+    has_pool, changed = exam.has_pool and not change.passed_on, change.owners
+    if has_pool and not wishes.drop_pool:  # whose questions are known by the papers they are of
         raise _refuse(exam, Message("exam.pool-of-papers"), Message("exam.responses-of-pool"))
-    change = _find_change(exam, code, student)
-    changed = change.owners
     head = structs.replace(
         exam.head,
         students=tuple(changed.get(each.student, each) for each in exam.head.students),
@@ -66,14 +80,17 @@ def exchange_papers(path: Path, code: str, student: Student) -> Exchanged:
         corrections=exam.head.corrections + 1,  # marks that were given before are by another key
         papers_before=(*exam.head.papers_before, *_list_before(exam, changed)),
     )
+    dropped = [Message("exam.pool-dropped", file=str(exam.pool))] if has_pool else []
     with open_grown_folder(exam) as folder:
         copy_exam(exam, folder)
         replace_lines(exam, folder, change.lines)
+        if has_pool:
+            (folder / POOL).unlink()
         for before, after in change.passed_on.items():
             rename_files(folder, Path(before.file).stem, Path(after.file).stem)
         print_anew(ExamFolder(folder, head), tuple(changed.values()))
         typed = write_rest(exam, folder, head, change.passed_on)
-    return Exchanged(change.summary, typed)
+    return Exchanged(change.summary, (*typed, *dropped))
 
 
 def _find_change(exam: ExamFolder, code: str, student: Student) -> _Change:
@@ -140,24 +157,50 @@ def _pass_on(exam: ExamFolder, code: str, student: Student) -> _Change:
         raise _refuse(exam, what, Message("exam.only-spare-passed-on"))
     stated = student.name or student.email or student.group
     kept = replace(student, name=before.name, email=before.email, group=before.group)
-    owner = _with_former_ids(make_owner(exam, before, student if stated else kept), before)
-    return _Change(
-        {before.student: owner},
-        {before.student: _with_owner(exam.line_of(before.student), owner)},
-        Message(
-            "exam.passed-on",
-            code=owner.paper,
-            student=Quoted(owner.student),
-            name=owner.name or Message("exam.no-name-known"),
-            before=Quoted(before.student),
-        ),
-        {before: owner},
+    owner = _hand_over(exam, before, student if stated else kept)
+    done = Message(
+        "exam.passed-on",
+        code=owner.paper,
+        student=Quoted(owner.student),
+        name=owner.name or Message("exam.no-name-known"),
+        before=Quoted(before.student),
     )
+    return _replace(exam, before, owner, done)
 
 
-def _with_former_ids(owner: Candidate, before: Candidate) -> Candidate:
-    """Somebody in the place of another, whose ids files may still have."""
-    new = make_student_key(owner.student)
+def _rename(exam: ExamFolder, code: str, student: Student) -> _Change:
+    """Who has the paper of that code, or that id, has another id, and what else is given. Raises
+    ExamError.
+    """
+    before = _find_paper(exam, code)
+    if before in exam.head.spares:
+        what = Message("marking.nobodys-paper", code=before.paper)
+        raise _refuse(exam, what, Message("exam.write-assign", code=before.paper))
+    person = student_of(before)
+    same = replace(
+        person,
+        student=student.student,
+        name=student.name or person.name,
+        email=student.email or person.email,
+        group=student.group or person.group,
+    )
+    owner = structs.replace(_hand_over(exam, before, same), was_spare=before.was_spare)
+    whose, who = Quoted(before.student), Quoted(owner.student)
+    done = Message("exam.has-new-id", before=whose, student=who, code=owner.paper)
+    return _replace(exam, before, owner, done)
+
+
+def _replace(exam: ExamFolder, before: Candidate, owner: Candidate, done: Message) -> _Change:
+    """Somebody stands in the place of another, with the same paper."""
+    line = _with_owner(exam.line_of(before.student), owner)
+    return _Change({before.student: owner}, {before.student: line}, done, {before: owner})
+
+
+def _hand_over(exam: ExamFolder, before: Candidate, student: Student) -> Candidate:
+    """A student in the place of another, whose ids files may still have. Raises ExamError."""
+    others = tuple(each for each in exam.head.students if each != before)
+    rest = ExamFolder(exam.path, structs.replace(exam.head, students=others))
+    owner, new = make_owner(rest, before, student), make_student_key(student.student)
     former = (*before.formerly, before.student)
     kept = tuple(each for each in former if make_student_key(each) != new)
     return structs.replace(owner, formerly=kept)

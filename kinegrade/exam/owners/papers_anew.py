@@ -5,7 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
-from kinegrade.exam.folder.contents import KEY, SPARES
+from msgspec import structs
+
+from kinegrade.exam.folder.contents import KEY, POOL, SPARES
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.records import Candidate, KeyLine
 from kinegrade.exam.folder.writing import encode_line
@@ -27,9 +29,21 @@ def replace_lines(exam: ExamFolder, folder: Path, changed: Mapping[str, KeyLine]
         for number, text in exam.texts():
             line = changed.get(exam.read_line(number, text).student)
             lines.write(_end(text) if line is None else encode_line(line))
+    if exam.has_pool:
+        _rename_variants(exam, folder, changed)
     if exam.spares.exists():
         spares = (changed.get(each.student, each) for each in exam.spare_lines())
         (folder / SPARES).write_bytes(b"".join(map(encode_line, spares)))
+
+
+def _rename_variants(exam: ExamFolder, folder: Path, changed: Mapping[str, KeyLine]) -> None:
+    """Write the lines of a pool into a copy of the folder, under the ids of now."""
+    variants = dict(zip((text for _, text in exam.pool_texts()), exam.pool_lines(), strict=True))
+    with (folder / POOL).open("wb") as lines:
+        for text, line in variants.items():
+            after = changed.get(line.student)
+            renamed = after and structs.replace(line, student=after.student)
+            lines.write(encode_line(renamed) if renamed else text)
 
 
 def print_anew(exam: ExamFolder, owners: Sequence[Candidate]) -> None:

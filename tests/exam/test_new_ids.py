@@ -1,0 +1,116 @@
+"""A student who has another id now keeps the paper, and files that have the old id are still read;
+through the command line.
+"""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+
+import pytest
+
+from kinegrade.exam.folder.exam_folder import open_exam
+from tests.exam.test_exchanged_papers import right_answer
+from tests.small_class import ROSTER, contents, generate, kinegrade, table, write_class
+
+NEW = ("--new-id", "--email", "new@example.org")
+
+
+@pytest.fixture(scope="module")
+def made(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A class with an exam that has a spare paper; not to be changed."""
+    folder = write_class(tmp_path_factory.mktemp("new-ids"))
+    assert generate(folder, "EXAM", "--spare", "1", "--solutions").exit_code == 0
+    return folder
+
+
+@pytest.fixture
+def exam(made: Path, tmp_path: Path) -> Path:
+    """The exam, to be changed."""
+    shutil.copytree(made, tmp_path, dirs_exist_ok=True)
+    return tmp_path / "EXAM"
+
+
+def test_a_student_keeps_the_paper_under_a_new_id(exam: Path) -> None:
+    before, right = open_exam(exam).head.candidates["0012"], right_answer(exam, "0012")
+    refused = kinegrade("exchange", exam, before.paper, "4711")
+    assert "a student whose id has changed keeps the paper by --new-id" in refused.stderr
+    done = kinegrade("exchange", exam, "0012", "4711", *NEW)
+    assert done.exit_code == 0, done.stderr
+    assert done.stderr == (
+        f'{exam}: "0012" is "4711" now, with paper {before.paper} as before; '
+        "grade again what was graded before\n"
+    )
+    after = open_exam(exam).head.candidates["4711"]
+    kept = (after.name, after.paper, after.was_spare, after.email)
+    assert kept == (before.name, before.paper, False, "new@example.org")
+    assert right_answer(exam, "4711") == right
+    assert kinegrade("verify", exam, "--all").exit_code == 0
+    assert not list(exam.glob("**/0012*"))
+    printed = (exam / "papers" / "4711.pdf").read_bytes()
+    assert kinegrade("paper", exam, "4711").stdout_bytes == printed
+
+
+def test_what_was_typed_and_marked_under_the_old_id_goes_on(exam: Path) -> None:
+    sheet, hands, marks = (exam.with_name(name) for name in ("typed.csv", "hands.csv", "MARKS"))
+    sheet.write_text(f"student,q1.v_B\n0012,{right_answer(exam, '0012')}\n", encoding="utf-8")
+    hands.write_text("student,question,points\n12,bonus,2\n", encoding="utf-8")
+    again = "grade", exam, sheet, "-o", marks, "--force", "--own-papers"
+    kinegrade(*again, "--manual", hands)
+    kinegrade("exchange", exam, "0012", "4711", *NEW)
+    done = kinegrade(*again, "--since", marks, "--reason", "new id")
+    assert '1 student id is not as in the exam: "0012" for "4711"' in done.stderr
+    totals = {row["student"]: row["total"] for row in table(marks / "grades.csv")}
+    assert (totals["4711"], "0012" in totals) == ("5", False)
+    assert "4711" in kinegrade("explain", exam, marks, "0012").stdout
+
+
+def test_an_id_whose_zeros_come_back_is_no_other_person(exam: Path) -> None:
+    done = kinegrade("exchange", exam, "0012", "12", "--new-id")
+    assert done.exit_code == 0, done.stderr
+    back = kinegrade("exchange", exam, "12", "0012", "--new-id", "--name", "Zoë Neal")
+    assert back.exit_code == 0, back.stderr
+    owner = open_exam(exam).head.candidates["0012"]
+    assert (owner.name, owner.formerly) == ("Zoë Neal", ("12",))
+
+
+def test_the_class_goes_on_with_a_roster_that_has_the_new_id(exam: Path) -> None:
+    kinegrade("exchange", exam, "0012", "4711", "--new-id")
+    folder, right = exam.parent, right_answer(exam, "4711")
+    (folder / "roster.csv").write_text(ROSTER.replace("0012", "4711"), encoding="utf-8")
+    (folder / "late.csv").write_text("student,name\n0815,Eve\n", encoding="utf-8")
+    files = folder / "bank.toml", folder / "roster.csv", "-o", exam, "--allow-odd-ids"
+    added = kinegrade("generate", *files, "--add", folder / "late.csv")
+    assert added.exit_code in (0, 1), added.stderr
+    assert right_answer(exam, "4711") == right
+    assert open_exam(exam).head.candidates["4711"].formerly == ("0012",)
+
+
+def test_a_pool_stays_with_a_new_id(exam: Path) -> None:
+    pooled = ("--to", "moodle-xml", "--variants", "2", "-o", exam.with_name("pool.xml"), "--force")
+    kinegrade("quiz", exam, *pooled)
+    student = open_exam(exam).students[0]
+    done = kinegrade("exchange", exam, student, "4711", "--new-id")
+    assert done.exit_code == 0, done.stderr
+    assert "4711" in (exam / "variants.jsonl").read_text(encoding="utf-8")
+    assert kinegrade("quiz", exam, *pooled).exit_code in (0, 1)
+
+
+@pytest.mark.parametrize(
+    ("paper", "student", "said"),
+    [
+        ("007", "0012", '"0012" has a paper already'),
+        ("OF spare-1", "4711", "which is nobody's yet - kinegrade assign gives spare paper"),
+        ("4711", "0815", 'no paper has the code "4711"'),
+    ],
+)
+def test_a_new_id_that_cannot_be_is_refused_and_nothing_is_written(
+    exam: Path, paper: str, student: str, said: str
+) -> None:
+    before = contents(exam)
+    codes = {f"OF {each.student}": each.paper for each in open_exam(exam).head.everybody}
+    refused = kinegrade("exchange", exam, codes.get(paper, paper), student, "--new-id")
+    assert refused.exit_code == 2
+    (line,) = refused.stderr.splitlines()
+    assert said in line
+    assert contents(exam) == before
