@@ -59,7 +59,7 @@ def test_the_angle_of_two_lines_is_told_once(name: str) -> None:
 @pytest.mark.parametrize(
     ("language", "said"),
     [
-        ("de", r"also bildet $\boldsymbol{v}_{B} \perp CB$ mit der $x$-Achse $\beta$."),
+        ("de", r"also bildet $\boldsymbol{v}_{B} \perp CB$ mit der $x$-Achse den Winkel $\beta$."),
         ("zh", r"故 $\boldsymbol{v}_{B} \perp CB$ 与 $x$ 轴成 $\beta$ 角。"),
     ],
 )
