@@ -61,6 +61,11 @@ class Sentence:
             return self._find_antecedent(said[-1])
         return _keep_known(free[-1]) if free else None
 
+    def find_neighbour(self, place: int) -> Mention | None:
+        """What the words at a place stand right behind, as `with $A$ above`, or are said of."""
+        named = [each for each in self.mentions if self.text[each.end : place].isspace()]
+        return next(iter(named), None) or self.find_subject(place)
+
     def _find_antecedent(self, place: int) -> Mention | None:
         """What a pronoun stands for: what its sentence began with, or else the one before."""
         for named in (
@@ -89,6 +94,13 @@ def list_sentences(template: Template) -> Iterator[Sentence]:
             before = sentence
             if not is_of_another_case(words):
                 yield sentence
+
+
+def list_named(template: Template, text: str) -> Iterator[tuple[Part, ...]]:
+    """What the letters and numbers of a text may be, nothing that a noun alone says."""
+    for mention in _list_mentions(Parts(template), text):
+        if re.search(r"[\d$]", mention.said):
+            yield from mention.things
 
 
 def has_condition(text: str) -> bool:

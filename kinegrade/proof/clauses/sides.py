@@ -6,7 +6,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 
 from kinegrade.expressions.tree import find_names
@@ -17,7 +17,7 @@ from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.floats import Floats
 from kinegrade.problem.solution import Solution
 from kinegrade.problem.template.template import Parameter, Template
-from kinegrade.proof.claims.patterns import write_words
+from kinegrade.proof.claims.patterns import NO_SUBJECT, write_words
 from kinegrade.proof.claims.reading import DIFFERENT, read_claims
 from kinegrade.proof.clauses.parts import Part, list_guides
 from kinegrade.proof.clauses.sentences import Mention, Sentence, has_condition, list_sentences
@@ -55,9 +55,10 @@ class Side:
 
 def find_wrong_sides(template: Template, examples: Sequence[Solution]) -> Iterator[Message]:
     """What is said of sides that is so in no way in which the words can be read."""
-    known = [claim["said"] for kind in _KNOWN for claim in read_claims(template, kind)]
+    known = [claim["said"] for kind in _KNOWN for claim in read_claims(template, kind, NO_SUBJECT)]
     for sentence in list_sentences(template):
         for side in _list_sides(sentence):
+            yield from _find_wrong_chain(side, examples)
             if any(each.endswith(side.said) for each in known):
                 continue
             subject = _find_subject(side)
@@ -69,6 +70,19 @@ def find_wrong_sides(template: Template, examples: Sequence[Solution]) -> Iterat
                 start = subject.start if subject and within else side.start
                 said = sentence.text[start : side.start] + side.said
                 yield Message("template.lies-otherwise", said=" ".join(said.split()))
+
+
+def _find_wrong_chain(side: Side, examples: Sequence[Solution]) -> Iterator[Message]:
+    """`$A$ above $O$ and to its left`: another side of the same part."""
+    text, subject = side.sentence.text, side.sentence.find_neighbour(side.start)
+    for kind, toward in _SIDES.items():
+        pattern = rf"\s*,?\s*(?:{write_words('or')})\s+(?:{write_words(f'chain-{kind}')})"
+        match = re.compile(pattern, re.IGNORECASE).match(text, side.reference.end)
+        if match and subject:
+            said = " ".join(text[side.start : match.end()].split())
+            other = replace(side, toward=toward, upright=False, given="", said=said)
+            if _is_false(subject, other, examples):
+                yield Message("template.lies-otherwise", said=f"{subject.said} {said}")
 
 
 def _find_subject(side: Side) -> Mention | None:

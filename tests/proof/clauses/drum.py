@@ -73,6 +73,7 @@ def find_faults(mechanism: str, said: str, **choices: list[str]) -> list[str]:
     """What is wrong with these words for it, in two instances where there are as many."""
     template = read_template("t", _MECHANISMS[mechanism].replace("SAID", said))
     angles = {"phi": template.parameters["phi"].choices} if mechanism == "slider" else {}
-    values = [{"phi": each} for each in (angles | choices).get("phi", ())] or [{}]
+    values = [{"phi": each} for each in (angles | choices).get("phi", ())]
+    values = values or [{}] * (mechanism == "drum")
     solved = [solve_template(template, each, ()) for each in values]
     return all_said(find_false_clauses(template, solved))

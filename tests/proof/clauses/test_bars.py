@@ -60,3 +60,7 @@ def test_what_cannot_be_decided_is_no_fault(said: str) -> None:
 def test_a_bar_between_points_of_no_body_is_a_fault(said: str, told: str) -> None:
     fault = f'statement: it says "{told}", and no body of the mechanism has both points: correct '
     assert find_faults("slider", said) == [f"{fault}the letters, or the bodies"] * bool(told)
+
+
+def test_without_an_instance_nothing_is_a_fault() -> None:
+    assert find_faults("slider", "a vertical guide, the link $OB$", phi=[]) == []

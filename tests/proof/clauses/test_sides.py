@@ -54,3 +54,24 @@ def test_a_side_on_which_nothing_lies_that_may_be_meant_is_a_fault(
 )
 def test_what_cannot_be_decided_is_no_fault(said: str) -> None:
     assert find_faults("drum", said) == []
+
+
+def test_another_side_of_the_same_part_is_held_against_it() -> None:
+    right = "It stands with $A$ above $O$ and to its right."
+    assert find_faults("slider", right) == []
+    [fault] = find_faults("slider", right.replace("its right", "its left"))
+    assert fault.startswith('statement: it says "$A$ above $O$ and to its left"')
+
+
+@pytest.mark.parametrize(
+    ("right", "wrong"),
+    [
+        ("A rope is wound on the hub, on its right side.", ("right", "left")),
+        ("A second rope leaves the rim on the left.", ("left", "right")),
+        ("It hangs from the left side of the rim.", ("left", "right")),
+    ],
+)
+def test_the_other_side_of_a_rope_is_a_fault(right: str, wrong: tuple[str, str]) -> None:
+    assert find_faults("drum", right) == find_faults("drum", f"{right} A rope leaves it.") == []
+    [fault] = find_faults("drum", right.replace(*wrong))
+    assert fault.endswith(LIES)
