@@ -17,11 +17,18 @@ from kinegrade.marks_folder.folder import MarksFolder
 
 
 def find_later_keys(folders: Iterable[MarksFolder]) -> Iterator[Fault]:
-    """A complaint for each folder of marks beside which their exam stands, corrected since."""
+    """A complaint for each folder of marks beside which their exam stands, corrected since; where
+    a copy stands there that was not, nobody but people knows which of the two counts.
+    """
     for marks in folders:
-        later = [each for each in _list_beside(marks) if each.head.corrections > marks.corrections]
-        if later:
-            what = Message("marks.another-key-beside", exam=str(later[0].path))
+        beside = list(_list_beside(marks))
+        later = [str(each.path) for each in beside if each.head.corrections > marks.corrections]
+        same = [str(each.path) for each in beside if each.head.corrections == marks.corrections]
+        if later and same:
+            what = Message("marks.another-key-than-copy", exam=later[0], copy=same[0])
+            yield Fault(str(marks.path), what, do=Message("marks.which-counts"))
+        elif later:
+            what = Message("marks.another-key-beside", exam=later[0])
             yield Fault(str(marks.path), what, do=Message("exam.mark-again"))
 
 

@@ -183,6 +183,23 @@ def test_an_exam_beside_marks_tells_that_its_key_was_corrected(exam: Path) -> No
             assert [each for each in lines if "corrected after" in each] == expected, command
 
 
+def test_of_an_exam_and_a_corrected_copy_beside_marks_both_are_named(exam: Path) -> None:
+    folder = exam.parent
+    (folder / "answers.csv").write_text("student,q2.v_y\n007,4\n", encoding="utf-8")
+    kinegrade("grade", exam, folder / "answers.csv", "-o", folder / "MARKS")
+    shutil.copytree(exam, folder / "TRIED")
+    head = (exam / "exam.json").read_text(encoding="utf-8")
+    corrected = json.dumps({**json.loads(head), "corrections": 1})
+    (folder / "TRIED" / "exam.json").write_text(corrected, encoding="utf-8")
+    export = "export", folder / "MARKS", "--to", "moodle", "-o", folder / "moodle.csv"
+    (line,) = [each for each in kinegrade(*export).stderr.splitlines() if "corrected" in each]
+    assert line == (
+        f"complaint: {folder}/MARKS: the key of {folder}/TRIED was corrected after these marks, "
+        f"that of its copy {exam} was not - if the first one counts, mark all answers again with "
+        "kinegrade grade; if the copy does, move the first one elsewhere"
+    )
+
+
 def test_a_given_of_another_unit_is_refused(exam: Path) -> None:
     result = correct(exam, ('r     = { unit = "m"', 'r     = { unit = "cm"'))
     assert result.exit_code == 2
