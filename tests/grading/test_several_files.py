@@ -9,6 +9,8 @@ from pathlib import Path
 
 import pytest
 
+from kinegrade.grading.sheets.entries import ListedEntries
+from kinegrade.grading.sheets.entry import Entry, Place
 from tests.small_class import kinegrade, table
 
 FIRST = 'student,q1.v_B,q1.omega_AB\n007,"1,73",0\n0012,1.7,0\nS9,1.73,0\n12,1.73,0\n'
@@ -226,3 +228,15 @@ def test_who_all_answered_leave_nobody_to_name(exam_folder: Path) -> None:
     answers.write_text("student,q1.v_B\n007,1\n0012,1\nS9,0\n12,1\n", encoding="utf-8")
     done = kinegrade("grade", exam_folder, answers, "-o", exam_folder.parent / "MARKS")
     assert "absent" not in done.stderr
+
+
+def test_what_is_told_of_a_whole_row_names_the_file_with_most_of_its_answers() -> None:
+    first, second = Place("first.csv", 4), Place("second.csv", 9)
+    blank, mine = Entry(4, ("", "", ""), file="first.csv"), Entry(5, ("1",), file="first.csv")
+    united = blank._replace(responses=("1", "", "2"), places=(second, first, second))
+    most = blank._replace(responses=("1", "3", "2"), places=(first, second, second))
+    tie = blank._replace(responses=("1", "3", ""), places=(second, first, second))
+    several = ListedEntries([blank, mine, united, most, tie])
+    files = ["first.csv", "first.csv", "second.csv", "second.csv", "first.csv"]
+    assert several.files == files
+    assert several.lines.tolist() == [4, 5, 9, 9, 4]

@@ -69,10 +69,10 @@ class ListedEntries(Entries):
 
     @property
     def files(self) -> Sequence[str]:
-        """The file of each."""
-        return [entry.file for entry in self.listed]
+        """The file of each, that of most of its answers where they come from several."""
+        return [entry.main_place().file for entry in self.listed]
 
     @property
     def lines(self) -> NDArray[np.intp]:
         """The line of each, 0 where there is none."""
-        return np.array([entry.line or 0 for entry in self.listed], dtype=np.intp)
+        return np.array([entry.main_place().line or 0 for entry in self.listed], dtype=np.intp)

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from typing import NamedTuple
 
 from kinegrade.files.answer_file import Sources
+from kinegrade.files.cell_text import is_answered
 
 
 class Place(NamedTuple):
@@ -46,3 +48,12 @@ class Entry(NamedTuple):
     def place(self, number: int) -> Place:
         """Where the response to an ask stands."""
         return self.places[number] if self.places else Place(self.file, self.line)
+
+    def main_place(self) -> Place:
+        """Where most of its answers stand, the first file where several have as many."""
+        itself = Place(self.file, self.line)
+        if not self.places:
+            return itself
+        both = zip(self.responses, self.places, strict=True)
+        found = Counter(place for response, place in both if is_answered(response))
+        return max(dict.fromkeys([itself, *found]), key=lambda place: found[place])
