@@ -156,6 +156,7 @@ def test_a_formula_without_a_value_behind_the_last_filled_cell_is_told(tmp_path:
             " program and save it",
         )
     ]
+    assert [said(each.done) for each in read_workbook(path).complaints] == ["read as blank"]
 
 
 def test_a_formula_gives_the_value_that_was_computed(tmp_path: Path) -> None:

@@ -199,7 +199,7 @@ def test_a_microsoft_form_as_the_workbook_it_comes_as(tmp_path: Path) -> None:
             2,
             "the cell holds the formula =1+1 without its value; open the file in the spreadsheet"
             " program and save it",
-            "taken as its content stands here",
+            "read as blank",
         )
     ]
 
