@@ -7,7 +7,7 @@ or a cell.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -31,6 +31,8 @@ from kinegrade.files.rows.row import Row
 from kinegrade.language import ENGLISH
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.message import Fault, Message, Text
+
+_MANY = 3  # lines that tell more together than one by one
 
 
 @dataclass(frozen=True, slots=True)
@@ -176,7 +178,11 @@ def _complain_of_stray_quote(file: str, line: int) -> Complaint:
     return Complaint(file, line, "", "", problem, done)
 
 
-def _find_ragged(rows: Iterable[Row], width: int, file: str) -> Iterator[Complaint]:
+def _find_ragged(rows: Sequence[Row], width: int, file: str) -> Iterator[Complaint]:
+    longer = sum(any(map(trim, row.cells[width:])) for row in rows)
+    if longer >= _MANY and 2 * longer > len(rows):
+        problem = Message("files.many-longer", count=longer, width=width)
+        yield Complaint(file, None, "", "", problem, Message("files.many-longer-do"))
     for row in rows:
         if len(row.cells) == width:
             continue

@@ -31,7 +31,7 @@ from kinegrade.grading.marking import MarkingTerms, mark_blocks
 from kinegrade.grading.marks import ClassGrades, collect_grades
 from kinegrade.grading.misplaced.class_answers import AnswersSeen
 from kinegrade.grading.misplaced.other_papers import refuse_other_papers
-from kinegrade.grading.misplaced.typing_slips import find_typing_slips
+from kinegrade.grading.misplaced.typing_slips import find_typing_slips, put_after
 from kinegrade.grading.policy.accepted import alternatives
 from kinegrade.grading.policy.policy import Policy
 from kinegrade.grading.policy.reading import read_policy, stated_policy
@@ -141,7 +141,7 @@ def _mark(
         answered = seen.put_together()
         refuse_other_papers(answered, papers, ", ".join(each.table.file for each in files))
         slips = find_typing_slips(exam, papers, sheet.columns, answered)
-        grades = replace(grades, complaints=(*slips, *grades.complaints))
+        grades = replace(grades, complaints=put_after(files, slips, grades.complaints))
     settled = by_hand.settle(_leave_out_names(grades) if wishes.pseudonymous else grades)
     scale = None if settled.still_open else _make_scale(rules, exam.language)
     grades = replace(settled.grades, complaints=(*untimed, *settled.grades.complaints))

@@ -103,6 +103,19 @@ def test_ragged_rows_are_kept_and_reported() -> None:
     assert table.rows[0].cell(2) == ""
 
 
+def test_decimal_commas_between_commas_are_told_in_one_line_before_all_others() -> None:
+    table = parsed("student,a,b\n1,0,5,1,5\n2,3,4\n3,0,5,1\n4,0,5,2,5\n")
+    first, *others = table.complaints
+    assert str(first) == (
+        "answers.csv: 3 lines have more than the 3 cells of the header, as where decimal commas stand "
+        "unquoted between commas - all behind the first of them stand in wrong columns: save the "
+        "file with semicolons or tabs between the cells"
+    )
+    assert [each.line for each in others] == [2, 4, 5]
+    few = parsed("student,a,b\n1,0,5,1,5\n2,3,4\n3,3,4\n4,0,5,2\n5,0,5,1\n6,1,2\n")
+    assert [each.line for each in few.complaints] == [2, 5, 6]
+
+
 @pytest.mark.parametrize(
     "stray",
     ['2,"0,5', '2,"0.5,', '"2,x'],

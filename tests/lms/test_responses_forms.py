@@ -141,6 +141,16 @@ def test_a_google_form_by_the_names_of_the_asks_in_any_order(tmp_path: Path) -> 
     assert cells(read) == [("student", "q1.v_B", "q2.a_B"), ("0012346", "1", "3")]
 
 
+@pytest.mark.parametrize("timestamp", ["Zeitstempel", "时间戳记"])
+def test_a_google_form_in_another_language_is_known_by_its_first_column(
+    tmp_path: Path, timestamp: str
+) -> None:
+    header = (timestamp, "E-Mail-Adresse", "[q1.v_B] Antwort")
+    read = responses(tmp_path, csv_text(header, ("", "zoe@example.org", "3")))
+    assert read.source == "google-forms"
+    assert cells(read) == [("student", "q1.v_B"), ("0012346", "3")]
+
+
 def test_asks_that_differ_in_case_alone_are_told_by_it(tmp_path: Path) -> None:
     write_asks(tmp_path, {"q1": ("v_A", "v_a", "v_Ab")})
     header = ("Timestamp", "Email Address", "q1.v_Ab", "q1.v_a", "q1.v_A")
@@ -261,7 +271,8 @@ def test_what_no_system_writes_is_refused(tmp_path: Path) -> None:
     with pytest.raises(
         TableError,
         match=r"its columns \(a, b ...\) are those of no system known here - expected one "
-        r"of moodle, canvas, wjx, ms-forms, google-forms, long, sheet - say which it is",
+        r"of moodle, canvas, wjx, ms-forms, google-forms, long, sheet - say which it is, if it is one of them, as with "
+        "--from google-forms",
     ):
         responses(tmp_path, "a,b\n1,2\n")
     with pytest.raises(

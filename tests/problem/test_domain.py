@@ -19,6 +19,8 @@ from kinegrade.problem.template.domain import read_choices
         ("1 .. 2 step 3", ("1",)),
         ("-2 .. 2 step 1 without 0", ("-2", "-1", "1", "2")),
         ("0 .. 90 step 22.5 without 0,90.0, 22.50", ("45", "67.5")),
+        ("4 .. 6 step 1/2", ("4", "4.5", "5", "5.5", "6")),
+        ("-1/3 .. 5/3 step 2/3 without 1", ("-1/3", "1/3", "5/3")),
         ([1, "sqrt(3)", "3/2"], ("1", "sqrt(3)", "3/2")),
     ],
 )
@@ -41,6 +43,8 @@ def test_domains(draw: Any, choices: tuple[str, ...]) -> None:
         ("1 .. 3 step 1 without 1,,2", "expected a decimal number"),
         ("1 .. 3 step 1 without", "expected a list, or a range like"),
         ("1.2.3 .. 4 step 1", '"1.2.3" - expected a decimal number'),
+        ("1 .. 3 step 1/0", '"1/0" - expected a decimal number or a fraction'),
+        ("1 .. 3 step 1 without 1/", '"1/" - expected a decimal number or a fraction'),
         ("- .. 4 step 1", "expected a list"),
         (". .. 4 step 1", "expected a decimal number"),
         ([1, 1], "2 values - expected 1 to 2000 of them, each once"),

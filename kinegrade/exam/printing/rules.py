@@ -106,8 +106,10 @@ def _make_rule_near_zero(shares: Sequence[Fraction]) -> Message:
     """What is allowed where terms cancel, by the shares in ascending order that asks state: a row
     may show a wider one, which does not hold there.
     """
-    kind = "near-zero" if len(shares) == 1 else "near-zero-least"
-    return Message(f"paper.{kind}", share=make_percent(shares[0]))
+    share = make_percent(shares[0])
+    if len(shares) == 1:
+        return Message("paper.near-zero", share=share)
+    return Message("paper.near-zero-least", share=share)
 
 
 def _make_amount_rule(allowed: Fraction, unit: str) -> Message:

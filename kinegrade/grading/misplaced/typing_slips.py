@@ -5,9 +5,10 @@ version.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 from kinegrade.exam.folder.exam_folder import ExamFolder
+from kinegrade.files.answer_file import AnswerFile
 from kinegrade.files.tables import Complaint
 from kinegrade.grading.fast.another_paper import PapersAnswered
 from kinegrade.grading.misplaced.class_answers import ClassAnswers
@@ -33,3 +34,13 @@ def find_typing_slips(
     if exam.head.versions:
         versions = [each.version for each in exam.head.students]
         yield from OtherVersions(exam.students, versions, answers).list_complaints()
+
+
+def put_after(
+    files: Iterable[AnswerFile], slips: Iterable[Complaint], complaints: Sequence[Complaint]
+) -> tuple[Complaint, ...]:
+    """The complaints with these slips in front, but behind what is said of whole files as they were
+    read, which may be why.
+    """
+    first = [each for file in files for each in file.table.complaints if each.line is None]
+    return (*first, *slips, *(each for each in complaints if each not in first))

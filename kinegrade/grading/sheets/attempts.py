@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from datetime import datetime
+from functools import partial
 
 from kinegrade.deadlines.moment import parse_moment
+from kinegrade.deadlines.numbered_dates import read_in_order
 from kinegrade.files.cell_text import is_answered, trim
 from kinegrade.files.tables import Complaint
 from kinegrade.grading.sheets.entry import Entry
@@ -58,10 +60,25 @@ def _are_ordered(several: Sequence[Entry]) -> bool:
 
 
 def _read_moments(several: Sequence[Entry]) -> list[datetime] | None:
-    """The times of entries, None where they cannot all be compared."""
-    moments = [parse_moment(entry.submitted) for entry in several]
+    """The times of entries, None where they cannot all be compared. Where it is not certain which
+    number of a date is the day, they are read with it first, if they have the same order with the
+    month first.
+    """
+    read = partial(_read_in_order, [entry.submitted for entry in several])
+    moments, otherwise = read(day_first=True), read(day_first=False)
+    if moments is None or otherwise is None or _rank(moments) != _rank(otherwise):
+        return None
+    return moments
+
+
+def _read_in_order(times: Sequence[str], *, day_first: bool) -> list[datetime] | None:
+    moments = [parse_moment(each) or read_in_order(each, day_first=day_first) for each in times]
     known = [moment for moment in moments if moment is not None]
     zoned = {moment.tzinfo is None for moment in known}
-    if len(known) < len(several) or len(zoned) > 1:
-        return None
-    return known
+    return None if len(known) < len(times) or len(zoned) > 1 else known
+
+
+def _rank(moments: Sequence[datetime]) -> list[int]:
+    """The place of each among them, that of those of one time the same."""
+    order = sorted({*moments})
+    return [*map(order.index, moments)]

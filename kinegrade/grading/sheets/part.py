@@ -18,13 +18,13 @@ from kinegrade.files.answer_file import AnswerFile
 from kinegrade.files.cell_text import shorten, trim
 from kinegrade.files.rows.row import Row
 from kinegrade.files.tables import Complaint, Table, drop_headers
-from kinegrade.grading.sheets.columns import Columns, find_columns, strip_unit
+from kinegrade.grading.sheets.columns import Columns, find_columns
 from kinegrade.grading.sheets.entry import Entry
+from kinegrade.grading.sheets.extra_columns import find_extra_columns
 from kinegrade.grading.sheets.grid_entries import GridEntries
 from kinegrade.grading.sheets.grid_finding import find_grid_entries
 from kinegrade.grading.sheets.header_units import find_stated_units
 from kinegrade.grading.sheets.sheet import Part, quote_cells
-from kinegrade.grading.sheets.strange_headers import find_meant, find_numbered
 from kinegrade.language.message import (
     Message,
     Quoted,
@@ -71,7 +71,7 @@ def read_part(answers: AnswerFile, exam: Sitting) -> Part:
     stated = find_stated_units(table, columns, exam.asks)
     about_columns = (
         *table.complaints,
-        *_find_extra_columns(table, columns, exam),
+        *find_extra_columns(table, columns, exam),
         *stated.complaints,
     )
     grid = None if any(stated.units) else find_grid_entries(answers, columns, exam)
@@ -216,34 +216,3 @@ def _make_entries(
     if len(rows) == 1:
         return (make_entry(rows[0], ""),)
     return tuple([make_entry(row, quote_cells(row.cells)) for row in rows])
-
-
-def _find_extra_columns(table: Table, columns: Columns, exam: Sitting) -> Iterator[Complaint]:
-    """One for each, with all that stands in it."""
-    asks = [ask.column for ask in exam.asks]
-    missing = [ask for ask, index in zip(asks, columns.asks, strict=True) if index is None]
-    for index in columns.extra:
-        title = table.header[index]
-        cells = ((row.line, row.cell(index)) for row in table.rows)
-        filled = [f"{line}: {shorten(cell)}" for line, cell in cells if trim(cell)]
-        if not filled and not trim(title):
-            continue
-        done = _advise(strip_unit(title), asks, missing) if filled else None
-        yield Complaint(
-            table.file,
-            None,
-            shorten(title),
-            "; ".join(filled),
-            Message("marking.no-answer-column-here"),
-            done or Message("marking.ignored"),
-        )
-
-
-def _advise(title: str, asks: Sequence[str], missing: Sequence[str]) -> Message:
-    """What to do about a filled column that answers nothing; `missing` are asks without one."""
-    numbered = find_numbered(title, asks)
-    if numbered is not None and numbered in missing:
-        return Message("marking.number-alone", column=Quoted(numbered))
-    if near := find_meant(title, missing):
-        return Message("marking.head-it", column=Quoted(near[0]))
-    return Message("marking.column-kept")

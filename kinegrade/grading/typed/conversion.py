@@ -42,8 +42,9 @@ _SAME = Conversion()
 def find_conversion(typed: str, unit: str) -> Conversion:
     """How a number typed with the unit `typed` becomes one in `unit`; no unit means the ask's.
 
-    Radians may be left out (1/s for rad/s), never added. Raises WrongUnit for another dimension, Hz
-    included, and Unreadable for an unknown unit.
+    Radians may be left out (1/s for rad/s), never added; turns may where they are asked for (1/min
+    and Hz). Raises WrongUnit for another dimension, Hz else included, and Unreadable for an unknown
+    unit.
 
     >>> find_conversion("r/min", "rad/s"), find_conversion("cm/s²", "m/s^2").factor
     (Conversion(factor=Fraction(1, 30), pi=1), Fraction(1, 100))
@@ -52,7 +53,10 @@ def find_conversion(typed: str, unit: str) -> Conversion:
     if written in ("", unit) or (unit in _PURE and written == "1"):
         return _SAME
     wanted = read_unit(unit) if unit not in _PURE else WrittenUnit(Fraction(1), 0, 0, 0, 0)
-    _refuse_turns_per_time(written, unit, wanted)
+    if wanted is not None and wanted.counts_turns:
+        written = _add_turns(written)
+    else:
+        _refuse_turns_per_time(written, unit, wanted)
     found = read_unit(written)
     if found is None or wanted is None:
         raise Unreadable(_describe_unknown(Quoted(show(typed.strip())), unit))
@@ -75,6 +79,14 @@ def _describe_other_kind(typed: Quoted, found: Part, wanted: Part, unit: str) ->
     return Message("typing.other-kind", typed=typed, found=found, wanted=wanted, unit=Quoted(unit))
 
 
+def _add_turns(written: str) -> str:
+    """A count per time with what is counted: turns."""
+    if is_per_minute(written):
+        return "r/min"
+    found = _compile_turn_counts().fullmatch(written)
+    return "r/s" if found and not found[1] else written
+
+
 def _refuse_turns_per_time(written: str, unit: str, wanted: WrittenUnit | None) -> None:
     typed = Quoted(show(written))
     if _compile_turn_counts().fullmatch(written):
@@ -85,7 +97,7 @@ def _refuse_turns_per_time(written: str, unit: str, wanted: WrittenUnit | None) 
 
 @cache
 def _compile_turn_counts() -> re.Pattern[str]:
-    return re.compile(rf"[kM]?Hz|{match_spellings(_CYCLES)}", re.IGNORECASE)
+    return re.compile(rf"([kM])?Hz|{match_spellings(_CYCLES)}", re.IGNORECASE)
 
 
 def _describe_turns(typed: Quoted, unit: str, wanted: WrittenUnit | None) -> Message:

@@ -78,6 +78,11 @@ class WrittenUnit:
         dimension = (self.length, self.time, self.angle)
         return _KINDS.get(dimension, f"m^{self.length} s^{self.time} rad^{self.angle}")
 
+    @property
+    def counts_turns(self) -> bool:
+        """Whether it is a number of turns in a time, as r/min is."""
+        return (self.pi, self.length, self.time, self.angle) == (1, 0, -1, 1)
+
 
 @lru_cache(maxsize=4096)
 def read_unit(text: str) -> WrittenUnit | None:

@@ -15,26 +15,22 @@ from datetime import datetime
 from functools import cache
 
 from kinegrade.deadlines.moment import parse_moment, write_moment
+from kinegrade.deadlines.numbered_dates import (
+    CLOCK,
+    HALF,
+    ORDERS,
+    ZONE,
+    make_moment,
+    read_in_order,
+)
 from kinegrade.files.cell_text import trim
 from kinegrade.language.message import Message
 from kinegrade.language.spellings import match_spellings
 
-_HALF_DAY, _DAY = 12, 24
-_CLOCK = (
-    r"(?:(?P<morning>上午)|(?P<afternoon>下午))? ?"
-    r"(?P<hour>[0-9]{1,2}):(?P<minute>[0-9]{2})(?::(?P<second>[0-9]{2}))?"
-)
-_HALF = r"(?: ?(?P<half>[AaPp])\.?[Mm]\.?)?(?: Uhr)?"
-_ZONE = r"(?: ?(?:GMT|UTC)(?P<sign>[+-])(?P<hours>[0-9]{1,2})(?::(?P<minutes>[0-9]{2}))?)?"
 _YEAR_FIRST = re.compile(
     r"(?P<year>[0-9]{4})(?:[-/.]|年) ?(?P<month>[0-9]{1,2})(?:[-/.]|月) ?(?P<day>[0-9]{1,2})日?"
-    rf"[,， ]*(?:(?:星期|周).)?[,， ]*{_CLOCK}{_HALF}{_ZONE}"
+    rf"[,， ]*(?:(?:星期|周).)?[,， ]*{CLOCK}{HALF}{ZONE}"
 )
-_OF_YEAR = rf"(?P<year>[0-9]{{4}}),? {_CLOCK}{_HALF}{_ZONE}"
-_NUMBER = r"[0-9]{1,2}"
-_DAY_FIRST = re.compile(rf"(?P<day>{_NUMBER})([./-])(?P<month>{_NUMBER})\2{_OF_YEAR}")
-_MONTH_FIRST = re.compile(rf"(?P<month>{_NUMBER})([./-])(?P<day>{_NUMBER})\2{_OF_YEAR}")
-_ORDERS = {True: _DAY_FIRST, False: _MONTH_FIRST}
 _SEPARATORS = "./-"
 _MONTHS_A_YEAR = 12
 _MONTHS = (
@@ -85,9 +81,9 @@ def read_times(cells: Iterable[str]) -> tuple[list[str], tuple[DecidedOrder, ...
     texts = [read_time(cell) for cell in cells]
     decided = tuple(order for mark in _SEPARATORS for order in _decide(texts, mark))
     for order in decided:
-        pattern, mark = _ORDERS[order.day_first], _find_separator(order.time)
+        mark = _find_separator(order.time)
         texts = [
-            _read_in_order(text, pattern) if _find_separator(text) == mark else text
+            _write_in_order(text, order) if _find_separator(text) == mark else text
             for text in texts
         ]
     return texts, decided
@@ -100,7 +96,7 @@ def _decide(texts: Sequence[str], mark: str) -> Iterator[DecidedOrder]:
     told = [
         DecidedOrder(place, text, day_first)
         for place, text in enumerate(texts)
-        for day_first, order in _ORDERS.items()
+        for day_first, order in ORDERS.items()
         if _find_separator(text) == mark
         and (found := order.fullmatch(text))
         and int(found["day"]) > _MONTHS_A_YEAR
@@ -111,24 +107,23 @@ def _decide(texts: Sequence[str], mark: str) -> Iterator[DecidedOrder]:
 
 def _find_separator(text: str) -> str:
     """What stands between the numbers of a date, "" where it is none of two of them first."""
-    found = _DAY_FIRST.fullmatch(text)
+    found = ORDERS[True].fullmatch(text)
     return "" if found is None else text[found.end("day")]
 
 
-def _read_in_order(text: str, order: re.Pattern[str]) -> str:
-    found = order.fullmatch(text)
-    moment = None if found is None else _make_moment(found, int(found["month"]))
+def _write_in_order(text: str, decided: DecidedOrder) -> str:
+    moment = read_in_order(text, day_first=decided.day_first)
     return text if moment is None else write_moment(moment)
 
 
 def _read_written(text: str) -> datetime | None:
     found = _YEAR_FIRST.fullmatch(text)
     if found is not None:
-        return _make_moment(found, int(found["month"]))
+        return make_moment(found, int(found["month"]))
     for number, pattern in enumerate(_match_months(), 1):
         found = pattern.fullmatch(text)
         if found is not None:
-            return _make_moment(found, number)
+            return make_moment(found, number)
     return None
 
 
@@ -138,25 +133,8 @@ def _match_months() -> Sequence[re.Pattern[str]]:
     return tuple(
         re.compile(
             rf"(?:\w+, )?(?P<day>[0-9]{{1,2}})\.? {match_spellings(each)}\.? "
-            rf"(?P<year>[0-9]{{4}}),? {_CLOCK}{_HALF}{_ZONE}",
+            rf"(?P<year>[0-9]{{4}}),? {CLOCK}{HALF}{ZONE}",
             re.IGNORECASE,
         )
         for each in _MONTHS
     )
-
-
-def _make_moment(found: re.Match[str], month: int) -> datetime | None:
-    hour, half = int(found["hour"]), found["half"]
-    if half or found["morning"] or found["afternoon"]:
-        if not 1 <= hour <= _HALF_DAY:
-            return None
-        is_late = found["afternoon"] is not None or (half or "").lower() == "p"
-        hour = hour % _HALF_DAY + (_HALF_DAY if is_late else 0)
-    if hour >= _DAY:
-        return None
-    date = f"{found['year']}-{month:02d}-{int(found['day']):02d}"
-    clock = f"{hour:02d}:{found['minute']}:{found['second'] or '00'}"
-    zone = ""
-    if found["sign"]:
-        zone = f" {found['sign']}{int(found['hours']):02d}:{found['minutes'] or '00'}"
-    return parse_moment(f"{date} {clock}{zone}")

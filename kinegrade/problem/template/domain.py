@@ -18,10 +18,13 @@ from kinegrade.numbers.text import write_decimal
 
 _MAX_CHOICES = 2000
 _LARGEST = fmpq(10) ** 100  # what is worked out from such values still fits into doubles
+_NUMBER = r"[\d.]+(?:/\d+)?"  # a decimal, or a fraction
 _RANGE = re.compile(
-    r"\s*(-?[\d.]+)\s*\.\.\s*(-?[\d.]+)\s+step\s+([\d.]+)(?:\s+without\s+([-\d., ]+))?\s*",
+    rf"\s*(-?{_NUMBER})\s*\.\.\s*(-?{_NUMBER})\s+step\s+({_NUMBER})"
+    r"(?:\s+without\s+([-\d./, ]+))?\s*",
     re.ASCII,
 )
+_PLACES = 30  # of a decimal; a value that has more is written as a fraction
 
 
 def read_choices(draw: object) -> tuple[str, ...]:
@@ -84,11 +87,20 @@ def _read_range(text: str) -> list[str]:
     left_out = [_read_signed(part.strip()) for part in parts]
     if not set(left_out) < set(values):
         raise FieldError(found(text), Message("template.left-out"))
-    return [write_decimal(value, 30) for value in values if value not in left_out]
+    return [_write(value) for value in values if value not in left_out]
+
+
+def _write(value: Any) -> str:
+    """A rational as it stands: a decimal if it ends."""
+    ends = (value * 10**_PLACES).q == 1
+    return write_decimal(value, _PLACES) if ends else f"{value.p}/{value.q}"
 
 
 def _read_signed(text: str) -> Any:
-    """A decimal with its sign."""
-    if text.count(".") > 1 or text.strip("-.") == "":
+    """A decimal or a fraction with its sign."""
+    number, slash, below = text.partition("/")
+    sound = not slash or (below.isdecimal() and int(below) > 0)
+    if number.count(".") > 1 or number.strip("-.") == "" or not sound:
         raise FieldError(found(text), Message("template.a-decimal"))
-    return -read_rational(text[1:]) if text.startswith("-") else fmpq(1) * read_rational(text)
+    value = fmpq(1) * read_rational(number.removeprefix("-")) / int(below or "1")
+    return -value if text.startswith("-") else value

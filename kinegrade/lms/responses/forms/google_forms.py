@@ -10,17 +10,19 @@ from kinegrade.exam.folder.records import ExamHead
 from kinegrade.files.cell_text import make_header_key
 from kinegrade.files.tables import Table
 from kinegrade.language.message import Message
+from kinegrade.language.spellings import list_spellings
 from kinegrade.lms.responses.forms.form_rows import form_rows
 from kinegrade.lms.responses.typed_rows import Attempts, TypedRows
 
 TITLE = Message("responses.google-forms")
+_TIMESTAMP = Message("responses.titles-of-timestamps")
 _ADDRESS = ("email address", "username")
 _SCORE = "score"
 
 
 def recognises(header: Sequence[str]) -> bool:
-    """Whether the first column is the timestamp, by its English name."""
-    return bool(header) and make_header_key(header[0]) == "timestamp"
+    """Whether the first column is the timestamp, by its name in a known language."""
+    return bool(header) and make_header_key(header[0]) in list_spellings(_TIMESTAMP)
 
 
 def read(table: Table, head: ExamHead, attempts: Attempts) -> TypedRows:
