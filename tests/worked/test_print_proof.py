@@ -149,6 +149,16 @@ def test_a_page_without_faults_has_none() -> None:
     assert list(find_faults((page, end), drawn("slider-crank")[0])) == []
 
 
+def test_the_double_of_an_angle_at_a_corner_is_read() -> None:
+    page_lines = (
+        r"\angle OAB = 36^\circ",
+        r"s = r\sin 2\angle OAB = 1\,\unit{m} \cdot \sin 72^\circ \approx 0.9511\,\unit{m}",
+    )
+    page = Display(tuple(read_math(line, "") for line in page_lines))
+    end = Prose("Above stands $s$.")
+    assert list(find_faults((page, end), drawn("slider-crank")[0])) == []
+
+
 @pytest.mark.parametrize(
     "right", [[ACROSS, BACK], [Arrow("v_U", Vector(1.6, 0.0)), Arrow("v_W", Vector(-0.6, 0.0))]]
 )

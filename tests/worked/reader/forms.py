@@ -79,9 +79,16 @@ def find_arguments(row: Row) -> Iterator[Row]:
         if isinstance(function, Function) and rest[:1] == (Sign("("),):
             yield rest[1 : _find_end(rest)]
         elif isinstance(function, Function) and rest and isinstance(rest[0], Number):
-            yield rest[:2]
+            corner = rest[1:2] == (Sign(r"\angle"),)
+            yield rest[: 2 + _count_letters(rest[2:])] if corner else rest[:2]
         for part in list_parts(node):
             yield from find_arguments(part)
+
+
+def _count_letters(row: Row) -> int:
+    """How many letters, with or without an index, a formula begins with."""
+    others = (place for place, node in enumerate(row) if not isinstance(node, Letter | Scripts))
+    return next(others, len(row))
 
 
 def _find_end(row: Row) -> int:

@@ -304,4 +304,5 @@ def _is_lettering(row: Row) -> bool:
 def _continues(node: Node) -> bool:
     """Whether a node belongs to the argument before it."""
     base = node.base if isinstance(node, Scripts) else node
-    return isinstance(base, Letter | Number) and not _is_place(node)
+    corner = node == Sign(r"\angle")  # sin 2 angle ABC
+    return corner or (isinstance(base, Letter | Number) and not _is_place(node))
