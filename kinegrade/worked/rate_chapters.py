@@ -18,7 +18,7 @@ from kinegrade.worked.case import Case
 from kinegrade.worked.checks.chapters import check_rates
 from kinegrade.worked.document import Block, Heading, TermTable
 from kinegrade.worked.steps.couplers import name_method
-from kinegrade.worked.steps.given_steps import is_given
+from kinegrade.worked.steps.given_steps import explain_given, is_given
 from kinegrade.worked.steps.methods import explain_by_method
 from kinegrade.worked.steps.pictures import draw_stage
 from kinegrade.worked.steps.polygons import find_common_scale
@@ -76,8 +76,8 @@ def _write_level_chapter(
     """
     imposed = [step for step in steps if is_given(step, case)]
     known = case.held_rates | list_found(imposed)
-    for step in () if case.findings.places_alone else imposed:
-        yield from explain_step(step, find_stage(step, case, level, set()))
+    if not case.findings.places_alone:
+        yield from explain_given(imposed, case, level)
     stages = find_stages(steps, case, level, known)
     yield from _write_steps(steps, stages, known, answers)
     yield from answers.follow(None)

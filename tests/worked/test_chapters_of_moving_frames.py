@@ -55,10 +55,8 @@ def test_a_composition_of_velocities() -> None:
     solution = solve_small(SLOT, omega="omega(OB) in rad/s")
     assert read_chapter("# Velocities", solution) == as_read(
         r"""
-        Rotations are positive counter-clockwise. The letter of a vector stands for its component in
-            the direction that its first table gives ($\perp$ with $\curvearrowleft$: turned
-            counter-clockwise from what is named). Printed values are rounded; the calculation goes
-            on with all their digits.
+        Rotations are positive counter-clockwise. A vector's letter stands for its component in the direction given in its first table ($\perp$ with $\curvearrowleft$: turned
+            counter-clockwise from what is named). Values are rounded in print alone.
         Given: the angular velocity of the crank $O_{1}A$.
         \omega_{O_{1}A} &= 2\,\unit{rad/s}\quad\text{(counter-clockwise)}
         ## Composition of motions: moving point $A$, moving frame on $OB$

@@ -179,8 +179,7 @@ def test_a_rod_in_instantaneous_translation() -> None:
     solution = solve_small(CRANK_UP, v_B="x(velocity(B)) in m/s", omega="omega(AB) in rad/s")
     assert read_chapter("# Velocities", solution) == as_read(
         r"""
-        Rotations are positive counter-clockwise. Printed values are rounded; the calculation goes
-            on with all their digits.
+        Rotations are positive counter-clockwise. Values are rounded in print alone.
         Given: the angular velocity of $OA$.
         \omega_{OA} &= 2\,\unit{rad/s}\quad\text{(counter-clockwise)}
         ## $AB$: velocity pole

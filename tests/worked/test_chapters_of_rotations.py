@@ -63,12 +63,9 @@ def test_meshing_seen_from_the_carrier() -> None:
     solution = solve_small(PLANETS, omega="omega(planet) in rad/s")
     assert read_chapter("# Velocities", solution) == as_read(
         r"""
-        Rotations are positive counter-clockwise. Printed values are rounded; the calculation goes
-            on with all their digits.
-        Given: the angular velocity of the arm $OA$.
-        \omega_{OA} &= 2\,\unit{rad/s}\quad\text{(counter-clockwise)}
-        Given: the angular velocity of the sun gear.
-        \omega_{\text{sun}} &= -3\,\unit{rad/s}\quad\text{(clockwise)}
+        Rotations are positive counter-clockwise. Values are rounded in print alone.
+        Given: $\omega_{OA} = 2\,\unit{rad/s}\quad\text{(counter-clockwise)}$,
+            $\omega_{\text{sun}} = -3\,\unit{rad/s}\quad\text{(clockwise)}$.
         ## The planet gear meshes with the sun gear
         Relative to the arm $OA$ the pitch circles have equal speeds at the contact; in an external
             mesh the gears turn in opposite senses:
@@ -84,10 +81,7 @@ def test_meshing_of_angular_accelerations() -> None:
     solution = solve_small(PLANETS, alpha="alpha(planet) in rad/s^2")
     assert read_chapter("# Accelerations", solution) == as_read(
         r"""
-        Given: the angular acceleration of the arm $OA$.
-        \alpha_{OA} &= 0
-        Given: the angular acceleration of the sun gear.
-        \alpha_{\text{sun}} &= 4\,\unit{rad/s^2}\quad\text{(counter-clockwise)}
+        Given: $\alpha_{OA} = 0$, $\alpha_{\text{sun}} = 4\,\unit{rad/s^2}\quad\text{(counter-clockwise)}$.
         ## The planet gear meshes with the sun gear
         Relative to the arm $OA$ the pitch circles always have equal speeds at the contact;
             differentiated with respect to time:
@@ -113,8 +107,7 @@ def test_a_given_relative_rate() -> None:
     solution = solve_small(LINK, omega="omega(link) in rad/s")
     assert read_chapter("# Velocities", solution) == as_read(
         r"""
-        Rotations are positive counter-clockwise. Printed values are rounded; the calculation goes
-            on with all their digits.
+        Rotations are positive counter-clockwise. Values are rounded in print alone.
         Given: the angular velocity of the arm $OA$.
         \omega_{OA} &= 2\,\unit{rad/s}\quad\text{(counter-clockwise)}
         ## The given motion

@@ -9,7 +9,7 @@ from kinegrade.worked.solution import write_worked_solution
 from tests.worked.draws import kept
 from tests.worked.telling import proses
 
-LETTERS = "The letter of a vector stands for its component in the direction that its first table"
+LETTERS = "A vector's letter stands for its component in the direction given in its first"
 
 
 def test_a_solution_without_vectors_says_nothing_of_their_letters() -> None:

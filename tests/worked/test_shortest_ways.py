@@ -109,9 +109,9 @@ def test_a_coriolis_acceleration_is_told_from_the_acceleration_of_a_point_c() ->
 
 
 def test_roman_numerals_of_bodies_stand_upright_and_apart_from_chinese_words() -> None:
-    told = kept("crossed-belt-drive", language="zh")
-    assert any(line.startswith(r"\omega_{\mathrm{I}} &=") for line in displayed(told))
-    assert any("带轮 I 的角速度" in text for text in proses(told))
+    told = list(proses(kept("crossed-belt-drive", language="zh")))
+    assert any(r"已知 $\omega_{\mathrm{I}} = " in text for text in told)
+    assert any("带轮 II 的角速度" in text for text in told)
 
 
 def test_equal_rim_speeds_are_solved_in_symbols() -> None:
@@ -229,3 +229,19 @@ def test_an_arm_is_found_before_the_table_that_takes_it() -> None:
     (found,) = (at for at, line in enumerate(told) if "Here $CP = " in line)
     used = [at for at, line in enumerate(told) if r"$CP \cdot" in line]
     assert found < min(used)
+
+
+def test_rotations_that_are_given_stand_in_one_sentence() -> None:
+    """Each had a sentence and a line of its own."""
+    given = [text for text in proses(kept("pin-in-two-rings")) if text.startswith("Given")]
+    velocities, accelerations = given
+    assert velocities.count(r"\omega_{\text{ring ") == 2
+    assert accelerations.count(r"\alpha_{\text{ring ") == 2
+
+
+def test_coriolis_accelerations_in_one_frame_have_one_rule() -> None:
+    (rule,) = (
+        text for text in proses(kept("square-on-two-fixed-points")) if "Right-hand rule" in text
+    )
+    assert rule.count("turned through") == 1
+    assert all(rf"\mathrm{{Cor}}{number}" in rule for number in "12")

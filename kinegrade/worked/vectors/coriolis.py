@@ -50,6 +50,10 @@ def explain_directions(turned: Iterable[Turned], case: Case) -> Iterator[Block]:
     new = [one for one in turned if one.coriolis not in case.findings.directed]
     if new:
         case.findings.directed.update(one.coriolis for one in new)
+        frames = {one.frame for one in new}
+        if len(new) > 1 and len(frames) == 1:
+            yield case.say(_describe_directions(new, case))
+            return
         directions = list_statements(_describe_direction(one, case) for one in new)
         yield case.say(Message("solution.coriolis-rule", directions=directions))
 
@@ -73,6 +77,22 @@ def explain_absences(absent: Sequence[tuple[Part, str]], case: Case) -> Iterator
 
 def _is_still(part: Part, case: Case) -> bool:
     return abs(double(case.motion.rates[make_turning(part.frame)])) < NEGLIGIBLE
+
+
+def _describe_directions(turned: Sequence[Turned], case: Case) -> Message:
+    """The rule for several accelerations in one frame."""
+    omega = case.naming.omega(turned[0].frame)
+    bold = write_row(_write_bold(omega.row))
+    products = (
+        f"${case.text(one.coriolis)}=2\\,{bold}\\times{case.text(one.relative)}$" for one in turned
+    )
+    return Message(
+        "solution.coriolis-rule-together",
+        coriolis=list_all(products),
+        relative=list_all(f"${case.text(one.relative)}$" for one in turned),
+        sense=name_rotation_sense(double(case.motion.rates[make_turning(turned[0].frame)]) > 0),
+        omega=case.text(omega),
+    )
 
 
 def _describe_direction(one: Turned, case: Case) -> Message:
