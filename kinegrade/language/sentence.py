@@ -8,16 +8,16 @@ from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.message import Message
 
-_CHINESE_START = re.compile(r"^([\u4e00-\u9fff])")
-_LATIN_CHINESE = re.compile(
-    r"(?<=[0-9A-Za-z])(?=[\u4e00-\u9fff])|(?<=[\u4e00-\u9fff])(?=[0-9A-Za-z])"
-)
-_CHINESE_END = re.compile(r"([\u4e00-\u9fff])$")
+# Texts, as few languages need them, and a range of thousands takes long to compile
+_CHINESE_START = r"^([\u4e00-\u9fff])"
+_LATIN_CHINESE = r"(?<=[0-9A-Za-z])(?=[\u4e00-\u9fff])|(?<=[\u4e00-\u9fff])(?=[0-9A-Za-z])"
+_CHINESE_END = r"([\u4e00-\u9fff])$"
 
 
 def write_sentence(message: Message, language: Language) -> str:
     """What a message says, with spaces between Chinese words and formulas."""
-    return _space_formulas(open_catalogue(language).write(message))
+    text = open_catalogue(language).write(message)
+    return text if text.isascii() else _space_formulas(text)
 
 
 def _space_formulas(text: str) -> str:
@@ -28,8 +28,8 @@ def _space_formulas(text: str) -> str:
     """
     words = text.split("$")[::2]
     formulas = text.split("$")[1::2]
-    spaced = [_CHINESE_END.sub(r"\1 ", one) for one in words[:-1]] + words[-1:]
-    spaced[1:] = [_CHINESE_START.sub(r" \1", one) for one in spaced[1:]]
-    spaced = [_LATIN_CHINESE.sub(" ", one) for one in spaced]
+    spaced = [re.sub(_CHINESE_END, r"\1 ", one) for one in words[:-1]] + words[-1:]
+    spaced[1:] = [re.sub(_CHINESE_START, r" \1", one) for one in spaced[1:]]
+    spaced = [re.sub(_LATIN_CHINESE, " ", one) for one in spaced]
     joined = (f"{before}${formula}$" for before, formula in zip(spaced, formulas, strict=False))
     return "".join(joined) + spaced[-1]

@@ -12,7 +12,7 @@ from contextlib import contextmanager
 
 # Objects between two collections, by default some 700: a paper makes a hundred thousand objects, a
 # marked class a million, with hardly any cycles among them.
-NEW_OBJECTS = 50_000
+NEW_OBJECTS = 200_000
 
 
 @contextmanager

@@ -24,7 +24,6 @@ from kinegrade.cli.options import FAILURE, FULL, full_output
 from kinegrade.cli.running.signals import BY_SIGNAL, Signalled, signals_obeyed
 from kinegrade.cli.terminal import say
 from kinegrade.language.message import Message, Part
-from kinegrade.processes.garbage_collection import NEW_OBJECTS
 
 #: A fault in kinegrade; one line names a report that can be sent, without names of students.
 CRASH = 70  # EX_SOFTWARE of sysexits.h
@@ -43,8 +42,6 @@ class Program(click.Group):
 
     def __call__(self, *arguments: Any, **options: Any) -> NoReturn:
         """Run the command that the process was started with, and exit with its status."""
-        # What is loaded holds no cycles; to look for them takes a tenth of the time of a short run
-        gc.set_threshold(NEW_OBJECTS)
         status = _run_to_status(partial(self.main, *arguments, standalone_mode=False, **options))
         gc.freeze()  # as it ends, Python would look for cycles in all of it three times
         sys.exit(status)

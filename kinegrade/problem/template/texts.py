@@ -20,7 +20,8 @@ from kinegrade.problem.template.translated import (
 )
 
 _FORMULA = re.compile(r"\$[^$]*\$|\{\{.*?\}\}")
-_CHINESE, _LATIN = re.compile(r"[\u3400-\u9fff]"), re.compile("[a-z]{3}")
+_LATIN = re.compile("[a-z]{3}")
+_FIRST, _LAST = 0x3400, 0x9FFF  # of Chinese characters; a pattern of so many takes long to compile
 _NAMED = 6  # texts that a message about a whole template names
 
 
@@ -111,14 +112,18 @@ def note_other_scripts(template: Template, language: Language) -> Iterator[Messa
 def _is_in_another_script(text: str, chinese: bool) -> bool:
     """Whether the words of a text, formulas left out, are Latin ones for Chinese, or Chinese."""
     words = _FORMULA.sub("", text)
-    written_in_chinese = _CHINESE.search(words) is not None
+    written_in_chinese = _is_chinese(words)
     return not written_in_chinese and bool(_LATIN.search(words)) if chinese else written_in_chinese
+
+
+def _is_chinese(words: str) -> bool:
+    return any(_FIRST <= ord(character) <= _LAST for character in words)
 
 
 def _has_words(text: str) -> bool:
     """Whether there is more to a text than formulas."""
     words = _FORMULA.sub("", text)
-    return bool(_CHINESE.search(words) or _LATIN.search(words))
+    return _is_chinese(words) or bool(_LATIN.search(words))
 
 
 def find_unfinished_translations(template: Template) -> list[Fault]:
