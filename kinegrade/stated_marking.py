@@ -8,8 +8,9 @@ answers that are not right.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, field
 from fractions import Fraction
+
+from msgspec import Struct, field
 
 from kinegrade.files.fields.table import Table
 from kinegrade.files.fields.values import Read, amount, share
@@ -41,8 +42,7 @@ _CREDIT = '{ follow-through = "1/2" }'
 _MISTAKES = '{ coriolis-halved = "1/2" }'
 
 
-@dataclass(frozen=True, slots=True)
-class StatedTolerance:
+class StatedTolerance(Struct, frozen=True):
     """A tolerance as stated; None for what is not stated. `relative` is a share, `absolute` in the
     ask's unit, `figures` a number of significant figures.
     """
@@ -60,8 +60,7 @@ class StatedTolerance:
         )
 
 
-@dataclass(frozen=True, slots=True)
-class StatedCredit:
+class StatedCredit(Struct, frozen=True):
     """Shares of the points, from 0 to 1, as stated; None for what is not stated.
 
     `follow_through` is for what follows from an earlier mistake, `wrong_unit` for the right number

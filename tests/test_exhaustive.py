@@ -74,7 +74,7 @@ EXCEPTIONS = {
     "first": "a letter without an index is itself its base",
     "worked/formulas/symbols.py: if isinstance(first, "
     "Scripts)": "a letter without an index is itself its base",
-    "worked/rates/driven.py: (*before, replace(last, upper=None)) if isinstance(last, Scripts) else "
+    "worked/rates/driven.py: (*before, structs.replace(last, upper=None)) if isinstance(last, Scripts) else "
     "row": "what has no scripts has nothing above it",
     "worked/positions/vectors.py: if isinstance(factor, "
     "Quotient)": "a fraction stands before a vector, any other factor as an expression has it",

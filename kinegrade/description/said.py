@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
+
+from msgspec import Struct
 
 from kinegrade.language.prose.plain import write_prose
 
@@ -11,8 +12,7 @@ if TYPE_CHECKING:
     from kinegrade.worked.document import Prose
 
 
-@dataclass(frozen=True)
-class Description:
+class Description(Struct, frozen=True):
     """A figure in words.
 
     `short` is plain text of at most 125 characters. `long` is paragraphs of prose with formulas

@@ -8,10 +8,12 @@ counter-clockwise positive. Primitives are listed from the bottom layer to the t
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, replace
 from itertools import chain
 from math import ceil, cos, sin
 from typing import Literal, assert_never
+
+from msgspec import Struct
+from msgspec.structs import replace
 
 from kinegrade.mechanics.vector import Vector
 
@@ -20,8 +22,7 @@ Fill = Literal["none", "white", "grey", "black"]
 Ink = Literal["black", "grey"]
 
 
-@dataclass(frozen=True)
-class Pen:
+class Pen(Struct, frozen=True):
     """A line style; `width` in millimetres; grey is what lies behind black arrows."""
 
     width: float
@@ -36,16 +37,14 @@ THIN = Pen(0.18)
 PITCH = Pen(0.18, "dash-dotted")
 
 
-@dataclass(frozen=True)
-class Strokes:
+class Strokes(Struct, frozen=True, tag=True):
     """Separate straight lines of one pen: a link, or hatching."""
 
     lines: tuple[tuple[Vector, Vector], ...]
     pen: Pen
 
 
-@dataclass(frozen=True)
-class Outline:
+class Outline(Struct, frozen=True, tag=True):
     """A polygon, or an open polyline."""
 
     corners: tuple[Vector, ...]
@@ -54,8 +53,7 @@ class Outline:
     closed: bool = True
 
 
-@dataclass(frozen=True)
-class Disc:
+class Disc(Struct, frozen=True, tag=True):
     """A full circle."""
 
     centre: Vector
@@ -64,8 +62,7 @@ class Disc:
     fill: Fill = "none"
 
 
-@dataclass(frozen=True)
-class Bow:
+class Bow(Struct, frozen=True, tag=True):
     """A circular arc from the angle `start` over the angle `sweep`."""
 
     centre: Vector
@@ -84,8 +81,7 @@ class Bow:
         )
 
 
-@dataclass(frozen=True)
-class Label:
+class Label(Struct, frozen=True, tag=True):
     """A symbol in LaTeX math, centred in a box of the given size."""
 
     symbol: str
@@ -97,8 +93,7 @@ class Label:
 Primitive = Strokes | Outline | Disc | Bow | Label
 
 
-@dataclass(frozen=True)
-class Box:
+class Box(Struct, frozen=True):
     """An upright rectangle."""
 
     left: float
@@ -117,8 +112,7 @@ class Box:
         return self.top - self.bottom
 
 
-@dataclass(frozen=True)
-class Scene:
+class Scene(Struct, frozen=True):
     """A finished drawing; `scale` is millimetres on paper per metre, and `crowded` are the symbols
     that found no good place, `astray` those that stand off from their points behind a wall;
     `strain` is what marks cost that cross something firm.

@@ -5,11 +5,13 @@ output.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
 from functools import cache, lru_cache, partial
 from itertools import groupby
 from operator import attrgetter
 from typing import Literal, assert_never
+
+from msgspec import Struct
+from msgspec.structs import replace
 
 from kinegrade.figure.marks.angles import (
     choose_bow,
@@ -126,8 +128,7 @@ def _rate_scene(scene: Scene) -> tuple[int, int, float]:
     return len(scene.crowded), len(scene.astray), round(scene.strain, 6)
 
 
-@dataclass(frozen=True)
-class _Begun:
+class _Begun(Struct, frozen=True):
     """A figure at one scale as far as it is the same in whatever order the other marks follow: the
     mechanism, how it is drawn, the wishes of its letters; the layout of what is drawn alone, and
     the one with frames and angles.
@@ -187,7 +188,7 @@ def _place_lengths(layout: Layout, paper: Mechanism, hints: FigureHints, around:
     for length in hints.lengths:
         layout = add_length(layout, paper.points, length, around, hints.lengths)
     dear = [cost - _EASY for cost in layout.costs[len(layout.costs) - len(hints.lengths) :]]
-    return replace(layout, strain=sum(cost for cost in dear if cost > 0))
+    return replace(layout, strain=sum((cost for cost in dear if cost > 0), 0.0))
 
 
 def _place_frames_and_angles(

@@ -4,24 +4,20 @@ others.
 
 from __future__ import annotations
 
-import json
 import os
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import fields, is_dataclass
 from functools import lru_cache, partial
 from hashlib import sha256
 from pathlib import Path
-from typing import Any
 
-from kinegrade.figure.scene import Bow, Disc, Label, Outline, Pen, Scene, Strokes
+import msgspec
+
+from kinegrade.figure.scene import Scene
 from kinegrade.figure.similar_mechanisms import Subject
 from kinegrade.figure.sketch import PLAIN, Sketcher, draw_unit_figure, size_figure, sketch
 from kinegrade.mechanics.mechanism import Mechanism
-from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import FigureHints
-
-_KINDS = {kind.__name__: kind for kind in (Bow, Disc, Label, Outline, Pen, Scene, Strokes, Vector)}
 
 
 @contextmanager
@@ -59,31 +55,10 @@ def _read_kept(book: Path, shown: Subject) -> Scene:
     """
     page = book / sha256(shown.text.encode()).hexdigest()
     try:
-        scene: Scene = _read_scene_part(json.loads(page.read_text(encoding="utf-8")))
+        scene = msgspec.json.decode(page.read_bytes(), type=Scene)
     except FileNotFoundError:
         scene = draw_unit_figure(shown)
         draft = page.with_suffix(f".{os.getpid()}")
-        draft.write_text(json.dumps(_make_record(scene)), encoding="utf-8")
+        draft.write_bytes(msgspec.json.encode(scene))
         draft.replace(page)
     return scene
-
-
-def _make_record(part: Any) -> Any:
-    """A part of a scene as lists and dictionaries; each number keeps all its digits."""
-    if is_dataclass(part) and not isinstance(part, type):
-        named = {entry.name: _make_record(getattr(part, entry.name)) for entry in fields(part)}
-        return {"kind": type(part).__name__, **named}
-    if isinstance(part, Vector):
-        return {"kind": "Vector", "x": part.x, "y": part.y}
-    return list(map(_make_record, part)) if isinstance(part, tuple) else part
-
-
-def _read_scene_part(record: Any) -> Any:
-    """The part of a scene that a record describes."""
-    if isinstance(record, list):
-        return tuple(map(_read_scene_part, record))
-    if isinstance(record, dict):
-        return _KINDS[record.pop("kind")](
-            **{name: _read_scene_part(value) for name, value in record.items()}
-        )
-    return record

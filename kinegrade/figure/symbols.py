@@ -5,8 +5,9 @@ direction.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import replace
 from math import ceil, pi, sqrt
+
+from msgspec.structs import replace
 
 from kinegrade.figure.plane import angle_of, length, polar, shorter_way, unit
 from kinegrade.figure.scene import (

@@ -16,10 +16,11 @@ pass = "50 %"
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
 from fractions import Fraction
 from itertools import pairwise
 from typing import Literal, assert_never, get_args
+
+from msgspec import Struct, field
 
 from kinegrade.errors import FieldError
 from kinegrade.files.fields.table import Table
@@ -54,8 +55,7 @@ _POINTS = 2  # of a straight line
 _FEWEST = 2  # grades
 
 
-@dataclass(frozen=True, slots=True)
-class StatedScale:
+class StatedScale(Struct, frozen=True):
     """A scale as stated: a kind, or grades with the shares from which on they are given, the best
     first; the pass mark, None for that of the kind; and the two points of the curve, each a share
     that was reached and what it counts as.

@@ -8,11 +8,12 @@ decline are flagged `noun` and give one form after another, separated by "|".
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from functools import cache
 from gettext import c2py
 from pathlib import Path
 from typing import TYPE_CHECKING
+
+from msgspec import Struct
 
 from kinegrade.language import ENGLISH, Language
 
@@ -23,8 +24,7 @@ NOUN = "noun"
 _RULE = "n != 1"  # what gettext takes where a file states none
 
 
-@dataclass(frozen=True)
-class Entry:
+class Entry(Struct, frozen=True):
     """A text, or one for each number of things; `source` is what it translates."""
 
     texts: tuple[str, ...]
@@ -32,8 +32,7 @@ class Entry:
     flags: frozenset[str]
 
 
-@dataclass(frozen=True)
-class Entries:
+class Entries(Struct, frozen=True):
     """A file of a catalogue: its entries by key, and which of an entry's texts a number takes."""
 
     entries: Mapping[str, Entry]

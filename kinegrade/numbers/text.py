@@ -5,10 +5,10 @@ number of digits.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import Any
 
 from flint import arb, ctx, fmpq
+from msgspec import Struct
 
 from kinegrade.numbers.angle import Angle
 from kinegrade.numbers.field import split_square
@@ -16,8 +16,7 @@ from kinegrade.numbers.pi_multiple import split_pi
 from kinegrade.numbers.surd import Real, Root, Surd, enclose_at_precision, sign
 
 
-@dataclass(frozen=True)
-class Form:
+class Form(Struct, frozen=True):
     """The marks of one notation."""
 
     root: str
@@ -73,8 +72,7 @@ def _join_terms(parts: list[tuple[bool, str]]) -> str:
     return text
 
 
-@dataclass(frozen=True)
-class Term:
+class Term(Struct, frozen=True):
     """factor * sqrt(free) * the nested roots * pi**power: a rational factor and an integer `free`,
     1 where there is no plain root.
     """

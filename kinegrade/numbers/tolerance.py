@@ -4,8 +4,9 @@ paper prints and marking goes by.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from fractions import Fraction
+
+from msgspec import Struct
 
 from kinegrade.numbers.decimals import figures_interval
 
@@ -15,8 +16,7 @@ _CARRIED = 3  # significant figures that every student carries through a calcula
 _MOST_UNITS = 11  # of the last figure, more than an answer that agrees may be off
 
 
-@dataclass(frozen=True, slots=True)
-class Tolerance:
+class Tolerance(Struct, frozen=True):
     """Right within max(relative*|exact value|, absolute), the bounds included; absolute in the
     ask's unit.
 

@@ -8,17 +8,17 @@ is not radians per second and is not known here.
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, replace
 from typing import Any
 
 from flint import fmpq
+from msgspec import Struct
+from msgspec.structs import replace
 
 from kinegrade.errors import ExpressionError, find_nearest
 from kinegrade.language.message import Fault, Message, Quoted, list_choices, list_plainly
 
 
-@dataclass(frozen=True)
-class Scale:
+class Scale(Struct, frozen=True):
     """What a unit is in SI: rational * pi**power, exactly."""
 
     rational: Any
@@ -83,8 +83,7 @@ _WRITTEN_OTHERWISE = {
 _PART = re.compile(r"(?P<mark>[*/]?)(?P<name>[a-z]+|1)(?:\^(?P<power>-?[1-4]))?", re.ASCII)
 
 
-@dataclass(frozen=True)
-class Unit:
+class Unit(Struct, frozen=True):
     """A unit: its text, its scale to SI, and its dimension. An angle in degrees, though, enters and
     leaves as an `Angle`: see `degrees`.
 

@@ -5,7 +5,9 @@ of an exam are.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
+
+from msgspec.structs import replace
 
 from kinegrade.exam.bank.blueprint import Bank, BankQuestion, Blueprint
 from kinegrade.exam.bank.texts import require_bank_language

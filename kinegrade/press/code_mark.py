@@ -6,10 +6,10 @@ It is on every page, so that a loose scanned page can be matched to its paper.
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 from typing import NamedTuple
 
 import segno
+from msgspec import Struct
 
 # Scanners read all eight mask patterns of the standard alike; trying each of them to choose the
 # best balanced one would take five times as long.
@@ -27,8 +27,7 @@ class _Run(NamedTuple):
     length: int
 
 
-@dataclass(frozen=True)
-class CodeMark:
+class CodeMark(Struct, frozen=True):
     """A square of `size` modules a side, of which `runs` are dark; leave four modules of white
     around it.
     """

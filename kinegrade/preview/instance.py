@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
+
+from msgspec.structs import replace
 
 from kinegrade.draws.deck import Combination
 from kinegrade.exam.bank.blueprint import BankQuestion

@@ -6,6 +6,8 @@ from collections.abc import Mapping, Set
 from dataclasses import replace
 from typing import Any
 
+from msgspec import structs
+
 from kinegrade.expressions.evaluation import evaluate
 from kinegrade.expressions.negating import negate_arguments, negate_names
 from kinegrade.expressions.signs import fold_signs
@@ -54,7 +56,9 @@ def _lay_out(solution: Solution) -> Solution:
     )
     if points == scheme.points and lengths == scheme.lengths:
         return solution
-    laid_out = replace(solution.template, scheme=replace(scheme, points=points, lengths=lengths))
+    laid_out = structs.replace(
+        solution.template, scheme=structs.replace(scheme, points=points, lengths=lengths)
+    )
     return replace(solution, template=laid_out)
 
 
@@ -67,14 +71,14 @@ def _turn_value(value: Any, size: Quantity) -> Any:
 
 def _turn_template(template: Template, names: Set[str]) -> Template:
     asks = {
-        name: replace(ask, quantity=negate_names(ask.quantity, names))
+        name: structs.replace(ask, quantity=negate_names(ask.quantity, names))
         for name, ask in template.asks.items()
     }
-    return replace(template, scheme=_turn_scheme(template.scheme, names), asks=asks)
+    return structs.replace(template, scheme=_turn_scheme(template.scheme, names), asks=asks)
 
 
 def _turn_scheme(scheme: Scheme, names: Set[str]) -> Scheme:
-    return replace(
+    return structs.replace(
         scheme,
         lengths=_turn_all(scheme.lengths, names),
         points=_turn_all(scheme.points, names),

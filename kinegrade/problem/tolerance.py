@@ -4,10 +4,11 @@ into it.
 
 from __future__ import annotations
 
-from dataclasses import replace
 from fractions import Fraction
 from functools import lru_cache
 from math import floor, log10
+
+from msgspec.structs import replace
 
 from kinegrade.mechanics.motion import Motion
 from kinegrade.numbers.tolerance import Tolerance

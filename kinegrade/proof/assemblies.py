@@ -7,7 +7,9 @@ They close as well, often crossed: an author is told of them, so that none is ta
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
+
+from msgspec.structs import replace
 
 from kinegrade.errors import KinegradeError
 from kinegrade.expressions.tree import SIDES_OF, Call, Expression, Name

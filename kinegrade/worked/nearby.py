@@ -9,6 +9,8 @@ from dataclasses import replace
 from math import sqrt
 from typing import TypeVar
 
+from msgspec import structs
+
 from kinegrade.errors import KinegradeError
 from kinegrade.expressions.tree import Expression, Number, Operation
 from kinegrade.mechanics.motion import Motion, solve_motion
@@ -39,7 +41,7 @@ def find_nearby_motion(solution: Solution) -> Motion | None:
     """
     template, scheme = solution.template, solution.template.scheme
     moved = tuple(replace(driver, velocity=_add_some(driver.velocity)) for driver in scheme.drivers)
-    moving = replace(template, scheme=replace(scheme, drivers=moved))
+    moving = structs.replace(template, scheme=structs.replace(scheme, drivers=moved))
 
     def move(values: Mapping[str, float], arithmetic: Doubles) -> Motion:
         return solve_motion(assemble(moving, values, arithmetic).mechanism, arithmetic)

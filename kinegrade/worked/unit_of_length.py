@@ -8,9 +8,10 @@ in hours, its solution is in SI, as books do it.
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import replace
 from math import isclose
 from typing import Literal
+
+from msgspec.structs import replace
 
 from kinegrade.mechanics.motion import Motion
 from kinegrade.mechanics.vector import Vector

@@ -11,6 +11,7 @@ from functools import cache, partial
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from msgspec import structs
 
 from kinegrade.draws.deal import LOOKS, PART, Deal, deal, look_further, look_here
 from kinegrade.draws.draw_filter import DrawFilter, Verdict
@@ -229,7 +230,7 @@ def test_figures_are_drawn_last_and_refused_where_a_part_cannot_be_seen() -> Non
 
     def draw(mechanism: Mechanism, hints: FigureHints) -> Scene:
         drawn.append(str(mechanism.points["A"].x))
-        return replace(sketch(mechanism, hints), crowded=("r",) if len(drawn) > 1 else ())
+        return structs.replace(sketch(mechanism, hints), crowded=("r",) if len(drawn) > 1 else ())
 
     offsets = ("0", "1/2", "1")
     filtered = draw_filter(

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping
-from dataclasses import replace
 from decimal import Decimal
 from math import inf, nextafter
 from typing import Any
 
 import msgspec
 import pytest
+from msgspec.structs import replace
 
 from kinegrade.draws.deck import Combination
 from kinegrade.errors import ExamError

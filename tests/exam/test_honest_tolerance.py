@@ -8,12 +8,12 @@ import json
 import re
 import shutil
 from collections.abc import Callable
-from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
 import pytest
+from msgspec.structs import replace
 
 from kinegrade.exam.bank.bank import read_bank
 from kinegrade.exam.folder.exam_folder import open_exam

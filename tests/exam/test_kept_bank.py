@@ -4,10 +4,10 @@ tolerances as when it was set.
 
 from __future__ import annotations
 
-from dataclasses import replace
 from pathlib import Path
 
 import pytest
+from msgspec.structs import replace
 
 from kinegrade.errors import BankError
 from kinegrade.exam.bank.bank import read_bank, read_blueprint, read_kept_bank

@@ -9,6 +9,7 @@ from itertools import cycle
 from pathlib import Path
 
 import pytest
+from msgspec import structs
 from pypdf import PdfReader
 
 from kinegrade.exam.bank.bank import read_bank
@@ -154,9 +155,9 @@ def test_a_late_paper_that_is_longer_is_a_complaint(tmp_path: Path) -> None:
         read_bank(write_class(tmp_path) / "bank.toml"), "en", PressOrder("typst", "a4"), Extras()
     )
     students = (Student("007", "Ann", "", "007"), Student("0012", "Zoë", "", "0012"))
-    complaints = list_longer_papers(replace(run, pages=4), students, (5, 4))
+    complaints = list_longer_papers(structs.replace(run, pages=4), students, (5, 4))
     assert list(map(said, complaints)) == ["007: the paper has 5 pages, those of the others 4"]
-    assert list(list_longer_papers(replace(run, pages=0), students, (5, 4))) == []
+    assert list(list_longer_papers(structs.replace(run, pages=0), students, (5, 4))) == []
 
 
 @pytest.mark.parametrize(

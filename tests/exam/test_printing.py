@@ -4,9 +4,8 @@ names in other scripts.
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import pytest
+from msgspec.structs import replace
 
 from kinegrade.exam.bank.bank import Bank
 from kinegrade.exam.folder.exam_secret import FromWords

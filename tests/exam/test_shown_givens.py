@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import pytest
+from msgspec.structs import replace
 
 from kinegrade.exam.printing.pages import QuestionPlace, lay_out_question
 from kinegrade.exam.quiz.paper import show_instance

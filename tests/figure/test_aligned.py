@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from math import cos
 
 import numpy as np
 import pytest
+from msgspec.structs import replace
 
 from kinegrade.figure.marks.lengths.dimension_lines import DimensionLine
 from kinegrade.figure.marks.lengths.length_leaders import list_leaders

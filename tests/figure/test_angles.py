@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 from functools import partial
 from math import cos, degrees, hypot, radians, sin
 from operator import attrgetter
 
 import numpy as np
 import pytest
+from msgspec.structs import replace
 
 from kinegrade.figure.joints.symbol import Use
 from kinegrade.figure.marks.angle_arc import AngleArc, LedAngleArc, Neighbours, add_leaders

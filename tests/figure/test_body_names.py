@@ -6,6 +6,7 @@ from dataclasses import replace
 from math import hypot
 
 import pytest
+from msgspec import structs
 
 from kinegrade.figure.joints.symbol import Rim
 from kinegrade.figure.marks.angle_arc import AngleArc
@@ -37,7 +38,7 @@ def name(body: str, rims: tuple[Rim, ...], layout: Layout, parts: tuple[Part, ..
 def test_the_name_of_a_wheel_does_not_stand_beside_another_letter() -> None:
     alone = name("W", (WHEEL,), Layout.of(()))
     letter = Label("O", alone - Vector(4.0, 0.0), 2.5, 2.5)
-    moved = name("W", (WHEEL,), replace(Layout.of(()), labels=(letter,)))
+    moved = name("W", (WHEEL,), structs.replace(Layout.of(()), labels=(letter,)))
     assert moved != alone
     assert hypot(*moved) < 15.0
 
@@ -45,7 +46,7 @@ def test_the_name_of_a_wheel_does_not_stand_beside_another_letter() -> None:
 def test_the_name_of_a_wheel_stands_neither_in_an_angle_nor_beyond_its_side() -> None:
     side = Side(0.0, 0.0, 0.0, broad=False, lag=0.0)
     arc = AngleArc(Bow(CENTRE, 7.0, 0.0, 2.0, THIN), (side,), Angle("x", "O", "right", "up"), 0.0)
-    layout = replace(Layout.of(()), marks=(arc,))
+    layout = structs.replace(Layout.of(()), marks=(arc,))
     alone, moved = name("W", (WHEEL,), Layout.of(())), name("W", (WHEEL,), layout)
     assert (alone.x > 9.0, alone.y) == (True, 0.0)
     assert hypot(*moved) > 7.0
@@ -70,24 +71,26 @@ def test_the_name_of_a_wheel_does_not_stand_at_a_point() -> None:
 
 
 def test_the_name_of_a_stepped_wheel_stands_between_its_rims() -> None:
-    assert 11.0 < hypot(*name("W", (WHEEL, replace(WHEEL, radius=11.0)), Layout.of(()))) < 15.0
+    assert (
+        11.0 < hypot(*name("W", (WHEEL, structs.replace(WHEEL, radius=11.0)), Layout.of(()))) < 15.0
+    )
 
 
 def test_the_name_of_a_bar_does_not_stand_in_a_wheel_behind_it() -> None:
     bar = Bar("AB", Vector(0.0, 10.0), Vector(40.0, 10.0))
-    at = name("AB", (replace(WHEEL, radius=25.0),), Layout.of(()), (bar,))
+    at = name("AB", (structs.replace(WHEEL, radius=25.0),), Layout.of(()), (bar,))
     assert hypot(*at) > 25.0
     assert abs(at.y - 10.0) < 4.0
 
 
 def test_the_name_of_a_bar_all_over_a_wheel_is_led_to_it_from_outside() -> None:
     bar = Bar("AB", Vector(-6.0, 5.0), Vector(6.0, 5.0))
-    assert hypot(*name("AB", (replace(WHEEL, radius=12.0),), Layout.of(()), (bar,))) > 12.0
+    assert hypot(*name("AB", (structs.replace(WHEEL, radius=12.0),), Layout.of(()), (bar,))) > 12.0
 
 
 def test_the_name_of_a_wheel_without_room_does_not_stand_beyond_the_ring_around_it() -> None:
     ring = Rim("R", "P", polar(20.0, 225), 30.0, "gear", True, CENTRE, CENTRE)
-    wheel = replace(WHEEL, radius=8.0)
+    wheel = structs.replace(WHEEL, radius=8.0)
     full = Layout.of([Disc(CENTRE, radius, FIRM) for radius in (3.2, 4.4, 5.6, 8.0)])
     alone, beside = name("W", (wheel,), full), name("W", (wheel, ring), full)
     assert hypot(*(alone - ring.at)) > 30.0
@@ -95,7 +98,7 @@ def test_the_name_of_a_wheel_without_room_does_not_stand_beyond_the_ring_around_
 
 
 def test_the_name_of_a_wheel_without_room_is_led_to_its_rim() -> None:
-    wheel = replace(WHEEL, radius=8.0)
+    wheel = structs.replace(WHEEL, radius=8.0)
     full = Layout.of([Disc(CENTRE, radius, FIRM) for radius in (3.2, 4.4, 5.6, 8.0)])
     hints, drawing = FigureHints(labels={"W": "1"}), Drawing((), (), (wheel,), (), (), ())
     *_, leader = add_body_names(full, NO_MECHANISM, hints, drawing).lines
@@ -142,8 +145,8 @@ def test_the_name_of_a_bar_does_not_stand_in_one_row_with_the_symbol_of_its_leng
     bar = Bar("AB", start, end)
     alone = name("AB", (), Layout.of(()), (bar,))
     symbol = Label("s", alone + Vector(7.0, 0.0), 2.0, 2.0)
-    plain = replace(Layout.of(()), labels=(symbol,))
-    measured = replace(plain, marks=(SymbolBeside(start, end, "s"),))
+    plain = structs.replace(Layout.of(()), labels=(symbol,))
+    measured = structs.replace(plain, marks=(SymbolBeside(start, end, "s"),))
     assert name("AB", (), plain, (bar,)) == alone
     moved = name("AB", (), measured, (bar,))
     assert abs(moved.y - symbol.centre.y) > 2.0 or abs(moved.x - symbol.centre.x) > 9.0

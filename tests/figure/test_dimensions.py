@@ -5,9 +5,9 @@ joins the two points replaces one that has no clear place.
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import replace
 
 import numpy as np
+from msgspec.structs import replace
 
 from kinegrade.figure.marks.lengths.dimension_lines import DimensionLine
 from kinegrade.figure.marks.lengths.dimensions import add_length

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import get_args
 
 import pytest
+from msgspec import structs
 
 import kinegrade.figure
 from kinegrade.figure.joints.drivers import (
@@ -65,7 +66,7 @@ def test_a_figure_asks_the_table_and_no_joint(file: Path) -> None:
 
 def layers(symbol: Symbol) -> set[str]:
     """The layers to which a joint adds."""
-    return {name for name, value in vars(symbol).items() if value}
+    return {name for name, value in structs.asdict(symbol).items() if value}
 
 
 PIN = {"point", "pinned"}

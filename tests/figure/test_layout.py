@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
+from msgspec import structs
 
 from kinegrade.figure.placing.extent import measure_symbol
 from kinegrade.figure.placing.layout import Layout
@@ -126,7 +127,7 @@ def test_the_symbol_of_a_mark_does_not_stand_in_one_row_with_another_as_if_they_
 ):
     for aside, row in ((2.0, False), (4.0, True)):
         letter = Label("d", Vector(0.0, 0.0), 2.0, 3.0)
-        layout = replace(Layout.of((letter,)), labels=(letter,))
+        layout = structs.replace(Layout.of((letter,)), labels=(letter,))
         width, _ = measure_symbol("a")
         beside = np.array([[1.0 + aside + width / 2, 0.0], [10.0, 6.0]])
         [_, symbol] = layout.captioned(Wish("a", beside)).labels
@@ -170,7 +171,7 @@ def test_a_label_leaves_the_row_of_another_one_for_a_spot_farther_down_its_list(
     beside = np.array([[3.0, 0.2]] * 14)
     wish = Wish("l", np.concatenate((beside, np.array([[3.0, 6.0]]))))
     other = Label("m", Vector(0.0, 0.0), 2.5, 2.5)
-    written = replace(Layout.of(()), labels=(other,)).captioned(wish)
+    written = structs.replace(Layout.of(()), labels=(other,)).captioned(wish)
     assert written.labels[-1].centre == Vector(3.0, 6.0)
     assert written.crowded == ()
 
@@ -178,6 +179,6 @@ def test_a_label_leaves_the_row_of_another_one_for_a_spot_farther_down_its_list(
 def test_a_label_stays_in_the_row_of_another_one_where_it_has_no_other_place() -> None:
     wish = Wish("l", np.array([[3.0, 0.2]]))
     other = Label("m", Vector(0.0, 0.0), 2.5, 2.5)
-    written = replace(Layout.of(()), labels=(other,)).captioned(wish)
+    written = structs.replace(Layout.of(()), labels=(other,)).captioned(wish)
     assert written.labels[-1].centre == Vector(3.0, 0.2)
     assert written.crowded == ()

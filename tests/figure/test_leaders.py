@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
+from msgspec.structs import replace
 
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.placing.letters import trace_wished_leader

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 import pytest
+from msgspec import structs
 
 from kinegrade.figure.legibility import SMALLEST, find_illegible
 from kinegrade.figure.scene import Scene
@@ -23,7 +24,7 @@ def explain(ratio: float, **changes: object) -> str:
     mechanism, hints = slider_crank(0.1, ratio, 60)
 
     def draw(shown: Mechanism, marked: FigureHints) -> Scene:
-        return replace(sketch(shown, marked), **changes)
+        return structs.replace(sketch(shown, marked), **changes)
 
     why = find_illegible(mechanism, hints, draw)
     return "" if why is None else open_catalogue(ENGLISH).write(why)
@@ -52,7 +53,7 @@ def test_a_projected_length_counts_as_far_as_it_is_drawn(along: str, least: floa
     mechanism, hints = hinted(slider_crank(0.1, 2.0, 60)[0], lengths=[length])
 
     def draw(shown: Mechanism, marked: FigureHints) -> Scene:
-        return replace(sketch(shown, marked), scale=scale, crowded=())
+        return structs.replace(sketch(shown, marked), scale=scale, crowded=())
 
     for share, refused in ((0.99, True), (1.01, False)):
         scale = share * SMALLEST / least

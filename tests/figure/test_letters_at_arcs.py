@@ -4,10 +4,10 @@ off the sides of angles.
 
 from __future__ import annotations
 
-from dataclasses import replace
 from math import hypot, pi
 
 import pytest
+from msgspec.structs import replace
 
 from kinegrade.figure.marks.angle_arc import ALONE, AngleArc, Neighbours
 from kinegrade.figure.marks.angles import find_neighbours, mark_angles

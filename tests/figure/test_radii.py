@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 from math import acos, degrees
 
 import pytest
+from msgspec.structs import replace
 from shapely import LineString, Point, Polygon, union_all
 
 from kinegrade.errors import TemplateError

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 import pytest
+from msgspec import structs
 from shapely import LineString, Point
 from shapely.ops import unary_union
 
@@ -43,7 +44,9 @@ def test_a_side_is_hidden_as_far_as_an_arrow_lies_on_it_unless_a_line_runs_farth
     arrow = (ORIGIN, Vector(10.0, 0.0))
     for reach, hidden in ((5.0, 10.0), (20.0, 0.0)):
         line = Strokes(((ORIGIN, Vector(reach, 0.0)),), THIN)
-        assert hide_sides([SIDE], ORIGIN, [arrow], [line]) == (replace(SIDE, hidden=hidden),)
+        assert hide_sides([SIDE], ORIGIN, [arrow], [line]) == (
+            structs.replace(SIDE, hidden=hidden),
+        )
     for other in ((ORIGIN, Vector(0.0, 10.0)), (ORIGIN, Vector(-10.0, 0.0))):
         assert hide_sides([SIDE], ORIGIN, [other], []) == (SIDE,)
 
@@ -52,7 +55,7 @@ def test_a_side_is_hidden_as_far_as_an_arrow_lies_on_it_unless_a_line_runs_farth
 def test_the_axis_of_a_broad_bar_counts_as_a_line_where_it_runs_on_past_the_bar(
     drawn: float, past: bool
 ) -> None:
-    side = replace(SIDE, drawn=drawn, broad=True)
+    side = structs.replace(SIDE, drawn=drawn, broad=True)
     arc = AngleArc(Bow(ORIGIN, 17.0, 0.0, 0.4, THIN), (side,), ANGLE, 0.0)
     beyond = [LineString(line) for line in arc.path() if line[0].y == line[1].y == 0.0]
     assert any(line.contains(Point(18.0, 0.0)) for line in beyond) == past

@@ -5,13 +5,13 @@ anything.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
 from math import hypot
 from typing import Any
 
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from msgspec.structs import replace
 
 from kinegrade.errors import TemplateError
 from kinegrade.figure import sketch as sketching

@@ -7,6 +7,7 @@ from dataclasses import replace
 from math import copysign, degrees, hypot, pi
 
 import pytest
+from msgspec import structs
 
 from kinegrade.figure.joints.symbol import Rim
 from kinegrade.figure.marks.lengths.dimensions import find_extension_angles
@@ -41,15 +42,15 @@ def arc(start: float, sweep: float, radius: float = 5.0) -> Bow:
 @pytest.mark.parametrize(
     "company",
     [
-        replace(ALONE, arcs=(arc(80, 40, 7.0),)),
-        replace(ALONE, arcs=(arc(0, 100, 10.0),)),
-        replace(ALONE, twins=(arc(120, -40),)),
-        replace(ALONE, twins=(arc(0, 70, 11.1),)),
-        replace(ALONE, rims=(6.0,)),
-        replace(ALONE, discs=(DISC,)),
-        replace(ALONE, lines=(pi / 3,)),
-        replace(ALONE, bars=((Vector(0.0, 4.0), Vector(5.0, 0.5)),)),
-        replace(ALONE, bars=((Vector(1.0, 7.0), Vector(7.0, 5.0)),)),
+        structs.replace(ALONE, arcs=(arc(80, 40, 7.0),)),
+        structs.replace(ALONE, arcs=(arc(0, 100, 10.0),)),
+        structs.replace(ALONE, twins=(arc(120, -40),)),
+        structs.replace(ALONE, twins=(arc(0, 70, 11.1),)),
+        structs.replace(ALONE, rims=(6.0,)),
+        structs.replace(ALONE, discs=(DISC,)),
+        structs.replace(ALONE, lines=(pi / 3,)),
+        structs.replace(ALONE, bars=((Vector(0.0, 4.0), Vector(5.0, 0.5)),)),
+        structs.replace(ALONE, bars=((Vector(1.0, 7.0), Vector(7.0, 5.0)),)),
     ],
     ids=[
         "after the arc of an angle",
@@ -70,11 +71,11 @@ def test_an_arrow_that_could_be_misread_is_worse(company: Company) -> None:
 
 def test_a_bar_beside_an_arrow_or_at_its_pivot_does_not_part_them() -> None:
     beside, from_pivot = (Vector(0.0, 14.0), Vector(14.0, 0.0)), (ORIGIN, Vector(9.0, 6.0))
-    assert replace(ALONE, bars=(beside, from_pivot)).rate(arc(0, 70)) == 0
+    assert structs.replace(ALONE, bars=(beside, from_pivot)).rate(arc(0, 70)) == 0
 
 
 def test_two_arrows_one_right_after_the_other_read_as_one() -> None:
-    touching, after = (replace(ALONE, twins=(arc(start, 70),)) for start in (80, 100))
+    touching, after = (structs.replace(ALONE, twins=(arc(start, 70),)) for start in (80, 100))
     assert touching.rate(arc(0, 70)) > after.rate(arc(0, 70)) + 6.0
 
 
@@ -104,7 +105,7 @@ def test_a_symbol_without_room_at_its_arrow_does_not_go_to_another_one() -> None
 def test_no_circle_parts_a_symbol_from_its_arrow_first() -> None:
     arrow = TurningArrow(arc(0, 70), Turning(r"\omega", "AB"), 0.0)
     around = Claims(circles=(Disc(ORIGIN, 6.0, FIRM),))
-    wish = replace(arrow, around=around).wish_apart([])
+    wish = structs.replace(arrow, around=around).wish_apart([])
     assert wish.demerits is not None
     assert {demerit > 0 for demerit in wish.demerits.tolist()} == {False, True}
     for (x, y), demerit in zip(wish.spots.tolist(), wish.demerits.tolist(), strict=True):
@@ -112,7 +113,7 @@ def test_no_circle_parts_a_symbol_from_its_arrow_first() -> None:
 
 
 def test_an_arrow_rather_stands_nearer_to_its_own_pivot_than_to_another_pin() -> None:
-    beside = replace(ALONE, pins=(ORIGIN, polar(0.6, 9.0)))
+    beside = structs.replace(ALONE, pins=(ORIGIN, polar(0.6, 9.0)))
     assert beside.rate(arc(0, 70, 8.0)) > beside.rate(arc(180, 70, 8.0)) == 0.0
 
 
@@ -205,7 +206,7 @@ def test_the_symbol_of_an_arrow_is_on_its_side_of_the_base_circle() -> None:
 
 
 def test_an_arrow_goes_farther_out_rather_than_where_a_dimension_may_need_a_line() -> None:
-    company, turning = replace(ALONE, lines=(-pi / 2,)), Turning("a", "b")
+    company, turning = structs.replace(ALONE, lines=(-pi / 2,)), Turning("a", "b")
     across, beside = (
         TurningArrow(bow, turning, worse).among(company)
         for bow, worse in ((arc(240, 60), 0.0), (arc(290, 40, 8.0), 4.5))

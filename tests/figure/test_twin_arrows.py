@@ -6,6 +6,7 @@ from dataclasses import replace
 from math import hypot
 
 import pytest
+from msgspec import structs
 
 from kinegrade.figure.marks.straight.arrow_places import Site
 from kinegrade.figure.marks.straight.motions import add_motions, list_likely_motions
@@ -23,7 +24,7 @@ UP = Vector(0.0, 1.0)
 
 def lay_under_block(at: Vector) -> Rail:
     """The floor under a block."""
-    return replace(lay_floor(at), block=BlockSize(5.0, 3.0))
+    return structs.replace(lay_floor(at), block=BlockSize(5.0, 3.0))
 
 
 @pytest.mark.parametrize("sense", [1.0, -1.0])
@@ -124,7 +125,7 @@ def test_a_symbol_past_the_end_of_a_rail_stands_on_either_side() -> None:
     at = mechanism.points["B"]
     wall = Strokes(((at + Vector(3.0, 2.0), at + Vector(20.0, 2.0)),), BOLD)
     for reach, below in ((20.0, False), (4.0, True)):
-        rail = replace(lay_under_block(at), start=at - RIGHT * 7, end=at + RIGHT * reach)
+        rail = structs.replace(lay_under_block(at), start=at - RIGHT * 7, end=at + RIGHT * reach)
         layout = add_motions(Layout.of((wall,)), Site(mechanism, [rail]), BOTH[:1])
         assert (layout.labels[0].centre.y < at.y - 1.0) == below
 

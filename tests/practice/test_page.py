@@ -11,6 +11,7 @@ from functools import cache
 from pathlib import Path
 
 import pytest
+from msgspec import structs
 
 from kinegrade import Bank
 from kinegrade.language import ENGLISH
@@ -255,7 +256,7 @@ def test_no_boxes_for_poles_are_there_where_positions_are_too_few_to_tell_them(
     tmp_path: Path,
 ) -> None:
     whole = Bank.read("demo").blueprint
-    first = replace(whole, slots=whole.slots[:1])
+    first = structs.replace(whole, slots=whole.slots[:1])
     sheet = make_practice_sheet(first, 1, "poles", ENGLISH).sheet
     question = sheet.questions[0]
     assert question.draws[0].motion is not None

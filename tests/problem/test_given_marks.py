@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import dataclasses
 from collections.abc import Collection
-from dataclasses import replace
+
+from msgspec.structs import replace
 
 from kinegrade.problem.template.given_marks import mark_givens
 from kinegrade.problem.template.hints import Angle, Axes, FigureHints, Length, Moving, Turning
@@ -127,7 +129,7 @@ def test_marks_of_what_is_not_printed_are_left_out() -> None:
         Length("r h", "O", "P"),
         Length("AB", "O", "P"),
     )
-    marked = replace(template, figure=replace(template.figure, lengths=lengths))
+    marked = replace(template, figure=dataclasses.replace(template.figure, lengths=lengths))
     without_r = mark_givens(marked, {"h", "omega"})
     assert [length.symbol for length in without_r.lengths] == ["r h", "AB"]
     assert mark_givens(marked, {"r", "h"}).arrows == ()

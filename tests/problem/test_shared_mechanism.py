@@ -4,10 +4,10 @@ it stands in.
 
 from __future__ import annotations
 
-from dataclasses import replace
 from pathlib import Path
 
 import pytest
+from msgspec.structs import replace
 
 from kinegrade.errors import TemplateError
 from kinegrade.problem.solving import solve_template

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 import pytest
+from msgspec import structs
 
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.hints import Rimmed
@@ -193,7 +194,9 @@ def test_a_rate_said_to_be_constant_whose_input_has_an_acceleration_is_a_fault(s
 def test_a_radius_that_is_called_a_diameter_is_a_fault(said: str, size: str, kind: str) -> None:
     """The crank has a rim through M about O; rim is 0.5 m."""
     template = crank(f"A disc of {said}".replace("rim", "half" if size == "r/2" else "r"))
-    template = replace(template, figure=replace(template.figure, circles=(Rimmed("OA", "O", "M"),)))
+    template = structs.replace(
+        template, figure=replace(template.figure, circles=(Rimmed("OA", "O", "M"),))
+    )
     found = all_said(find_false_claims(template, [solve_template(template, {"r": "1"}, ())]))
     name = "half" if size == "r/2" else "r"
     other = "diameter" if kind == "radius" else "radius"
@@ -343,7 +346,7 @@ def test_a_given_that_means_a_diameter_and_is_a_radius_is_a_fault() -> None:
     template = crank("")
     figure = replace(template.figure, circles=(Rimmed("OA", "O", "A"),))
     text = changed(('zh = "长"', 'zh = "圆轮直径"'))
-    named = replace(read_template("crank", text), figure=figure)
+    named = structs.replace(read_template("crank", text), figure=figure)
     assert all_said(find_false_claims(named, [solve_template(named, {}, ())])) == [
         'parameters.r.means: it says "圆轮直径", and r is the radius of a circle of the mechanism, '
         "not the diameter"

@@ -7,6 +7,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 import pytest
+from msgspec import structs
 
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.library.library import load_template
@@ -82,7 +83,7 @@ def test_a_radius_of_another_wheel_is_a_fault() -> None:
     swapped = (replace(first, centre=second.centre), replace(second, centre=first.centre))
     figure = replace(template.figure, radii=swapped)
     assert find(template, values) == []
-    assert find(replace(template, figure=figure), values) == [
+    assert find(structs.replace(template, figure=figure), values) == [
         f"figure: r1 stands at A, which is {values['r2']} m where r1 is {values['r1']} m - {OWN}",
         f"figure: r2 stands at O, which is {values['r1']} m where r2 is {values['r2']} m - {OWN}",
     ]

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import pytest
+from msgspec.structs import replace
 
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.library.library import load_template

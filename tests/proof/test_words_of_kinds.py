@@ -4,9 +4,8 @@ component, the kind of rate, which one of two.
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import pytest
+from msgspec.structs import replace
 
 from kinegrade.problem.template.library.library import load_template
 from kinegrade.problem.template.library.reading import read_template

@@ -7,6 +7,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 import pytest
+from msgspec import structs
 
 from kinegrade.figure.scene import Label
 from kinegrade.figure.vectors.chains import Arrow
@@ -75,7 +76,9 @@ def _draw_bare(left: list[Arrow], right: list[Arrow]) -> Pictures:
         for part in picture.scene.primitives
         if not isinstance(part, Label) or len(part.symbol) > 1
     )
-    return Pictures((replace(picture, scene=replace(picture.scene, primitives=tuple(kept))),))
+    return Pictures(
+        (replace(picture, scene=structs.replace(picture.scene, primitives=tuple(kept))),)
+    )
 
 
 WRONG: dict[Law, tuple[Block, ...]] = {

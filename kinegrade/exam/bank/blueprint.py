@@ -8,11 +8,13 @@ sheet.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Set
-from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import partial
 from string import ascii_lowercase
 from typing import Literal, TypeAlias, assert_never
+
+from msgspec import Struct, field
+from msgspec.structs import replace
 
 from kinegrade.draws.keyed_order import address
 from kinegrade.exam.bank.by_hand import HandQuestion
@@ -34,8 +36,7 @@ LMS = Literal["canvas"]  # systems that do not take every answer
 Dealing = Literal["own", "repeated", "same"]
 
 
-@dataclass(frozen=True)
-class BankAsk:
+class BankAsk(Struct, frozen=True):
     """One quantity asked for; the tolerance of one that is `honest` is widened on each paper to
     what honest rounding takes at its numbers.
     """
@@ -46,8 +47,7 @@ class BankAsk:
     honest: bool = False
 
 
-@dataclass(frozen=True)
-class BankQuestion:
+class BankQuestion(Struct, frozen=True):
     """One question: its template, what is asked, domains that replace the template's, the
     millimetres left for working, how its numbers are dealt, and whether its points are a `bonus` on
     top of the maximum.
@@ -70,8 +70,7 @@ class BankQuestion:
 Earlier: TypeAlias = Mapping[str, tuple[Mapping[str, str], ...]]  # by template the values dealt
 
 
-@dataclass(frozen=True)
-class Bank:
+class Bank(Struct, frozen=True):
     """An exam's questions with all that holds for the exam; `text` is the file as it was read, kept
     with the exam, as are the texts of the `translations` beside it.
 
@@ -148,8 +147,7 @@ class Bank:
                 assert_never(self.lms)
 
 
-@dataclass(frozen=True)
-class Slot:
+class Slot(Struct, frozen=True):
     """One question of an exam: the questions it may become; one of them is `drawn`, or there is
     only one.
 
@@ -178,8 +176,7 @@ class Slot:
         )
 
 
-@dataclass(frozen=True)
-class Blueprint:
+class Blueprint(Struct, frozen=True):
     """A bank as it is read: `frame` holds everything but the questions, which are still to be
     chosen.
     """

@@ -8,8 +8,9 @@ space = "6 cm"
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from fractions import Fraction
+
+from msgspec import Struct
 
 from kinegrade.exam.bank.keys import BY_HAND, COUNTED, TEXT
 from kinegrade.exam.bank.terms import read_points, read_room
@@ -22,8 +23,7 @@ from kinegrade.problem.template.translations import translated
 _NO_TITLE = Translated(plain="")
 
 
-@dataclass(frozen=True)
-class HandQuestion:
+class HandQuestion(Struct, frozen=True):
     """A question to be marked by hand: its title, empty for none, and its text, both Markdown with
     LaTeX math; `space` is the millimetres left for the answer, `bonus` whether its points come on
     top of the maximum.

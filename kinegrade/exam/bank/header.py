@@ -15,9 +15,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
+
+from msgspec import Struct
 
 from kinegrade.errors import FieldError
 from kinegrade.exam.bank.files_beside import read_file_beside
@@ -43,8 +44,7 @@ _BESIDE = Message("bank.logo-beside")
 _NOTHING = Translated(plain="")
 
 
-@dataclass(frozen=True)
-class Header:
+class Header(Struct, frozen=True):
     """The head of all papers of an exam; `logo` is an SVG that refers to nothing, "" for none."""
 
     texts: Mapping[str, Translated]

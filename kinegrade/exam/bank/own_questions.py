@@ -13,8 +13,10 @@ asks.v = { unit = "m/s", points = 3, means = "its speed" }
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
+
+from msgspec.structs import replace
 
 from kinegrade.errors import FieldError
 from kinegrade.exam.bank.blueprint import BankAsk

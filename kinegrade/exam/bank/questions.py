@@ -6,10 +6,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
 from functools import cached_property, partial
 from pathlib import Path
 from typing import Literal, NamedTuple, TypeAlias, assert_never
+
+from msgspec import Struct
+from msgspec.structs import replace
 
 from kinegrade.errors import FieldError, KinegradeError, suggest
 from kinegrade.exam.bank.alternatives import require_different, require_equal_points
@@ -67,8 +69,7 @@ class _Terms(NamedTuple):
     bonus: bool
 
 
-@dataclass(frozen=True)
-class Entry:
+class Entry(Struct, frozen=True):
     """An entry of the bank and the questions it stands for, or the one to be marked `by_hand`."""
 
     table: Table
@@ -81,8 +82,7 @@ class Entry:
         return sum(slot.count for slot in self.slots) + (self.by_hand is not None)
 
 
-@dataclass(frozen=True)
-class Entries:
+class Entries(Struct, frozen=True, dict=True):
     """Reads entries; `folder` holds the shipped templates, others are in the folder `beside`.
 
     For a bank that is `kept` with an exam, `folder` holds exactly the templates that were chosen,

@@ -7,9 +7,10 @@ tolerance = { relative = "1 %", honest = true }
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 from fractions import Fraction
 from math import inf
+
+from msgspec import Struct
 
 from kinegrade.errors import FieldError
 from kinegrade.exam.bank.keys import TOLERANCE
@@ -27,8 +28,7 @@ _MOST_DIGITS = 15  # as many as survive as a JSON number
 _FIGURES = whole(2, 6)  # no more than the key prints
 
 
-@dataclass(frozen=True)
-class BankTolerance:
+class BankTolerance(Struct, frozen=True):
     """A tolerance as a bank states it; one that is `honest` is widened by the numbers of a paper,
     where honest rounding may leave it.
     """

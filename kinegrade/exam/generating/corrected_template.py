@@ -125,7 +125,7 @@ def _write_template(template: Template, exam: ExamFolder, folder: Path) -> None:
     """The template's files in place of those of its name, its translations too."""
     bank = KeptExam(exam).bank
     (question, *_) = (each for each in bank.questions if each.template.name == template.name)
-    corrected = replace(bank, questions=(replace(question, template=template),))
+    corrected = structs.replace(bank, questions=(structs.replace(question, template=template),))
     templates = folder / TEMPLATES
     for stale in (*templates.glob(f"{template.name}.*.toml"), templates / f"{template.name}.toml"):
         stale.unlink(missing_ok=True)
@@ -185,7 +185,9 @@ def _print_alike(
     }
     pages = _print_once(exam, run, progress, print_again, folder)
     if min(pages) < max(pages):
-        pages = _print_once(exam, replace(run, pages=max(pages)), progress, print_again, folder)
+        pages = _print_once(
+            exam, structs.replace(run, pages=max(pages)), progress, print_again, folder
+        )
     write_room_booklets(folder, map(student_of, exam.head.students))
     for name, lines in keys.items():  # as they were: another version might write other mistakes
         (folder / name).write_bytes(lines)

@@ -13,6 +13,8 @@ from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 
+from msgspec import structs
+
 from kinegrade.errors import Problem, TableError
 from kinegrade.exam.bank.blueprint import Bank, Blueprint
 from kinegrade.exam.folder.contents import CONTENTS, HEAD, UNFINISHED
@@ -36,11 +38,7 @@ from kinegrade.exam.generating.hand_work import digest_editable
 from kinegrade.exam.generating.options import GenerateOptions
 from kinegrade.exam.generating.page_counts import Printer, fill_up_papers
 from kinegrade.exam.generating.paper_changes import PaperChanges
-from kinegrade.exam.generating.replaced_exam import (
-    ReplacedExam,
-    replaced_exam,
-    settle,
-)
+from kinegrade.exam.generating.replaced_exam import ReplacedExam, replaced_exam, settle
 from kinegrade.exam.printing.class_printing import count_processes, print_class
 from kinegrade.exam.printing.head_record import candidate, make_exam_head
 from kinegrade.exam.printing.paper_languages import require_languages
@@ -141,7 +139,7 @@ def _choose_bank(
 ) -> Bank:
     """The bank that a secret makes, which keeps to what earlier exams leave."""
     earlier = read_earlier_exams(options.avoid, stays.head if stays else None, options.sheets)
-    return replace(blueprint.bank(secret.drawing), earlier=earlier)
+    return structs.replace(blueprint.bank(secret.drawing), earlier=earlier)
 
 
 def _require_same_order(
@@ -176,8 +174,8 @@ def _require_printable(run: PrintRun, dealt: ClassDeal, printer: Printer) -> Non
     language is tried.
     """
     first = {each.language: each for each in reversed(dealt.roster.students)}
-    sample = replace(dealt, roster=Roster(tuple(first.values()), ()))
-    with closing(printer(replace(run, extras=Extras()), sample)) as papers:
+    plain, roster = structs.replace(run, extras=Extras()), Roster(tuple(first.values()), ())
+    with closing(printer(plain, replace(dealt, roster=roster))) as papers:
         deque(papers, maxlen=0)
 
 

@@ -9,6 +9,8 @@ from contextlib import closing
 from dataclasses import replace
 from pathlib import Path
 
+from msgspec import structs
+
 from kinegrade.errors import Problem
 from kinegrade.exam.printing.printed_files import replace_papers
 from kinegrade.exam.printing.printing import Extras, Printed, PrintRun
@@ -31,11 +33,11 @@ def fill_up_papers(
     students = dealt.roster.students
     counted = list(_count_usual(students, pages))
     most = max((count for _, count in counted), default=0)
-    whole = replace(run, pages=most)
+    whole = structs.replace(run, pages=most)
     short = tuple(student for student, count in counted if count < most)
     if short:
         again = print_again(
-            replace(whole, extras=Extras()), replace(dealt, roster=Roster(short, ()))
+            structs.replace(whole, extras=Extras()), replace(dealt, roster=Roster(short, ()))
         )
         with closing(again):
             printed = zip((each.file_name for each in short), again, strict=True)

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from fractions import Fraction
+
+from msgspec import Struct
 
 from kinegrade.deadlines.moment import write_moment
 from kinegrade.description.said import Description
@@ -35,16 +37,14 @@ from kinegrade.problem.template.signs import write_sign
 from kinegrade.problem.template.template import Ask, Template
 
 
-@dataclass(frozen=True)
-class QuestionPlace:
+class QuestionPlace(Struct, frozen=True):
     """Where a question stands: its number on the paper, and its name in the answer sheet."""
 
     number: int
     identifier: str
 
 
-@dataclass(frozen=True)
-class ShownInstance:
+class ShownInstance(Struct, frozen=True):
     """What a question shows of an instance of its template, and what it asks; the mechanism is in
     doubles.
     """

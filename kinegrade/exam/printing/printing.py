@@ -5,8 +5,10 @@ asks for.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import assert_never
+
+from msgspec import Struct
 
 from kinegrade.exam.bank.blueprint import Bank
 from kinegrade.exam.folder.contents import PAPERS, SOLUTIONS
@@ -21,8 +23,7 @@ from kinegrade.press.typst.press import TypstPress
 from kinegrade.problem.template.template import Method
 
 
-@dataclass(frozen=True)
-class PressOrder:
+class PressOrder(Struct, frozen=True):
     """Which press is wanted."""
 
     engine: Engine
@@ -43,8 +44,7 @@ class PressOrder:
                 assert_never(self.engine)
 
 
-@dataclass(frozen=True)
-class Extras:
+class Extras(Struct, frozen=True):
     """What is wanted beside the key: worked solutions, by `method` where several serve, with graphs
     over the `cycle`, in `solution_language` for everybody, else in that of each paper; papers in
     the other kinds of files named (docx, html). Without `papers` none is printed.
@@ -69,8 +69,7 @@ class Extras:
         return tuple(name for name in wanted if wanted[name])
 
 
-@dataclass(frozen=True)
-class PrintRun:
+class PrintRun(Struct, frozen=True):
     """All that holds for every paper of an exam.
 
     `pages` is how many each paper has at least; None for as many as the longest of those that are
@@ -100,8 +99,7 @@ class PrintRun:
         return replace(paper, pdf=bind(paper.pdf, sheet, self.language, size))
 
 
-@dataclass(frozen=True)
-class Printed:
+class Printed(Struct, frozen=True):
     """A paper and its worked solutions, where they are wanted, and the paper in other kinds of
     files; its line of key.jsonl, and its part of the instructor's key. `pages` counts those of the
     paper.

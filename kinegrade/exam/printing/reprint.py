@@ -8,11 +8,12 @@ paper is printed.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cached_property
 from typing import TypeVar, get_args
 
 import msgspec
+from msgspec import Struct
 
 from kinegrade.errors import ExamError, Problem, suggest
 from kinegrade.exam.folder.contents import PAPERS, SOLUTIONS
@@ -32,8 +33,7 @@ from kinegrade.press.protocol import Press
 _Kind = TypeVar("_Kind")
 
 
-@dataclass(frozen=True)
-class Reprint:
+class Reprint(Struct, frozen=True, dict=True):
     """One paper to be printed again."""
 
     run: PrintRun

@@ -8,12 +8,12 @@ contradicts the key is never made, whether the folder or this program has change
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterator, Mapping
-from dataclasses import replace
 from decimal import Decimal
 from fractions import Fraction
 from typing import TypeAlias, assert_never
 
 import msgspec
+from msgspec.structs import replace
 
 from kinegrade.draws.deck import Combination
 from kinegrade.errors import FieldError, KinegradeError, Problem

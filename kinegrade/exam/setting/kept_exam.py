@@ -7,6 +7,8 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Literal, TypeAlias
 
+from msgspec import structs
+
 from kinegrade.draws.deck import Combination
 from kinegrade.errors import ExamError
 from kinegrade.exam.bank.bank import read_kept_bank
@@ -50,7 +52,7 @@ class KeptExam:
             return self.read
         chosen = {each.question: each.template for each in self.exam.head.questions}
         bank = read_kept_bank(self.exam.path / BANK, self.exam.path / TEMPLATES, chosen)
-        return replace(bank, earlier=self.exam.head.earlier)
+        return structs.replace(bank, earlier=self.exam.head.earlier)
 
     @cached_property
     def unkeyed(self) -> Exam:

@@ -7,9 +7,12 @@ anywhere, alone. `kinegrade.exam.setting.dealing` deals to a class.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
+
+from msgspec import Struct
+from msgspec.structs import replace
 
 from kinegrade.draws.deck import Combination, make_deck
 from kinegrade.draws.draw_filter import DrawFilter
@@ -65,8 +68,7 @@ class Exam:
         )
 
 
-@dataclass(frozen=True)
-class DealtPaper:
+class DealtPaper(Struct, frozen=True):
     """What a student was dealt: a place, from which all else follows, a code that is printed on the
     paper, and the values of each of its questions, in the bank's order.
 
@@ -82,8 +84,7 @@ class DealtPaper:
     values: Mapping[str, Combination]
 
 
-@dataclass(frozen=True)
-class SetAsk:
+class SetAsk(Struct, frozen=True):
     """An ask of one paper with its answer and the tolerance that holds for it."""
 
     ask: BankAsk
@@ -99,16 +100,14 @@ class SetAsk:
         return state_tolerance(self.ask, self.tolerance)
 
 
-@dataclass(frozen=True)
-class Drawn:
+class Drawn(Struct, frozen=True):
     """An instance: the values as texts in the parameters' units, and its solution."""
 
     values: Combination
     solution: Solution
 
 
-@dataclass(frozen=True)
-class SetQuestion:
+class SetQuestion(Struct, frozen=True):
     """A question of one paper: what was drawn and what is right."""
 
     question: BankQuestion
@@ -116,8 +115,7 @@ class SetQuestion:
     asks: tuple[SetAsk, ...]
 
 
-@dataclass(frozen=True)
-class SetPaper:
+class SetPaper(Struct, frozen=True):
     """One student's paper; `code` is printed on it and kept in the key.
 
     `questions` are those that it holds, in the bank's order, `order` is the one in which they are

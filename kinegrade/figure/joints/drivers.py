@@ -5,8 +5,10 @@ amount.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import assert_never
+
+from msgspec import Struct
 
 from kinegrade.figure.plane import unit
 from kinegrade.mechanics.drivers import Circulation, Component, Driver, Rotation
@@ -18,8 +20,7 @@ from kinegrade.problem.template.hints import LEVELS, Sense
 _SENSES: Mapping[float, Sense | None] = {1.0: "ccw", 0.0: None, -1.0: "cw"}
 
 
-@dataclass(frozen=True)
-class TurningBody:
+class TurningBody(Struct, frozen=True):
     """A body that is turned relative to another: its sense, None where the rate is zero."""
 
     body: str
@@ -27,8 +28,7 @@ class TurningBody:
     sense: Sense | None
 
 
-@dataclass(frozen=True)
-class MovingPoint:
+class MovingPoint(Struct, frozen=True):
     """A point that is moved in a direction, given by a unit vector; None where the rate is zero."""
 
     point: str

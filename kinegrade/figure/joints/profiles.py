@@ -5,9 +5,10 @@ slots.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import replace
 from math import asin
 from typing import assert_never
+
+from msgspec.structs import replace
 
 from kinegrade.figure.joints.ropes import find_rope, is_rope
 from kinegrade.figure.joints.symbol import Feature, Foot, Kind, Rim, Symbol, is_particle

@@ -7,8 +7,9 @@ them, one entry for each joint.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Literal
+
+from msgspec import Struct
 
 from kinegrade.figure.plane import angle_of, shorter_way
 from kinegrade.mechanics.joints import Line
@@ -22,8 +23,7 @@ _BEYOND = 0.65  # radians that an arc goes on beyond its last contact
 NO_BACK = Vector(0.0, 0.0)
 
 
-@dataclass(frozen=True)
-class Rim:
+class Rim(Struct, frozen=True):
     """A circle of a body; `ring` when the material lies outside; `touch` is the contact point.
 
     The kind "edge" is a circle that belongs to no joint, like that of a flange. A gear has a tooth
@@ -49,8 +49,7 @@ class Rim:
         return first + min(beside) - _BEYOND, max(beside) - min(beside) + 2 * _BEYOND
 
 
-@dataclass(frozen=True)
-class Feature:
+class Feature(Struct, frozen=True):
     """A line of a moving body with the point on it where another body acts; `back` as for a Bar."""
 
     body: str
@@ -60,8 +59,7 @@ class Feature:
     back: Vector = NO_BACK
 
 
-@dataclass(frozen=True)
-class Foot:
+class Foot(Struct, frozen=True):
     """Where a round body stands on a straight track of the ground; `away` leads into the ground."""
 
     line: Line
@@ -71,8 +69,7 @@ class Foot:
     toothed: bool
 
 
-@dataclass(frozen=True)
-class Guide:
+class Guide(Struct, frozen=True):
     """A straight guide of the ground, with the place of `body` in it; `along` is a unit vector."""
 
     body: str
@@ -80,8 +77,7 @@ class Guide:
     along: Vector
 
 
-@dataclass(frozen=True)
-class Hanging:
+class Hanging(Struct, frozen=True):
     """A rope along a line of its body, from where it leaves a wheel to its end; `loaded` when a
     load hangs there.
     """
@@ -93,8 +89,7 @@ class Hanging:
     loaded: bool
 
 
-@dataclass(frozen=True)
-class Symbol:
+class Symbol(Struct, frozen=True):
     """What a joint adds to each layer; nothing by default.
 
     - `point`: the marked point at which the joint is; `pinned` when it is an open circle, `fixed`

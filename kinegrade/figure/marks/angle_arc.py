@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, replace
 from math import cos, pi
 
 import numpy as np
+from msgspec import Struct
+from msgspec.structs import replace
 
 from kinegrade.figure.marks.sides import LEFT, SHORT, Side
 from kinegrade.figure.placing.aligned import runs_on
@@ -49,8 +50,7 @@ _IN_LETTER = 1.5  # millimetres from the end of a leader to the middle of its le
 _TWELFTHS = tuple(turn * pi / 6 for turn in range(12))
 
 
-@dataclass(frozen=True)
-class Neighbours:
+class Neighbours(Struct, frozen=True):
     """What else there is about an angle: circles along which its arc would merge with them, the
     axes of bars, the arcs of other angles, which its letter must not seem to name, thin lines, and
     pins, to which it must not seem to belong.
@@ -66,8 +66,7 @@ class Neighbours:
 ALONE = Neighbours()
 
 
-@dataclass(frozen=True)
-class AngleArc:
+class AngleArc(Struct, frozen=True):
     """An arc, with an arrowhead when the sense matters, and the thin lines its sides need."""
 
     bow: Bow
@@ -167,8 +166,7 @@ def add_leaders(arc: AngleArc, cost: float, dear: float) -> Iterator[LedAngleArc
                 yield replace(led, demerit=demerit + worse) if worse else led
 
 
-@dataclass(frozen=True)
-class LedAngleArc:
+class LedAngleArc(Struct, frozen=True):
     """An arc whose letter stands at the end of a leader, where there is no room at the arc; the
     demerit is also for what the arc covers.
     """

@@ -5,9 +5,10 @@ bar.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import replace
 from math import asin, inf, pi
 from operator import itemgetter
+
+from msgspec.structs import replace
 
 from kinegrade.figure.marks.angle_arc import ALONE, AngleArc, Neighbours, add_leaders
 from kinegrade.figure.marks.sides import Side

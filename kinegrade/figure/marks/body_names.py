@@ -5,11 +5,12 @@ nothing else could own them.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, replace
 from math import copysign, pi
 from typing import assert_never
 
 import numpy as np
+from msgspec import Struct
+from msgspec.structs import replace
 
 from kinegrade.errors import TemplateError
 from kinegrade.figure.joints.symbol import Rim
@@ -90,8 +91,7 @@ def _write_name(
     return layout.written((wish,))
 
 
-@dataclass(frozen=True)
-class _Surroundings:
+class _Surroundings(Struct, frozen=True):
     """What else a name might be read as that of: what is written and marked, other bodies' rims,
     points; and the circle of its `own` body.
     """

@@ -5,9 +5,10 @@ the axes of a body, as two arrows with their letters.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
 
 import numpy as np
+from msgspec import Struct
+from msgspec.structs import replace
 
 from kinegrade.figure.marks.drawn import find_block, find_edge, is_rigid, measure_drawn, meets_face
 from kinegrade.figure.mechanism.layers import Drawing
@@ -192,8 +193,7 @@ def _list_axes(
         yield FrameAxis(start, toward, size, symbol, 0.5 * rank)
 
 
-@dataclass(frozen=True)
-class FrameAxis:
+class FrameAxis(Struct, frozen=True):
     """A thin arrow with its letter at the tip, rather in the direction `away`, where that is not
     its own; `before` is the part short of a block on it; it is `bare` where it may lie on anything.
     """

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import replace
 from functools import partial
 from itertools import pairwise
 from math import pi
 
 import numpy as np
+from msgspec.structs import replace
 
 from kinegrade.figure.joints.symbol import Rim
 from kinegrade.figure.marks.lengths.dimension_lines import DimensionLine

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import replace
 from functools import partial
 from math import cos, pi
 from typing import assert_never
+
+from msgspec.structs import replace
 
 from kinegrade.errors import TemplateError, suggest
 from kinegrade.figure.joints.symbol import Rim

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
+from msgspec import Struct
 
 from kinegrade.figure.joints.symbol import Rim
 from kinegrade.figure.placing.obstacles import Segment
@@ -30,8 +29,7 @@ _GAPS, _OFF_ARROW = (0.5, 1.7, 3.1), 0.6
 _TOUCHING = 0.99  # share of a radius: nearer is within the circle
 
 
-@dataclass(frozen=True)
-class RadiusFromCentre:
+class RadiusFromCentre(Struct, frozen=True):
     """An arrow from the centre to the rim."""
 
     centre: Vector
@@ -99,8 +97,7 @@ class RadiusFromCentre:
         return self.centre + self.toward * self.radius
 
 
-@dataclass(frozen=True)
-class RadiusFromOutside:
+class RadiusFromOutside(Struct, frozen=True):
     """An arrow that points at the rim from outside, where there is no room inside."""
 
     centre: Vector

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import replace
 from functools import partial
 from math import pi
+
+from msgspec.structs import replace
 
 from kinegrade.figure.joints.symbol import find_fixed_pin
 from kinegrade.figure.marks.imposed import find_imposed_sense
@@ -170,17 +171,11 @@ def _list_absolute_arrows(
         room = rim.radius - aside
         if rim.body == hint.body and rim.kind == "wheel" and aside > NEAR and 0 < room < ROOMY:
             away, beyond = angle_of(centre - rim.at), room + BEYOND
-            return list_turning_arrows(
-                hint,
-                sense,
-                centre,
-                (beyond, beyond + 1.5, beyond + 3.0, *RADII),
-                away,
-                astray=_AT_RIM,
-            )
+            radii = (beyond, beyond + 1.5, beyond + 3.0, *RADII)
+            return list_turning_arrows(hint, sense, centre, radii, away, astray=_AT_RIM)
     crank = find_body_direction(mechanism, hint.body, centre, drawing)
-    radii = order_radii(mechanism, hint.body, centre, drawing)
-    arrows = list_turning_arrows(hint, sense, centre, radii, crank, astray=_ASTRAY)
+    sizes = order_radii(mechanism, hint.body, centre, drawing)
+    arrows = list_turning_arrows(hint, sense, centre, sizes, crank, astray=_ASTRAY)
     shaft = _ARCS[hint.level] * TURN[sense]
     tied = list_tied_arrows(hint, centre, shaft, drawing, followed=followed)
     if not tied:

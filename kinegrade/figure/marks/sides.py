@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+
+from msgspec import Struct
+from msgspec.structs import replace
 
 from kinegrade.figure.marks.drawn import measure_drawn, measure_pin
 from kinegrade.figure.mechanism.layers import Drawing
@@ -24,8 +26,7 @@ LEFT = 4.2  # millimetres from a vertex in which its own bars leave beside a sid
 _AT_PIN = 0.15  # millimetres from the radius of a pin to where a line ends on the edge of it
 
 
-@dataclass(frozen=True)
-class Side:
+class Side(Struct, frozen=True):
     """A side of an angle: its direction, how far a bar is drawn along it, how far away the point
     on it is (0 for none), whether the bar is so broad that its axis has to be drawn, how far
     outside the angle the ground runs that takes the place of a line, how far a line goes `beyond`

@@ -6,9 +6,10 @@ carried round.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import replace
 from itertools import product
 from math import asin, copysign
+
+from msgspec.structs import replace
 
 from kinegrade.figure.joints.symbol import Rim
 from kinegrade.figure.marks.turning_arrow import TurningArrow

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
 from math import copysign, hypot
+
+from msgspec import Struct
+from msgspec.structs import replace
 
 from kinegrade.figure.joints.symbol import Rim
 from kinegrade.figure.placing.mark import chords
@@ -52,8 +54,7 @@ _CLOSE = 15  # places of a symbol by which an arrow is chosen
 _STATIONS = 0.25  # radians between the points of an arrow to which its symbol should be near
 
 
-@dataclass(frozen=True)
-class Company:
+class Company(Struct, frozen=True):
     """What else there is about the pivot of an arrow: the arcs of angles, other arrows, the radii
     of other bodies' rims (millimetres), the directions (radians) in which dimension lines may
     need a line from the pivot, the other bodies' discs that do not lie over the pivot, and bars
@@ -82,8 +83,7 @@ class Company:
         )
 
 
-@dataclass(frozen=True)
-class TurningArrow:
+class TurningArrow(Struct, frozen=True):
     """A curved arrow along an arc; that of a bar among round bodies may be `tied` to it, its tail
     on the bar. Its symbol stands where it is not taken for that of what else is `around`.
     """

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+
+from msgspec import Struct
 
 from kinegrade.figure.joints.symbol import Rim, Symbol, find_pins
 from kinegrade.figure.joints.table import find_symbols
@@ -20,8 +21,7 @@ from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import FigureHints
 
 
-@dataclass(frozen=True)
-class Anatomy:
+class Anatomy(Struct, frozen=True):
     """A mechanism (millimetres) with what its joints add, its circles and its straight parts.
 
     `knife_edges` are the fixed points on which the edge of a plate rests, each with the unit vector

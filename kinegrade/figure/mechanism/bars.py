@@ -7,8 +7,9 @@ All of this follows from the points of the body and from the lines on which othe
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
-from dataclasses import replace
 from itertools import pairwise
+
+from msgspec.structs import replace
 
 from kinegrade.figure.joints.symbol import Feature, Rim, Symbol, find_fixed_pin, find_pins
 from kinegrade.figure.mechanism.geneva_wheels import find_geneva_wheels

@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+
+from msgspec import Struct
 
 from kinegrade.figure.mechanism.straight_parts import Bar, Part, Rod, is_slender, list_ways
 from kinegrade.figure.symbols import BLOCK_LENGTH, BLOCK_WIDTH
 from kinegrade.mechanics.vector import Vector
 
 
-@dataclass(frozen=True)
-class BlockSize:
+class BlockSize(Struct, frozen=True):
     """The sides of a block in millimetres, along its guide and across."""
 
     length: float

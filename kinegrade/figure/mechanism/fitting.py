@@ -5,8 +5,10 @@ frame.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass, replace
 from typing import assert_never
+
+from msgspec import Struct
+from msgspec.structs import replace
 
 from kinegrade.figure.joints.table import find_symbols
 from kinegrade.figure.mechanism.geneva_wheels import find_geneva_wheels
@@ -24,8 +26,7 @@ _ATTEMPTS = 6
 _MARGIN = 1.2
 
 
-@dataclass(frozen=True)
-class Room:
+class Room(Struct, frozen=True):
     """What a drawing may take at most, in millimetres."""
 
     width: float

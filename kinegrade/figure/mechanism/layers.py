@@ -9,7 +9,8 @@ the stand of a sleeve's pin lies above the sleeve.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
+
+from msgspec import Struct
 
 from kinegrade.figure.joints.symbol import Rim, Symbol
 from kinegrade.figure.mechanism.anatomy import Anatomy
@@ -43,8 +44,7 @@ from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import FigureHints
 
 
-@dataclass(frozen=True)
-class Drawing:
+class Drawing(Struct, frozen=True):
     """The mechanism's primitives, those of its supports and guides alone, and what marks and
     labels need to know about its parts.
     """

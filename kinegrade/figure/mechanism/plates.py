@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from itertools import pairwise
+
+from msgspec import Struct
 
 from kinegrade.figure.plane import collinear, hull, on_line
 from kinegrade.mechanics.joints import Line
@@ -12,8 +13,7 @@ from kinegrade.mechanics.mechanism import Body
 from kinegrade.mechanics.vector import Vector
 
 
-@dataclass(frozen=True)
-class Plate:
+class Plate(Struct, frozen=True):
     """A body with three or more marked points that are not in line; corners counter-clockwise.
 
     It is `rounded` about the pins at its corners where all of them are pins and no edge of it

@@ -5,7 +5,9 @@ and where two of them meet in a corner.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+
+from msgspec import Struct
+from msgspec.structs import replace
 
 from kinegrade.figure.joints.symbol import Guide, Symbol, find_fixed_pins
 from kinegrade.figure.mechanism.anatomy import Anatomy
@@ -31,8 +33,7 @@ OPENING = 0.8  # millimetres of the ground that are open on either side of a bar
 Leaving = tuple[Vector, float]  # the unit vector of a bar that leaves a point, and half its width
 
 
-@dataclass(frozen=True)
-class Rail:
+class Rail(Struct, frozen=True):
     """The ground along a guide: `at` is the block or bare end on it, `start` and `end` its ends,
     `side` the side of the guide on which it is, and `level` how far from the guide; `crossed` are
     the bars that pass through it, for which it is open, and `axes` the directions of axes of a

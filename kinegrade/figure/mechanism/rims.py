@@ -5,7 +5,8 @@ joints; and those that only a hint knows.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import replace
+
+from msgspec.structs import replace
 
 from kinegrade.figure.joints.symbol import Rim, Symbol
 from kinegrade.figure.plane import NEAR, angle_of, length, polar

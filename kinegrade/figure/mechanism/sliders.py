@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import replace
+
+from msgspec.structs import replace
 
 from kinegrade.figure.mechanism.anatomy import Anatomy
 from kinegrade.figure.mechanism.pins import are_sleeves_slim, find_swivels

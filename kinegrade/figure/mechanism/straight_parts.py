@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from typing import TypeGuard
+
+from msgspec import Struct
 
 from kinegrade.figure.joints.symbol import NO_BACK, Guide, Use
 from kinegrade.figure.mechanism.plates import Plate
@@ -17,8 +18,7 @@ _SLENDER: frozenset[Use] = frozenset(("link", "bar", "face"))
 _CLEAR = 1.0  # millimetres of a bar beyond a point from which on it is seen to run on
 
 
-@dataclass(frozen=True)
-class Bar:
+class Bar(Struct, frozen=True):
     """One straight part; `free` are its ends without a marked point, `actions` the points where
     other bodies slide or rest on it.
 
@@ -37,8 +37,7 @@ class Bar:
     fill: Fill = "grey"
 
 
-@dataclass(frozen=True)
-class SlottedDisc:
+class SlottedDisc(Struct, frozen=True):
     """A body whose slot passes beside its only point, or whose shape is "disc": a disc about its
     first point.
     """
@@ -55,8 +54,7 @@ class SlottedDisc:
         return (start + aside, end + aside), (start - aside, end - aside)
 
 
-@dataclass(frozen=True)
-class GenevaWheel:
+class GenevaWheel(Struct, frozen=True):
     """A wheel about its `centre` with radial slots, in one of which is the `pin` of a crank about
     `pivot`.
     """
@@ -80,8 +78,7 @@ class GenevaWheel:
         return length(self.centre - self.pivot) - length(self.pin - self.pivot)
 
 
-@dataclass(frozen=True)
-class Rod:
+class Rod(Struct, frozen=True):
     """A body that translates in a straight ground guide near its end, or with a piston in a closed
     cylinder, whose ground is at its end; `free` are its ends without a marked point.
     """

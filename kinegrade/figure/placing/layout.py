@@ -5,9 +5,10 @@ place.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass, replace
 
 import numpy as np
+from msgspec import Struct
+from msgspec.structs import replace
 
 from kinegrade.figure.placing.aligned import list_thin_lines, runs_on
 from kinegrade.figure.placing.alternatives import Way, choose_least_covering, keep_demerit
@@ -42,8 +43,7 @@ def no_others(_: float) -> Iterable[Mark]:
     return ()
 
 
-@dataclass(frozen=True)
-class Layout:
+class Layout(Struct, frozen=True):
     """Lines, labels, and both as obstacles; each step gives a new layout.
 
     `marks` are those chosen so far, with what each costs in `costs`; `crowded` are the symbols

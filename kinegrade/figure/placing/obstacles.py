@@ -11,10 +11,12 @@ few in plain numbers takes less time than computing with arrays of all.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, replace
 from itertools import chain, pairwise
 from math import inf
 from typing import assert_never
+
+from msgspec import Struct
+from msgspec.structs import replace
 
 from kinegrade.figure.placing.crossing import (
     Boxed,
@@ -50,8 +52,7 @@ _ROOM, _SHARED_ROOM = (0.8, 0.6)
 _CORNER = 1.5  # times half its width: how far a pen's corners reach at any angle, and a little more
 
 
-@dataclass(frozen=True)
-class Obstacles:
+class Obstacles(Struct, frozen=True):
     """Lines and rings, each after its bounding box (left, bottom, right, top); never changed, only
     extended.
 

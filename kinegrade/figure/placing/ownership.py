@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, replace
 from math import ceil, pi
 
 import numpy as np
+from msgspec import Struct
+from msgspec.structs import replace
 
 from kinegrade.figure.placing.extent import measure_symbol
 from kinegrade.figure.placing.obstacles import COST_LABEL, Obstacles, Segment
@@ -30,8 +31,7 @@ _SHARES = np.linspace(0.0, 1.0, 17)[:, None]  # of a line, where it is looked at
 _ROUND = np.arange(0.0, 2 * pi, pi / 36)  # radians, where a circle is looked at
 
 
-@dataclass(frozen=True)
-class Claims:
+class Claims(Struct, frozen=True):
     """The outlines of discs and the axes of bars, which may part a symbol from its mark; the pins
     and, as places along them, the thin lines that it may seem to belong to.
     """

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
 from math import hypot, inf, pi
 
 import numpy as np
+from msgspec import Struct
+from msgspec.structs import replace
 from numpy.typing import NDArray
 
 from kinegrade.figure.placing.extent import measure_symbol
@@ -39,8 +40,7 @@ _BOW_SIDES, _BOW_GAPS = np.array((1, -1, 1, -1, 1)), np.array((0.4, 0.5, 1.4, 1.
 _STATIONS = (0.5, 0.38, 0.62, 0.26, 0.74, 0.12, 0.88)
 
 
-@dataclass(frozen=True)
-class Wish:
+class Wish(Struct, frozen=True):
     """A label to be placed: its symbol, the centres it may have (rows x, y), the best first, and
     the point it belongs to.
 
@@ -71,8 +71,7 @@ class Wish:
         return replace(self, demerits=more)
 
 
-@dataclass(frozen=True)
-class Placed:
+class Placed(Struct, frozen=True):
     """A label at its spot, whether that has a fault: something is under it, or the spot has a
     demerit; and whether it is so far from its mark that nobody would find it.
     """

@@ -5,11 +5,11 @@ prolongations, and on the same side as its arc of everything that passes between
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from itertools import product
 from math import pi
 
 import numpy as np
+from msgspec import Struct
 from numpy.typing import NDArray
 
 from kinegrade.figure.placing.extent import measure_symbol
@@ -36,8 +36,7 @@ _LATEST = 3.2  # millimetres of paper to its arc from which on a letter is lost
 _STEPS = np.array((0.02, 0.12, 0.25, 0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 5.5, 7.0, 9.0, 11.0))
 
 
-@dataclass(frozen=True)
-class Wedge:
+class Wedge(Struct, frozen=True):
     """The arc of an angle, and half the widths of what is drawn along its first and last side, in
     millimetres.
     """

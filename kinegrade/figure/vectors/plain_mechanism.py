@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 
+from msgspec import structs
+
 from kinegrade.figure.mechanism.fitting import Room, measure_span
 from kinegrade.figure.mechanism.layers import Drawing, draw
 from kinegrade.figure.mechanism.paper import scale_to_paper
@@ -18,7 +20,7 @@ from kinegrade.problem.template.hints import FigureHints
 
 PICTURE = Room(64.0, 44.0)  # smaller than the figure of the question: text stands beside it
 _LARGEST_PIN = PIN + 0.1  # millimetres, radius of the symbol at a point
-_BAR = replace(BOLD, ink="grey")
+_BAR = structs.replace(BOLD, ink="grey")
 _SURROUND = 12.0  # millimetres that symbols take beside the mechanism, as a first estimate
 
 
@@ -76,12 +78,12 @@ class BareMechanism:
         """
         paper = scale_to_paper(self.mechanism, scale)
         drawing = draw(paper, self.hints)
-        return paper, replace(drawing, primitives=tuple(map(_fade, drawing.primitives)))
+        return paper, structs.replace(drawing, primitives=tuple(map(_fade, drawing.primitives)))
 
 
 def _fade(primitive: Primitive) -> Primitive:
     if isinstance(primitive, Strokes) and primitive.pen.width >= BOLD.width:
-        return replace(primitive, pen=_BAR)
+        return structs.replace(primitive, pen=_BAR)
     return primitive
 
 

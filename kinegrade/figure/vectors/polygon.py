@@ -5,10 +5,12 @@ common end.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from itertools import pairwise, product
 from string import ascii_lowercase
 from types import MappingProxyType
+
+from msgspec.structs import replace
 
 from kinegrade.figure.mechanism.fitting import make_scene
 from kinegrade.figure.placing.layout import Layout

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from functools import cached_property
 from os import fstat
 from pathlib import Path
+
+from msgspec import Struct
 
 from kinegrade.errors import KinegradeError, SyntaxFault
 from kinegrade.files.fields.faults import Faults
@@ -23,8 +24,7 @@ _Lines = Callable[[str], Mapping[Place, int]]
 _FIX_IT = Message("fields.fix-it")
 
 
-@dataclass(frozen=True)
-class FileKind:
+class FileKind(Struct, frozen=True):
     """How messages name a kind of file ("a bank file"), the error raised for its faults, the most
     bytes read, and the remedy for a fault that names none.
     """
@@ -35,8 +35,7 @@ class FileKind:
     do: Text = ""
 
 
-@dataclass(frozen=True)
-class Document:
+class Document(Struct, frozen=True, dict=True):
     """The text of a file, with the line of each place in it; lines are worked out only once a fault
     needs one.
     """

@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from msgspec import Struct
 
 from kinegrade.errors import FieldError, KinegradeError, Problem
 from kinegrade.files.fields.place import Place, Source, Where
 from kinegrade.language.message import Fault, Text
 
 
-@dataclass(frozen=True)
-class _Fault:
+class _Fault(Struct, frozen=True):
     where: Where
     what: Problem
     expected: Text

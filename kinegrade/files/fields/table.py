@@ -13,8 +13,9 @@ on, and `faults.require_none()` reports all faults of a file together.
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterator, Mapping
-from dataclasses import dataclass
 from typing import TypeVar
+
+from msgspec import Struct
 
 from kinegrade.errors import FieldError, KinegradeError, find_misspelt, suggest
 from kinegrade.files.fields.faults import Faults
@@ -27,8 +28,7 @@ _NOTHING: Mapping[str, object] = {}
 _UNKNOWN = Message("fields.unknown-key")
 
 
-@dataclass(frozen=True)
-class Table:
+class Table(Struct, frozen=True):
     """A table at a place in a file.
 
     Missing keys that are `excused` are not reported: they are misspelt, and that is reported

@@ -7,8 +7,9 @@ A press breaks a line only where the page is too narrow for it.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from itertools import pairwise
+
+from msgspec import Struct
 
 from kinegrade.language.math.spacing import is_sign_of, is_spaced
 from kinegrade.language.math.tree import Mark, Row, Sign
@@ -20,8 +21,7 @@ _BREAKING = frozenset(map(Sign, _RELATIONS.split()))
 _SIGNS = frozenset((Sign("+"), Sign("-")))
 
 
-@dataclass(frozen=True)
-class EquationLine:
+class EquationLine(Struct, frozen=True):
     """What is to the left of the alignment mark, and the pieces to its right; either may be
     empty.
     """

@@ -6,25 +6,24 @@ arguments to.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Literal, TypeAlias
 from unicodedata import name
+
+from msgspec import Struct
 
 Kind: TypeAlias = Literal[
     "ordinary", "relation", "binary", "opening", "closing", "punctuation", "large"
 ]
 
 
-@dataclass(frozen=True, slots=True)
-class GreekLetter:
+class GreekLetter(Struct, frozen=True):
     """A Greek letter: its character, and its name in Typst."""
 
     character: str
     typst: str
 
 
-@dataclass(frozen=True, slots=True)
-class SignForms:
+class SignForms(Struct, frozen=True):
     """A sign: its character, its name in Typst, and how it is spaced."""
 
     character: str

@@ -6,8 +6,9 @@ beside what on a page follows from it, without asking a typesetter.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import assert_never
+
+from msgspec import Struct
 
 from kinegrade.language.math.letters import SIGNS
 from kinegrade.language.math.spacing import SPACE_WIDTHS, is_function, is_sign_of, is_spaced
@@ -79,8 +80,7 @@ _OVER_BAR = 0.4
 _RAISED, _LOWERED = 0.15, 0.2
 
 
-@dataclass(frozen=True)
-class PrintedSize:
+class PrintedSize(Struct, frozen=True):
     """What a formula takes of a page, in em."""
 
     width: float

@@ -7,8 +7,10 @@ by every press and shown by every page.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
 from functools import lru_cache
+
+from msgspec import Struct
+from msgspec.structs import replace
 
 from kinegrade.errors import TypesetError
 from kinegrade.language.lines import shorten
@@ -84,8 +86,7 @@ def write_formula_place(latex: str, where: Location) -> Message:
     return Message("typesetting.formula", where=where, formula=shorten(latex))
 
 
-@dataclass(frozen=True, slots=True)
-class _Formula:
+class _Formula(Struct, frozen=True):
     """The tree of a formula, or its faults."""
 
     row: Row

@@ -7,8 +7,10 @@ are in em at the formula's size.
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, replace
 from typing import assert_never
+
+from msgspec import Struct
+from msgspec.structs import replace
 
 from kinegrade.language.math.label_size import measure_advance
 from kinegrade.language.math.letters import SIGNS, find_letter
@@ -66,8 +68,7 @@ _LOW, _DEEP, _BOTH = (
 )
 
 
-@dataclass(frozen=True)
-class Run:
+class Run(Struct, frozen=True):
     """Letters in one style; `shift` is the height of their baseline, `back` how far to move back
     before them.
     """

@@ -7,8 +7,9 @@ in `assert_never`.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import Literal, TypeAlias, assert_never
+
+from msgspec import Struct
 
 Style: TypeAlias = Literal["mathrm", "mathbf", "mathit", "boldsymbol"]
 AccentName: TypeAlias = Literal[
@@ -29,64 +30,55 @@ SpaceName: TypeAlias = Literal[",", ";", ":", "!", " ", "quad", "qquad"]
 EnvironmentName: TypeAlias = Literal["cases", "aligned"]
 
 
-@dataclass(frozen=True, slots=True)
-class Letter:
+class Letter(Struct, frozen=True):
     """A Latin letter, or a Greek one by its LaTeX name."""
 
     name: str
 
 
-@dataclass(frozen=True, slots=True)
-class Number:
+class Number(Struct, frozen=True):
     """Digits, with a decimal point among them or none."""
 
     digits: str
 
 
-@dataclass(frozen=True, slots=True)
-class Sign:
+class Sign(Struct, frozen=True):
     r"""A sign by its LaTeX: `+`, `\cdot`, or `{,}`, which is LaTeX's decimal comma."""
 
     latex: str
 
 
-@dataclass(frozen=True, slots=True)
-class Function:
+class Function(Struct, frozen=True):
     """A function by its name, such as sin."""
 
     name: str
 
 
-@dataclass(frozen=True, slots=True)
-class Text:
+class Text(Struct, frozen=True):
     """Words inside a formula, printed as they are with exponents raised."""
 
     text: str
 
 
-@dataclass(frozen=True, slots=True)
-class Unit:
+class Unit(Struct, frozen=True):
     """A unit as templates write it, such as m/s^2."""
 
     text: str
 
 
-@dataclass(frozen=True, slots=True)
-class Space:
+class Space(Struct, frozen=True):
     """Extra room, by its LaTeX without the backslash."""
 
     name: SpaceName
 
 
-@dataclass(frozen=True, slots=True)
-class Group:
+class Group(Struct, frozen=True):
     """What braces hold together."""
 
     row: Row
 
 
-@dataclass(frozen=True, slots=True)
-class Scripts:
+class Scripts(Struct, frozen=True):
     """What stands below and above a base, which may be empty; None where nothing stands."""
 
     base: Node | None
@@ -95,8 +87,7 @@ class Scripts:
     upper: Row | None
 
 
-@dataclass(frozen=True, slots=True)
-class Quotient:
+class Quotient(Struct, frozen=True):
     """One row above another."""
 
     name: FractionName
@@ -104,32 +95,28 @@ class Quotient:
     below: Row
 
 
-@dataclass(frozen=True, slots=True)
-class Root:
+class Root(Struct, frozen=True):
     """A root; `degree` is None for a square root."""
 
     radicand: Row
     degree: Row | None
 
 
-@dataclass(frozen=True, slots=True)
-class Lettering:
+class Lettering(Struct, frozen=True):
     """A row in other letters: upright, bold or italic."""
 
     style: Style
     row: Row
 
 
-@dataclass(frozen=True, slots=True)
-class Accent:
+class Accent(Struct, frozen=True):
     """A row with a mark over or under it, or in a frame."""
 
     name: AccentName
     row: Row
 
 
-@dataclass(frozen=True, slots=True)
-class Fenced:
+class Fenced(Struct, frozen=True):
     """A row between brackets of its height; a bracket is LaTeX, `.` for none."""
 
     left: str
@@ -137,21 +124,18 @@ class Fenced:
     right: str
 
 
-@dataclass(frozen=True, slots=True)
-class Environment:
+class Environment(Struct, frozen=True):
     """Lines below each other, which `LineBreak` and `Mark` divide."""
 
     name: EnvironmentName
     row: Row
 
 
-@dataclass(frozen=True, slots=True)
-class LineBreak:
+class LineBreak(Struct, frozen=True):
     """The end of a line."""
 
 
-@dataclass(frozen=True, slots=True)
-class Mark:
+class Mark(Struct, frozen=True):
     """Where the lines of a display are aligned."""
 
 

@@ -4,15 +4,15 @@ pure numbers.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from fractions import Fraction
+
+from msgspec import Struct
 
 from kinegrade.language.message import Message
 from kinegrade.numbers.units import Unit, read_unit
 
 
-@dataclass(frozen=True)
-class Dimension:
+class Dimension(Struct, frozen=True):
     """Powers of length and time; a root makes halves of them."""
 
     length: Fraction

@@ -7,8 +7,9 @@ It is known without any values. `meaning` finds it; `signatures` says what funct
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import assert_never
+
+from msgspec import Struct
 
 from kinegrade.errors import FieldError
 from kinegrade.language.message import Message, Part, Quoted, Text
@@ -22,8 +23,7 @@ from kinegrade.problem.kinds.dimension import (
 )
 
 
-@dataclass(frozen=True)
-class Scalar:
+class Scalar(Struct, frozen=True):
     """A number or an angle. The dimension is None where only literals made it: they take any, as 2
     in `2 < omega`.
     """
@@ -31,8 +31,7 @@ class Scalar:
     dimension: Dimension | None
 
 
-@dataclass(frozen=True)
-class Arrow:
+class Arrow(Struct, frozen=True):
     """A point or a vector; its components have the dimension. `point` is its name where a point is
     named.
     """
@@ -41,28 +40,23 @@ class Arrow:
     point: str = ""
 
 
-@dataclass(frozen=True)
-class Straight:
+class Straight(Struct, frozen=True):
     """A line."""
 
 
-@dataclass(frozen=True)
-class Ring:
+class Ring(Struct, frozen=True):
     """A circle."""
 
 
-@dataclass(frozen=True)
-class BodyKind:
+class BodyKind(Struct, frozen=True):
     """A body, by its name."""
 
 
-@dataclass(frozen=True)
-class Side:
+class Side(Struct, frozen=True):
     """The name of one of two common points, such as upper."""
 
 
-@dataclass(frozen=True)
-class Unknown:
+class Unknown(Struct, frozen=True):
     """The kind of an expression whose fault is reported elsewhere; it goes with everything."""
 
 

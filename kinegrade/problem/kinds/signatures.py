@@ -9,9 +9,10 @@ out; a test holds the names here against theirs. What each function gives is sai
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from typing import Literal, assert_never
+
+from msgspec import Struct
 
 from kinegrade.expressions.tree import SIDES_OF
 from kinegrade.problem.kinds.dimension import (
@@ -40,8 +41,7 @@ Slot = PlainSlot | Literal["RATIO", "ANGLE", "PLACE|ANGLE", "POINT", "BODY", "PA
 Result = Callable[[str, Sequence[Kind]], Kind]
 
 
-@dataclass(frozen=True)
-class Signature:
+class Signature(Struct, frozen=True):
     """The slots that a function's arguments fill, how many of them it needs, the kind of its value,
     and a call of it that is shown.
     """

@@ -6,8 +6,9 @@ The entry `words.function-NAME` of the catalogues says what each gives.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from typing import Any
+
+from msgspec import Struct
 
 from kinegrade.mechanics.geometry import Round
 from kinegrade.mechanics.vector import Vector
@@ -22,8 +23,7 @@ from kinegrade.problem.kinds.signatures import (
 )
 
 
-@dataclass(frozen=True)
-class Measure:
+class Measure(Struct, frozen=True):
     """A function of vectors or of a circle: what it takes and gives, and how it is worked out in an
     arithmetic.
     """

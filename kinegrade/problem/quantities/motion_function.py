@@ -5,9 +5,10 @@ written, what it gives, how it is read off, what it refers to, how a worked solu
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any, Literal
+
+from msgspec import Struct
 
 from kinegrade.mechanics.vector_equation import Level
 from kinegrade.problem.kinds.kinds import Arrow, Kind, Scalar
@@ -26,8 +27,7 @@ _LEVELS: Mapping[Fraction, Level] = {  # by the power of time
 }
 
 
-@dataclass(frozen=True)
-class References:
+class References(Struct, frozen=True):
     """What of a motion a call refers to: the motions of points, each after its body, and the
     rotations of bodies.
     """
@@ -36,8 +36,7 @@ class References:
     turning: tuple[str, ...] = ()
 
 
-@dataclass(frozen=True)
-class MotionFunction:
+class MotionFunction(Struct, frozen=True):
     """A function of the motion.
 
     `example` is a call that is shown. Its arguments fill the `slots`, the last `optional` of

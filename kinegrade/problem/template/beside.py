@@ -25,9 +25,10 @@ name the file and the line on which a text does stand.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from glob import escape
 from pathlib import Path
+
+from msgspec import Struct
 
 from kinegrade.errors import FieldError, suggest
 from kinegrade.files.fields.document import Document, FileKind, read_text, toml_table
@@ -45,8 +46,7 @@ Content = Mapping[str, object]
 _LENGTH_OF_CODE = 2  # of a language that is not known
 
 
-@dataclass(frozen=True)
-class Beside:
+class Beside(Struct, frozen=True):
     """The translations beside a file, which is named as messages name it."""
 
     file: str
@@ -54,8 +54,7 @@ class Beside:
     translations: Translations
 
 
-@dataclass(frozen=True)
-class LaidIn:
+class LaidIn(Struct, frozen=True):
     """The tables of a file with the texts of its translations in them, where everything stands, and
     the faults of the translations.
     """
@@ -65,8 +64,7 @@ class LaidIn:
     faults: tuple[Faults, ...]
 
 
-@dataclass(frozen=True)
-class _Translation:
+class _Translation(Struct, frozen=True):
     """A file of translations that is TOML."""
 
     language: Language
@@ -75,8 +73,7 @@ class _Translation:
     faults: Faults
 
 
-@dataclass(frozen=True)
-class _TranslatedSource:
+class _TranslatedSource(Struct, frozen=True):
     """A file with texts of others laid into it: `laid` says whose the text at a place is."""
 
     base: Source

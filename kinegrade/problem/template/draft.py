@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+
+from msgspec import Struct, field
 
 from kinegrade.expressions.tree import Expression
 from kinegrade.mechanics.mechanism import Body
@@ -26,8 +27,7 @@ from kinegrade.problem.template.template import (
 from kinegrade.problem.template.translated import Translated
 
 
-@dataclass(frozen=True)
-class Draft:
+class Draft(Struct, frozen=True):
     """The parts of a template that could be read, by name or by their position in the file.
 
     `faulty` are the names whose declaration cannot be read: that is reported once, there, and not

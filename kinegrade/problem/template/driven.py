@@ -6,10 +6,11 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Collection, Iterable, Mapping
-from dataclasses import dataclass, replace
 from typing import Literal
 
 from flint import fmpq
+from msgspec import Struct
+from msgspec.structs import replace
 
 from kinegrade.expressions.tree import Expression, Name, Number, Operation, is_literal_zero
 from kinegrade.problem.template.sentences import DriverSentence, find_axis
@@ -19,16 +20,14 @@ DrivenPart = Literal["turning", "moving"]
 Path = Literal["turning", "circling", "moving"]
 
 
-@dataclass(frozen=True)
-class Imposed:
+class Imposed(Struct, frozen=True):
     """A rate that is a given, or the given with a minus."""
 
     given: str
     turned: bool
 
 
-@dataclass(frozen=True)
-class Driven:
+class Driven(Struct, frozen=True):
     """A driven body or point: on which path, the sense of a positive rate, and its rates; the
     acceleration is None where the input states none.
     """

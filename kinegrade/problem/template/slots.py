@@ -8,9 +8,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Iterator, Mapping
-from dataclasses import dataclass
 from itertools import pairwise
 from typing import Literal, assert_never, get_args
+
+from msgspec import Struct
 
 from kinegrade.errors import suggest
 from kinegrade.language.message import Message, Text
@@ -31,8 +32,7 @@ _VALUES: tuple[Part, ...] = ("", "value", "size")
 _PARTS: Mapping[str, Part] = {part: part for part in get_args(Part)}
 
 
-@dataclass(frozen=True)
-class Slot:
+class Slot(Struct, frozen=True):
     """A place in a text where something is filled in: a text, or a given with its symbol; by its
     `part` a given's number alone or without its sign, or how something driven goes.
     """
@@ -51,8 +51,7 @@ class Slot:
                 assert_never(self.part)
 
 
-@dataclass(frozen=True)
-class Fillings:
+class Fillings(Struct, frozen=True):
     """What the slots of a text may name: givens, texts, and what inputs drive."""
 
     givens: Collection[str]
@@ -72,8 +71,7 @@ class Fillings:
                 assert_never(part)
 
 
-@dataclass(frozen=True)
-class SlotFault:
+class SlotFault(Struct, frozen=True):
     """What is wrong with a slot: `name` is the unknown name, "" where the fault is another one."""
 
     what: Message

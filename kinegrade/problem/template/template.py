@@ -6,8 +6,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
 from typing import Literal
+
+from msgspec import Struct, field
 
 from kinegrade.expressions.tree import Expression
 from kinegrade.mechanics.mechanism import Body
@@ -23,8 +24,7 @@ METHODS: tuple[Method, ...] = ("base-point", "projection", "pole")
 Relation = Literal["<", "<=", "==", "!="]
 
 
-@dataclass(frozen=True)
-class Parameter:
+class Parameter(Struct, frozen=True):
     """A quantity that is given: its unit, what may be drawn (exact texts in that unit), its
     published value.
     """
@@ -52,8 +52,7 @@ class Parameter:
         return self.published if self.published is not None else self.choices[0]
 
 
-@dataclass(frozen=True)
-class Ask:
+class Ask(Struct, frozen=True):
     """A quantity that may be asked for: how it follows from the motion, its unit, sign convention
     and weight.
 
@@ -73,8 +72,7 @@ class Ask:
     cyclic: bool
 
 
-@dataclass(frozen=True)
-class Condition:
+class Condition(Struct, frozen=True):
     """left < right (or <=, or ==), in SI: what drawn values must fulfil, or when a text applies."""
 
     text: str
@@ -83,8 +81,7 @@ class Condition:
     relation: Relation
 
 
-@dataclass(frozen=True)
-class Wording:
+class Wording(Struct, frozen=True):
     """A text for the values at which its condition holds; without a condition, for all values that
     are left.
     """
@@ -93,8 +90,7 @@ class Wording:
     text: Translated
 
 
-@dataclass(frozen=True)
-class Published:
+class Published(Struct, frozen=True):
     """What the source gives: parameter values, and results as expressions of the parameters."""
 
     source: str
@@ -103,8 +99,7 @@ class Published:
     texts: Mapping[str, str]
 
 
-@dataclass(frozen=True)
-class MechanismFile:
+class MechanismFile(Struct, frozen=True):
     """A file that holds the mechanism of several templates: its name without `.toml`, its text, and
     those of the translations beside it.
     """
@@ -114,8 +109,7 @@ class MechanismFile:
     translations: Translations = field(default_factory=dict)
 
 
-@dataclass(frozen=True)
-class TemplateFile:
+class TemplateFile(Struct, frozen=True):
     """A template as it was read, kept with every exam, with the translations beside it; `mechanism`
     where it shares one.
     """
@@ -125,8 +119,7 @@ class TemplateFile:
     translations: Translations = field(default_factory=dict)
 
 
-@dataclass(frozen=True)
-class About:
+class About(Struct, frozen=True):
     """The data by which a template is found and chosen.
 
     `tags` are the author's words, besides those that follow from what it asks. `method` is how its
@@ -140,8 +133,7 @@ class About:
     method: Method | None = None
 
 
-@dataclass(frozen=True)
-class NamedMistake:
+class NamedMistake(Struct, frozen=True):
     """A mistake that the author of a question knows, by an identifier and a sentence for those who
     make it: what it takes the named steps for.
     """
@@ -151,8 +143,7 @@ class NamedMistake:
     means: Translated
 
 
-@dataclass(frozen=True)
-class Scheme:
+class Scheme(Struct, frozen=True):
     """The mechanism as written: what is given, and what is made of it, each in the file's order.
 
     In place of a mechanism there may be `steps`: quantities that follow one from the other, with
@@ -175,8 +166,7 @@ class Scheme:
         return not self.steps
 
 
-@dataclass(frozen=True)
-class Words:
+class Words(Struct, frozen=True):
     """What students read: the statement, the texts in it that depend on values, and why named
     lengths are what they are, which worked solutions say.
 
@@ -188,8 +178,7 @@ class Words:
     reasons: Mapping[str, Translated]
 
 
-@dataclass(frozen=True)
-class Template:
+class Template(Struct, frozen=True):
     """One mechanism with its questions; `name` is its file's name without `.toml`."""
 
     name: str

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator
-from dataclasses import dataclass
+
+from msgspec import Struct
 
 from kinegrade.errors import TemplateError
 from kinegrade.files.fields.place import Place
@@ -12,8 +13,7 @@ from kinegrade.language.known import known_languages
 from kinegrade.language.message import Fault, Message, list_choices
 
 
-@dataclass(frozen=True)
-class Translated:
+class Translated(Struct, frozen=True):
     """A text by language; a `plain` one is the same in every language.
 
     >>> crank = Translated((("en", "crank"), ("zh", "曲柄")))

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
 from flint import arb, fmpq
+from msgspec.structs import replace
 
 from kinegrade.errors import AtInfinity, KinegradeError
 from kinegrade.expressions.evaluation import evaluate

@@ -5,9 +5,11 @@ where honest rounding needs more room.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from fractions import Fraction
 from math import ceil
+
+from msgspec.structs import replace
 
 from kinegrade.numbers.tolerance import ONE_PER_CENT, USUAL_CARRY, Tolerance
 from kinegrade.problem.solution import Solution

@@ -6,7 +6,8 @@ The letters come from templates and their notation as LaTeX math, which is read 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import replace
+
+from msgspec.structs import replace
 
 from kinegrade.language.math.reading import read_math
 from kinegrade.language.math.tree import Accent, Letter, Lettering, Row, Scripts, Sign

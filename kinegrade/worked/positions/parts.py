@@ -8,6 +8,8 @@ from collections.abc import Iterable, Iterator, Sequence, Set
 from dataclasses import dataclass, replace
 from typing import TypeAlias, assert_never
 
+from msgspec import structs
+
 from kinegrade.language.math.tree import Letter, Node, Row, Scripts, list_nodes
 from kinegrade.language.message import Message, list_plainly
 from kinegrade.worked.case import Case
@@ -89,7 +91,9 @@ def is_met(symbol: Symbol, met: Set[Node]) -> bool:
 def find_symbols(rows: Iterable[Row]) -> set[Node]:
     """The letters, with an index or without one, that formulas refer to; exponents are left out."""
     nodes = [node for row in rows for node in list_nodes(row)]
-    met: set[Node] = {replace(node, upper=None) for node in nodes if isinstance(node, Scripts)}
+    met: set[Node] = {
+        structs.replace(node, upper=None) for node in nodes if isinstance(node, Scripts)
+    }
     met.update(node for node in nodes if isinstance(node, Letter))
     return met
 

@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any, assert_never
 
+from msgspec import structs
+
 from kinegrade.expressions.tree import Expression, Number, find_names
 from kinegrade.language.math.tree import Row, Scripts
 from kinegrade.language.message import Message
@@ -202,7 +204,7 @@ def _find_tree(law: Imposed, case: Case, level: Level) -> Expression:
 def _drop_upper(row: Row) -> Row:
     """Letters without what stands above them, as the t of a tangential acceleration."""
     *before, last = row
-    return (*before, replace(last, upper=None)) if isinstance(last, Scripts) else row
+    return (*before, structs.replace(last, upper=None)) if isinstance(last, Scripts) else row
 
 
 def _state_given(law: Imposed, case: Case, level: Level) -> Message:

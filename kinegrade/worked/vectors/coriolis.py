@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import replace
 from typing import NamedTuple
+
+from msgspec.structs import replace
 
 from kinegrade.language.math.tree import Lettering, Row, Scripts
 from kinegrade.language.message import Message, list_all, list_statements

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from msgspec import Struct
 
 from kinegrade.language.message import Message
 from kinegrade.mechanics.ground import GROUND
@@ -17,8 +17,7 @@ LINKS = frozenset({"crank", "rocker", "rod", "bar", "arm", "strut", "jaw", "coup
 _ROUND = {"gear": "gear", "belt": "pulley"}
 
 
-@dataclass(frozen=True)
-class Label:
+class Label(Struct, frozen=True):
     """What tells a body from others: the template's word for it, its letters in LaTeX math, its
     number in prose; "" for what it has not.
     """
@@ -28,8 +27,7 @@ class Label:
     number: str = ""
 
 
-@dataclass(frozen=True)
-class BodyNames:
+class BodyNames(Struct, frozen=True):
     """What a template's bodies are called."""
 
     template: Template

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import re
-from dataclasses import replace
 
 import pytest
+from msgspec.structs import replace
 
 from kinegrade.problem.template.library.library import load_template
 from kinegrade.problem.template.library.reading import read_template

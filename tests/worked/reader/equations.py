@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cache
+
+from msgspec.structs import replace
 
 from kinegrade.language.math.reading import read_math
 from kinegrade.language.math.tree import Lettering, Mark, Node, Row, Scripts, Sign, Space

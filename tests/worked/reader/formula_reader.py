@@ -10,6 +10,8 @@ from collections.abc import Callable, Iterator, Mapping
 from contextlib import suppress
 from dataclasses import dataclass, replace
 
+from msgspec import structs
+
 from kinegrade.language.math.tree import (
     DEGREE,
     Fenced,
@@ -122,7 +124,9 @@ def join_decimals(row: Row) -> list[Node]:
             if not isinstance(whole, Number):
                 raise Unreadable(whole)
             joined = Number(f"{whole.digits}.{base.digits}")
-            nodes.append(replace(node, base=joined) if isinstance(node, Scripts) else joined)
+            nodes.append(
+                structs.replace(node, base=joined) if isinstance(node, Scripts) else joined
+            )
         else:
             nodes.append(node)
     return nodes
@@ -215,7 +219,7 @@ class _Reader:
             case Scripts(base=Letter() | Number() as base, lower=lower, upper=upper) if (
                 upper and not _is_lettering(upper)
             ):
-                bare = replace(node, upper=None) if lower or node.primes else base
+                bare = structs.replace(node, upper=None) if lower or node.primes else base
                 return raise_to(self.inner((bare,)), self.inner(upper).value)
             case Scripts(base=Letter()):
                 return self.worth(name_symbol((node,)))
@@ -264,7 +268,7 @@ class _Reader:
         last = places[-1]
         if isinstance(last, Scripts) and last.upper and not _is_lettering(last.upper):
             exponent = self.inner(last.upper).value
-            bare = replace(last, upper=None)
+            bare = structs.replace(last, upper=None)
             places[-1] = bare if bare.lower or bare.primes else bare.base or bare
         return raise_to(self.worth(name_symbol(tuple(places))), exponent)
 

@@ -4,10 +4,10 @@ symbol at the end of a leader.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
+from msgspec import Struct
 
 from kinegrade.figure.placing.leading import list_spots_at_leader
 from kinegrade.figure.placing.obstacles import NOTHING, Obstacles, Segment
@@ -27,8 +27,7 @@ _AMONG = 0.1  # demerit of a symbol on the side of other pins, where one of them
 _OF_OTHER = 3.0  # demerit of a symbol no nearer to its own line than to something else
 
 
-@dataclass(frozen=True)
-class DimensionLine:
+class DimensionLine(Struct, frozen=True, dict=True):
     """Extension lines from two points to their feet, and the dimension line between the feet."""
 
     points: Segment
@@ -150,8 +149,7 @@ def _cross_any(lines: tuple[Segment, ...], across: Segment) -> bool:
     return False
 
 
-@dataclass(frozen=True)
-class SymbolBeside:
+class SymbolBeside(Struct, frozen=True, dict=True):
     """The symbol alone, close to a line that is drawn between the two points, or to the edge of a
     link of `half` a width, where the most room is, and clearly nearer to it than to anything else
     that is `drawn`.
@@ -186,8 +184,7 @@ class SymbolBeside:
         return ()
 
 
-@dataclass(frozen=True)
-class Leader:
+class Leader(Struct, frozen=True):
     """The symbol at the end of a leader to the middle of a bar, for bars that are short and
     crowded; `worse` is how much its place is.
     """

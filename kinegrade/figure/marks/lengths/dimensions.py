@@ -5,10 +5,12 @@ line or at the end of a leader.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, replace
 from functools import partial
 from math import copysign, inf, pi
 from typing import assert_never
+
+from msgspec import Struct
+from msgspec.structs import replace
 
 from kinegrade.figure.marks.frames import FrameAxis
 from kinegrade.figure.marks.lengths.dimension_lines import DimensionLine, SymbolBeside
@@ -101,8 +103,7 @@ def add_length(
     return layout.marked([*close, *map(company.rate, far), *letters], (), leaders)
 
 
-@dataclass(frozen=True)
-class _Company:
+class _Company(Struct, frozen=True):
     """What a dimension has to keep off as a whole: letters and what is about them, the arrows of
     motions, and with its line, other than with its extension lines, the axes of frames and all that
     is firm; with its arrowheads all that is drawn; the ground; the arcs and squares of angles,

@@ -4,7 +4,7 @@ end of a bar that runs in their direction, as the bar shows it up to there.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from msgspec import Struct
 
 from kinegrade.figure.mechanism.layers import Drawing
 from kinegrade.figure.mechanism.straight_parts import Bar, Rod, find_half_width, list_ways
@@ -26,8 +26,7 @@ _ALONG = 1e-3  # sine of the angle between a line and a bar that runs along it
 _OFF_BAR, _NEAR_BY, _FAR_OFF = 0.7, 4.2, 12.0
 
 
-@dataclass(frozen=True)
-class Around:
+class Around(Struct, frozen=True):
     """What there is about a dimension: the mechanism, its supports and guides, its bars, and its
     half pins, which sit in sleeves.
     """
@@ -56,8 +55,7 @@ class Around:
         )
 
 
-@dataclass(frozen=True)
-class Gap:
+class Gap(Struct, frozen=True):
     """Millimetres from a point to where its extension line begins, and of those the ones in which
     nothing leads there.
     """

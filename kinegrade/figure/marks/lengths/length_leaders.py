@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
 from math import cos, pi
+
+from msgspec.structs import replace
 
 from kinegrade.figure.marks.in_angles import lies_in_angle, list_arcs
 from kinegrade.figure.marks.lengths.dimension_lines import Leader

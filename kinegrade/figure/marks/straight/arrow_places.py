@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from dataclasses import dataclass, replace
 from functools import partial
+
+from msgspec import Struct
+from msgspec.structs import replace
 
 from kinegrade.figure.marks.imposed import find_imposed_direction
 from kinegrade.figure.marks.straight.moving_arrow import ARROW, LEAVING, MovingArrow
@@ -47,8 +49,7 @@ _SAME = 1e-3  # between two unit vectors of one direction
 Ways = Callable[[Sequence[MovingArrow]], Iterable[MovingArrow]]
 
 
-@dataclass(frozen=True)
-class Site:
+class Site(Struct, frozen=True):
     """What the point of motions lies on: the rails of the figure, and the straight parts."""
 
     mechanism: Mechanism

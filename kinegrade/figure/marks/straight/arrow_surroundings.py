@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
 from math import hypot
+
+from msgspec import Struct
+from msgspec.structs import replace
 
 from kinegrade.figure.marks.straight.moving_arrow import MovingArrow
 from kinegrade.figure.mechanism.rails import Rail
@@ -29,8 +31,7 @@ _PAST_HATCHING = 1.4  # millimetres from a rail to the way past its hatching
 _SAME = 1e-3  # between two unit vectors of one direction
 
 
-@dataclass(frozen=True)
-class Surroundings:
+class Surroundings(Struct, frozen=True):
     """Rails, the arcs of angles, those of them that begin `along` the motion, rims, and what an
     arrow does not cross close to its point either: rims and labels.
     """

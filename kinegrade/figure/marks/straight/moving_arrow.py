@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
 
 import numpy as np
+from msgspec import Struct
+from msgspec.structs import replace
 
 from kinegrade.figure.mechanism.rails import Rail
 from kinegrade.figure.placing.obstacles import Segment
@@ -52,8 +53,7 @@ _ABOUT_HEAD = 0.5  # millimetres about a head that keep off what would merge wit
 _PAST_ARROW = 1.6  # millimetres from an arrow to the way past it
 
 
-@dataclass(frozen=True)
-class MovingArrow:
+class MovingArrow(Struct, frozen=True):
     """A straight arrow from `start` in the direction `toward`; `ground` is how far from its point
     the ground is that lies between them, 0 for none, and `leaving` from where on it keeps off bars.
     Where a `short` one from the same point lies on it, that is the length of that one; its symbol

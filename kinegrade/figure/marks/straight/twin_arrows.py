@@ -6,7 +6,9 @@ symbol has room past the other arrow.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+
+from msgspec import Struct
+from msgspec.structs import replace
 
 from kinegrade.figure.marks.straight.moving_arrow import ARROW, LEAVING, MovingArrow
 from kinegrade.mechanics.vector import Vector
@@ -17,8 +19,7 @@ _FARTHER = 1.0  # millimetres past the tip of the short one, where the symbol of
 _LEAVINGS = {LEAVING: 0.0, 5.4: 0.4, 7.5: 1.0}
 
 
-@dataclass(frozen=True)
-class Stance:
+class Stance(Struct, frozen=True):
     """Millimetres between two arrows, from the point or the end of the rod to their tails, and by
     which they stand farther from the ground.
     """

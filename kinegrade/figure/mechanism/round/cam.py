@@ -8,9 +8,10 @@ and a third harmonic: an egg without kinks, closed because there is no first har
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from itertools import product
 from math import atan2, cos, pi, sin
+
+from msgspec import Struct
 
 from kinegrade.figure.plane import polar, unit
 from kinegrade.mechanics.vector import Vector
@@ -26,8 +27,7 @@ _LEAST_REACH = 0.3  # of a cam about its pivot, over the height of its contact
 _SHARPEST = 0.25  # least radius of curvature, over that at the contact or the mean one
 
 
-@dataclass(frozen=True)
-class _Egg:
+class _Egg(Struct, frozen=True):
     """A profile about its own middle: the mean radius of curvature, the harmonics over it, and the
     direction of its nose, in radians from the contact.
     """

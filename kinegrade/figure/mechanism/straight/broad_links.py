@@ -5,8 +5,9 @@ origin on.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import replace
 from typing import assert_never
+
+from msgspec.structs import replace
 
 from kinegrade.figure.mechanism.straight_parts import Bar, Part, list_ways
 from kinegrade.figure.placing.mark import direction

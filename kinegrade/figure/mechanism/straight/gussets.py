@@ -5,8 +5,9 @@ slotted bar, a gusset fills each angle between them.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence, Set
-from dataclasses import dataclass
 from itertools import combinations, product
+
+from msgspec import Struct
 
 from kinegrade.figure.joints.symbol import Symbol
 from kinegrade.figure.mechanism.straight.welded_rods import is_welded
@@ -25,8 +26,7 @@ _SHARE = 0.4  # of the shorter bar that a gusset takes at most
 _STRAIGHT = 0.02  # radians: bars in one line have no corner
 
 
-@dataclass(frozen=True)
-class Corner:
+class Corner(Struct, frozen=True):
     """A rigid corner: its place, the unit vectors of two bars that leave it, and the millimetres
     of each that a gusset takes.
     """

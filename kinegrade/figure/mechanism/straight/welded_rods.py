@@ -5,7 +5,8 @@ the bar, and the slot runs on past the axis of the rod.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
+
+from msgspec.structs import replace
 
 from kinegrade.figure.mechanism.straight_parts import Bar, Part, Rod, find_half_width
 from kinegrade.figure.plane import NEAR, length, on_line, unit

@@ -7,7 +7,8 @@ open. `sections` reads the tables of the file, one module for each.
 from __future__ import annotations
 
 from collections.abc import Set
-from dataclasses import replace
+
+from msgspec.structs import replace
 
 from kinegrade.errors import TemplateError
 from kinegrade.files.fields.table import Table

@@ -9,7 +9,8 @@ template's where it has them.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+
+from msgspec import Struct
 
 from kinegrade.files.fields.place import Place, Source, Where
 from kinegrade.problem.template.sections.keys import SHARED_LISTS, SHARED_TABLES
@@ -17,16 +18,14 @@ from kinegrade.problem.template.sections.keys import SHARED_LISTS, SHARED_TABLES
 Content = Mapping[str, object]
 
 
-@dataclass(frozen=True)
-class Layer:
+class Layer(Struct, frozen=True):
     """The tables of one file, and the lines on which they stand."""
 
     content: Content
     document: Source
 
 
-@dataclass(frozen=True)
-class Layers:
+class Layers(Struct, frozen=True):
     """The tables of a template's file over those of its mechanism, as one source of faults."""
 
     template: Layer

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+
+from msgspec import Struct
 
 from kinegrade.errors import FieldError, Problem, TemplateError, suggest
 from kinegrade.files.fields.document import Document, FileKind, toml_table
@@ -33,8 +34,7 @@ _FILE_NAME = re.compile(r"[a-z0-9]+([-_][a-z0-9]+)*", re.ASCII)
 Mechanisms = Callable[[str], MechanismFile]
 
 
-@dataclass(frozen=True)
-class Opened:
+class Opened(Struct, frozen=True):
     """The tables of a template together, the files that they come from, and the faults of both.
 
     `strays` are the names in tables that are not known, which may be misspelt ones.

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from msgspec.structs import replace
 
 from kinegrade.language import Language
 from kinegrade.problem.template.draft import Draft

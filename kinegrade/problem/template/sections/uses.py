@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping
-from dataclasses import dataclass, field
+
+from msgspec import Struct, field
 
 from kinegrade.errors import suggest
 from kinegrade.expressions.tree import Expression, find_names
@@ -21,8 +22,7 @@ from kinegrade.problem.template.template import Condition, Published, Wording
 from kinegrade.problem.template.translated import Translated
 
 
-@dataclass(frozen=True)
-class _Miss:
+class _Miss(Struct, frozen=True):
     """A name that is used at a place and does not exist, and what to do."""
 
     place: Place
@@ -40,8 +40,7 @@ def check_uses(draft: Draft, faults: Faults) -> None:
         faults.note(first.place, again if more else first.what, do=first.do)
 
 
-@dataclass(frozen=True)
-class _Uses:
+class _Uses(Struct, frozen=True):
     """Checks one draft; `unknown` collects the names that do not exist."""
 
     draft: Draft
