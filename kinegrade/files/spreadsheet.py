@@ -277,8 +277,8 @@ def _find_oddities(file: str, titles: Sequence[str], lines: Sequence[_Line]) -> 
         for place, cell in enumerate(cells):
             if cell.remark:
                 column = titles[place] if place < len(titles) else ""
-                stands, blank = "files.taken-as-it-stands", "files.read-as-blank"
-                done = Message(stands if cell.text else blank)
+                stands = Message("files.taken-as-it-stands")
+                done = stands if cell.text else Message("files.read-as-blank")
                 yield Complaint(file, line, column, shorten(cell.text), cell.remark, done)
 
 
