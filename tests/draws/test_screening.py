@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Mapping
 from dataclasses import replace
 from fractions import Fraction
 from typing import get_args
@@ -16,6 +17,7 @@ from kinegrade.numbers.tolerance import Tolerance
 from kinegrade.problem.holding import condition_holds
 from kinegrade.problem.template.library.library import load_template
 from kinegrade.problem.template.template import Relation
+from kinegrade.students.rounding.rounding import Rounding, take_one
 from kinegrade.students.separation import collect_columns
 from tests.problem.crank import crank
 from tests.problem.draws import draw_filter
@@ -30,12 +32,12 @@ CASES = (  # whether tolerances may be widened; where not, more is refused
 )
 
 
-def exactly(question: DrawFilter, place: int, bounds: dict[str, float]) -> str:
+def exactly(question: DrawFilter, place: int, roundings: Mapping[str, Rounding[float]]) -> str:
     """What the exact solution says of a combination, mistakes aside."""
     values = question.deck.combination(place)
     try:
         solution = solve_sensible(question.template, values, question.asks, None)
-        require_room(solution, question.accuracy, bounds)
+        require_room(solution, question.accuracy, roundings)
     except Refused as refusal:
         return str(refusal)
     return "fit"
@@ -68,8 +70,8 @@ def test_nothing_fit_is_refused_and_much_is(name: str, honest: bool) -> None:
     seen = separation.compare(collect_columns(question.deck.first(DRAWS)))
     found: Counter[str] = Counter()
     for place, refusal in enumerate(screen(separation, question.accuracy, seen)):
-        bounds = {ask: float(row[place]) for ask, row in seen.bounds.items()}
+        roundings = take_one(seen.roundings, place)
         if refusal is not None and refusal.reason != "mistake":
             found[refusal.reason] += 1
-            assert exactly(question, place, bounds) == str(refusal)
+            assert exactly(question, place, roundings) == str(refusal)
     assert found
