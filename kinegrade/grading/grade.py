@@ -150,7 +150,7 @@ def _mark(
     folder.policy(rules.text)
     folder.printed(orders)
     folder.left_out(list_hand_marks(hands.left_out))
-    _write_by_hand(folder, settled, exam)
+    _write_by_hand(folder, settled, hands.comments, exam)
     return replace(grades, notes=(*hands.notes, *counts.describe()))
 
 
@@ -176,7 +176,12 @@ def _leave_out_names(grades: ClassGrades) -> ClassGrades:
     return replace(grades, grades=grades.grades.without_names())
 
 
-def _write_by_hand(folder: MarksWriter, settled: Settled, exam: ExamFolder) -> None:
+def _write_by_hand(
+    folder: MarksWriter,
+    settled: Settled,
+    comments: Mapping[tuple[str, str], str],
+    exam: ExamFolder,
+) -> None:
     """Writes the marks by hand, and who still lacks one; and by which key of which exam."""
     identity = identify_exam(exam.head)
     folder.exam(identity)
@@ -184,7 +189,7 @@ def _write_by_hand(folder: MarksWriter, settled: Settled, exam: ExamFolder) -> N
     folder.by_hand(settled.list_marks())
     grades = settled.grades.grades
     names = dict(zip(grades.students, grades.names, strict=True))
-    folder.open(settled.still_open, names, identity)
+    folder.open(settled.still_open, names, comments, identity)
     folder.bonus({**exam.head.bonus, **settled.bonus})
 
 

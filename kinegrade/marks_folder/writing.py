@@ -146,15 +146,21 @@ class MarksWriter:
             write_csv(self.path / EXAM.name, EXAM.columns, [(identity,)])
 
     def open(
-        self, questions: Iterable[OpenQuestion], names: Mapping[str, str], identity: str
+        self,
+        questions: Iterable[OpenQuestion],
+        names: Mapping[str, str],
+        comments: Mapping[tuple[str, str], str],
+        identity: str,
     ) -> None:
-        """Who is still to be marked by hand for which questions; `names` are by student, and the
-        exam is known by its `identity`.
+        """Who is still to be marked by hand for which questions, and what was said of that so far;
+        `names` are by student, and the exam is known by its `identity`.
         """
         rows = []
         for each in questions:
-            to_fill_in = each.question, write_amount(each.points), "", "", identity
-            rows += [(of, neutralise(names[of]), *to_fill_in) for of in each.students]
+            question, out_of = each.question, write_amount(each.points)
+            for of in each.students:
+                said = neutralise(comments.get((of, question), ""))
+                rows.append((of, neutralise(names[of]), question, out_of, "", said, identity))
         if rows:
             write_for_people(self.path / OPEN.name, OPEN.columns, rows)
 

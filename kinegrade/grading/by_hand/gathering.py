@@ -21,9 +21,10 @@ from kinegrade.grading.by_hand.reading import (
     read_hand_file,
 )
 from kinegrade.grading.by_hand.sorted_points import describe_sorted
-from kinegrade.language.message import Fault, Message
+from kinegrade.language.message import Fault, Message, Quoted
 from kinegrade.marks_folder.hand_marks import ByHand, group_by_student
 from kinegrade.marks_folder.layout import FILLED_IN, LEFT_OUT, MANUAL, MARKER, OPEN
+from kinegrade.numbers.amounts import PLACES
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,23 +57,24 @@ class HandSources:
         )
 
     @property
-    def filled(self) -> Path | None:
+    def filled(self) -> tuple[Path, ...]:
         """The list of open questions in the folder that is replaced, unless it is given."""
         file = self.replaced / OPEN.name
         if not file.exists() or _is_among(file, self.given):
-            return None
+            return ()
         # Earlier versions listed questions alone, and nobody typed there
-        return file if "student" in read_table(file).header else None
+        return (file,) if "student" in read_table(file).header else ()
 
 
 @dataclass(frozen=True, slots=True)
 class Gathered:
-    """The marks, those `left_out` as the policy drops what they are for, and what is to be said of
-    all of them.
+    """The marks, those `left_out` as the policy drops what they are for, the `comments` on what has
+    no points yet, by student and question, and what is to be said of all of them.
     """
 
     by_hand: ByHand
     left_out: ByHand
+    comments: Mapping[tuple[str, str], str]
     notes: tuple[Problem, ...]
 
     @property
@@ -87,12 +89,14 @@ def gather_hand_marks(sources: HandSources, markable: Markable) -> Gathered:
     """
     given = [read_hand_file(path, markable) for path in sources.given]
     carried = [read_hand_file(path, markable) for path in sources.carried]
+    filled = [read_hand_file(path, markable) for path in sources.filled]
     rows = _Rows.join(given)
     kept = _Rows.join(carried).without(rows)
     faults = [
         *chain.from_iterable(file.faults for file in (*given, *carried)),
         *find_contradictions([*kept.counted, *rows.counted]),
-        *_find_lost(sources, markable, [*kept.all, *rows.all]),
+        *_find_beside(sources.given, given, {*kept.points, *rows.points}),
+        *_find_lost(sources.filled, filled, [*kept.all, *rows.all]),
     ]
     if faults:
         raise TableError(*faults)
@@ -103,6 +107,7 @@ def gather_hand_marks(sources: HandSources, markable: Markable) -> Gathered:
     return Gathered(
         group_by_student(row.mark for row in (*kept.counted, *rows.counted)),
         group_by_student(row.mark for row in (*kept.left_out, *rows.left_out)),
+        dict(chain.from_iterable(file.comments.items() for file in (*filled, *given))),
         notes,
     )
 
@@ -186,20 +191,28 @@ def _say_kept(path: Path, file: HandFile) -> Iterator[Message]:
         yield Message("marking.dropped-by-hand", file=str(path), count=count, kept=kept)
 
 
+def _find_beside(
+    paths: Sequence[Path], files: Sequence[HandFile], marked: Set[tuple[str, str]]
+) -> Iterator[Fault]:
+    """That a comment without points is on what has some: it would be lost."""
+    for path, file in zip(paths, files, strict=True):
+        for student, question in sorted(file.comments.keys() & marked):
+            what = Message("marking.points-are", cell=Quoted(""))
+            expected = Message("marking.hand-points", places=PLACES)
+            yield Fault(f"{path}: {student}: {question}", what, expected)
+
+
 def _find_lost(
-    sources: HandSources, markable: Markable, rows: Sequence[HandRow]
+    paths: Sequence[Path], files: Sequence[HandFile], rows: Sequence[HandRow]
 ) -> Iterator[Fault]:
     """That points typed into the list of open questions would be lost with the folder."""
-    if sources.filled is None:
-        return
     counted = {(row.mark.place, row.mark.points) for row in rows}
-    typed = read_hand_file(sources.filled, markable)
-    marks = [row.mark for row in (*typed.rows, *typed.left_out)]
-    lost = [mark for mark in marks if (mark.place, mark.points) not in counted]
-    if lost or typed.faults:
-        what = Message("marking.typed-would-be-lost", count=len(lost) + len(typed.faults))
-        do = Message("marking.give-manual", file=str(sources.filled))
-        yield Fault(str(sources.filled), what, do=do)
+    for path, typed in zip(paths, files, strict=True):
+        marks = [row.mark for row in (*typed.rows, *typed.left_out)]
+        lost = [mark for mark in marks if (mark.place, mark.points) not in counted]
+        if lost or typed.faults:
+            what = Message("marking.typed-would-be-lost", count=len(lost) + len(typed.faults))
+            yield Fault(str(path), what, do=Message("marking.give-manual", file=str(path)))
 
 
 def _is_among(file: Path, given: Sequence[Path]) -> bool:

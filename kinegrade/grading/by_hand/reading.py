@@ -42,13 +42,15 @@ class HandRow:
 
 @dataclass
 class HandFile:
-    """What was read of one file: its marks, how many rows have none yet, those `left_out` that mark
+    """What was read of one file: its marks, how many rows have none yet, what some of these say by
+    student and question, those `left_out` that mark
     what the policy dropped, which ids are not as in the exam, how many `followed` a paper to
     another student than they were given to, and what is wrong.
     """
 
     rows: list[HandRow] = field(default_factory=list)
     unmarked: int = 0
+    comments: dict[tuple[str, str], str] = field(default_factory=dict)
     left_out: list[HandRow] = field(default_factory=list)
     restored: Mapping[str, str] = field(default_factory=dict)
     followed: int = 0
@@ -113,6 +115,10 @@ class _Reader:
         named = self._find_named(row)
         if student is None or named is None:
             return
+        if not points and named.column in self.markable.by_hand:
+            self.found.unmarked += 1
+            self.found.comments[student, named.column] = comment
+            return
         amount = self._read_points(row, points, student, named)
         if amount is None or self._is_cut(row, points, comment, named):
             return
@@ -133,11 +139,8 @@ class _Reader:
         code = self.columns.cell(row, self.columns.code)
         owner = self.markable.ids.coded(code) if code else None
         if spare := self.markable.spares.coded(code or cell):
-            what, do = (
-                Message("marking.nobodys-paper", code=spare),
-                Message("marking.give-to-owner"),
-            )
-            self._fault(row, spare, what, do=do)
+            what = Message("marking.nobodys-paper", code=spare)
+            self._fault(row, spare, what, do=Message("marking.give-to-owner"))
             return None
         if owner is not None and self.columns.is_ours:  # given by that code
             self.found.followed += owner != students.get(cell, "")

@@ -27,7 +27,7 @@ def test_all_that_is_wrong_is_told_at_once_and_nothing_is_written(folder: Path) 
         f"{ADA},q7,1,\n"
         f"{ADA},q2,3,\n"
         f"{ADA},q2,-1,\n"
-        f"{ADA},q2,,forgotten\n"
+        f"{ADA},q1,,forgotten\n"
         f"{SOFYA},q3,1,\n"
         f"{SOFYA},q3,2,\n"
         f"{SOFYA},3a,1,\n"
@@ -43,7 +43,7 @@ def test_all_that_is_wrong_is_told_at_once_and_nothing_is_written(folder: Path) 
             "by-hand.csv:4: q2: 3 points of 2.5 "
             "- points on top are a row of their own, question bonus",
             f'by-hand.csv:5: q2: points are "-1" - {expected}',
-            f'by-hand.csv:6: q2: points are "" - {expected}',
+            f'by-hand.csv:6: q1: points are "" - {expected}',
             f'by-hand.csv:8: student "{SOFYA}" has 2 points for q3 here and 1 at by-hand.csv:7 '
             "- keep one of them",
             f'by-hand.csv:9: student "{SOFYA}" has points for q3.omega_AB and, at by-hand.csv:7, '
