@@ -152,7 +152,14 @@ def test_nobody_is_marked_by_hand_for_what_is_not_on_the_paper(
     marks = "-o", tmp_path / "MARKS", "--manual", file
     done = kinegrade("grade", exam, exam_folder / "answers.csv", *marks)
     assert done.exit_code == 2
-    assert f'question {other[1:]} is not on the paper of "1002"' in done.stderr
+    own = "q2a" if "q2a" in held else "q2b"
+    expected = f'expected {own}, which the paper of "1002" has'
+    do = "correct the row, or delete it here"
+    said = f'question {other[1:]} is not on the paper of "1002" - {expected} - {do}'
+    assert said in done.stderr
+    file.write_text("student,question,points\n1002,q2,1\n", encoding="utf-8")
+    number = kinegrade("grade", exam, exam_folder / "answers.csv", *marks)
+    assert f'"q2" is no question or ask of the exam - {expected}' in number.stderr
 
 
 def test_marks_are_of_what_each_paper_holds(exam_folder: Path) -> None:

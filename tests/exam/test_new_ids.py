@@ -59,7 +59,9 @@ def test_what_was_typed_and_marked_under_the_old_id_goes_on(exam: Path) -> None:
     kinegrade(*again, "--manual", hands)
     kinegrade("exchange", exam, "0012", "4711", *NEW)
     done = kinegrade(*again, "--since", marks, "--reason", "new id")
-    assert '1 student id is not as in the exam: "0012" for "4711"' in done.stderr
+    said = '1 student id is not as in the exam: "0012" for "4711"'
+    assert f"{sheet.name}: {said}" in done.stderr
+    assert f"manual.csv: {said}" in done.stderr
     totals = {row["student"]: row["total"] for row in table(marks / "grades.csv")}
     assert (totals["4711"], "0012" in totals) == ("5", False)
     assert "4711" in kinegrade("explain", exam, marks, "0012").stdout
@@ -114,3 +116,19 @@ def test_a_new_id_that_cannot_be_is_refused_and_nothing_is_written(
     (line,) = refused.stderr.splitlines()
     assert said in line
     assert contents(exam) == before
+
+
+def test_a_class_generated_again_knows_the_old_ids_and_that_papers_changed_hands(
+    exam: Path,
+) -> None:
+    folder, marks, sheet = exam.parent, exam.with_name("MARKS"), exam.with_name("typed.csv")
+    sheet.write_text(f"student,q1.v_B\n0012,{right_answer(exam, '0012')}\n", encoding="utf-8")
+    again = "grade", exam, sheet, "-o", marks, "--force", "--own-papers"
+    kinegrade(*again)
+    kinegrade("exchange", exam, "0012", "4711", "--new-id")
+    (folder / "roster.csv").write_text(ROSTER.replace("0012", "4711"), encoding="utf-8")
+    made = generate(folder, "EXAM", "--spare", "1", "--solutions", "--force")
+    assert "4 papers keep their numbers, 0 changed, 0 gone, 0 new" in made.stderr
+    refused = kinegrade("explain", exam, marks, "4711")
+    assert "the key of the exam was corrected, or papers changed hands" in refused.stderr
+    assert '"0012" for "4711"' in kinegrade(*again).stderr

@@ -38,7 +38,7 @@ from kinegrade.exam.generating.hand_work import digest_editable
 from kinegrade.exam.generating.options import GenerateOptions
 from kinegrade.exam.generating.page_counts import Printer, fill_up_papers
 from kinegrade.exam.generating.paper_changes import PaperChanges
-from kinegrade.exam.generating.replaced_exam import ReplacedExam, replaced_exam, settle
+from kinegrade.exam.generating.replaced_exam import ReplacedExam, remember, replaced_exam, settle
 from kinegrade.exam.printing.class_printing import count_processes, print_class
 from kinegrade.exam.printing.head_record import candidate, make_exam_head
 from kinegrade.exam.printing.paper_languages import require_languages
@@ -122,7 +122,7 @@ def generate(
         found = list_complaints(roster, run.press_order.press(), dealt, strict=options.strict)
         printer = partial(print_class, workers=workers, jobs=jobs)
         run, candidates = _print_papers(journal, run, dealt, printer, options)
-        _write_rest(make_exam_head(dealt, candidates, run), sources, folder)
+        _write_rest(remember(stays, make_exam_head(dealt, candidates, run)), sources, folder)
         settled = settle(old, folder, options)
     drawn, said = _list_drawn_templates(blueprint, bank), (*found, *_list_unbound(bank, extras))
     return Generated(dealt, drawn, said, *settled, resumed=len(journal.lines))

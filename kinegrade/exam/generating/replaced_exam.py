@@ -86,6 +86,20 @@ def replaced_exam(folder: Path, *, new_numbers: bool) -> ReplacedExam | None:
         raise ExamError(*faults) from error
 
 
+def remember(old: ReplacedExam | None, head: ExamHead) -> ExamHead:
+    """A new head with what marks that were given before are known by: corrections of the key,
+    exchanges of papers, and the ids that students had.
+    """
+    if old is None or old.head is None:
+        return head
+    former = {each.student: each.formerly for each in old.head.students}
+    students = (
+        structs.replace(each, formerly=former.get(each.student, ())) for each in head.students
+    )
+    known = {"corrections": old.head.corrections, "papers_before": old.head.papers_before}
+    return structs.replace(head, students=tuple(students), **known)
+
+
 def read_replaced(exam: ExamFolder) -> ReplacedExam:
     """The exam of which everything is known that a replacement may change. Raises ExamError."""
     secret = required_secret(exam)

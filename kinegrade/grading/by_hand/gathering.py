@@ -150,13 +150,10 @@ def _list_kept(folder: Path) -> tuple[Path, ...]:
 
 
 def _say(paths: Sequence[Path], files: Sequence[HandFile], markable: Markable) -> Iterator[Problem]:
-    """Of the files that are given, which rows have no points yet or do not count, which ids were
-    repaired, and which points were perhaps sorted alone.
+    """Of the files that are given, which rows have no points yet, and which points were perhaps
+    sorted alone.
     """
     for path, file in zip(paths, files, strict=True):
-        if file.restored:
-            what, done = describe_restoration(file.restored)
-            yield Fault(str(path), what, do=done)
         for each in describe_sorted(file.rows, markable.students):
             yield Fault(str(path), each, do=Message("marking.points-count-as-they-stand"))
         if file.unmarked:
@@ -180,10 +177,13 @@ def _say_carried(
         yield from _say_kept(path, file)
 
 
-def _say_kept(path: Path, file: HandFile) -> Iterator[Message]:
-    """Which marks went with a paper, and which are for what the policy dropped, and where they are
-    kept.
+def _say_kept(path: Path, file: HandFile) -> Iterator[Problem]:
+    """Which ids were repaired, which marks went with a paper, and which are for what the policy
+    dropped, and where they are kept.
     """
+    if file.restored:
+        what, done = describe_restoration(file.restored)
+        yield Fault(str(path), what, do=done)
     if file.followed:
         yield Message("marking.followed-paper", file=str(path), count=file.followed)
     if file.left_out:

@@ -4,6 +4,7 @@ points.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence, Set
 from dataclasses import dataclass
 from fractions import Fraction
@@ -14,10 +15,12 @@ from kinegrade.exam.roster.student_ids import StudentIds
 from kinegrade.exam.roster.student_names import StudentNames
 from kinegrade.grading.policy.policy import Policy
 from kinegrade.grading.same_key import identify_exam
-from kinegrade.language.message import Message, list_plainly
+from kinegrade.language.message import Message, Quoted, Text, list_plainly
 from kinegrade.marks_folder.hand_marks import EXTRA
 from kinegrade.numbers.amounts import add_amounts
+from kinegrade.question_numbers import find_printed_number
 
+_NUMBER = re.compile(r"[0-9]+")
 _SHOWN = 4  # names that a message gives as examples
 
 
@@ -46,6 +49,15 @@ class Markable:
         if question in (*self.by_hand, EXTRA) or student not in self.orders:
             return True
         return question in self.orders[student]
+
+    def describe_held(self, student: str, written: str) -> Text:
+        """Which alternatives a student's paper holds for what is written of their number, "" for
+        none.
+        """
+        number, order = _NUMBER.search(written), self.orders.get(student, ())
+        held = [each for each in order if number and find_printed_number(each) == number[0]]
+        names = list_plainly(held)
+        return Message("marking.held", names=names, student=Quoted(student)) if held else ""
 
     def leaves_out(self, column: str, points: Fraction) -> bool:
         """Whether a mark is for what is dropped; one of nothing may explain what a machine marks,

@@ -112,7 +112,7 @@ class _Reader:
             self.found.unmarked += 1
             return
         student = self._find_student(row, students)
-        named = self._find_named(row)
+        named = self._find_named(row, student)
         if student is None or named is None:
             return
         if not points and named.column in self.markable.by_hand:
@@ -177,21 +177,23 @@ class _Reader:
             self._fault(row, "", what, do=Message("marking.correct-name", student=Quoted(student)))
         return other is not None
 
-    def _find_named(self, row: Row) -> Named | None:
+    def _find_named(self, row: Row, student: str | None) -> Named | None:
         written = self.columns.target(row)
         named = self.markable.names.find(written)
         if named is None and make_header_key(written) in list_spellings(Message("marking.extra")):
             named = Named(EXTRA)
         if named is None:
             what = Message("marking.nothing-of-this-name", name=Quoted(shorten(written)))
-            self._fault(row, "", what, self.markable.explain_names())
+            held = self.markable.describe_held(student or "", written)
+            self._fault(row, "", what, held or self.markable.explain_names())
         return named
 
     def _read_points(self, row: Row, cell: str, student: str, named: Named) -> Fraction | None:
         if not self.markable.is_held(student, named.question):
             question = find_bank_number(named.question)
             what = Message("marking.not-on-paper", question=question, student=Quoted(student))
-            self._fault(row, "", what)
+            held = self.markable.describe_held(student, named.question)
+            self._fault(row, "", what, held, Message("marking.correct-here"))
             return None
         points = _read_amount(cell)
         if points is None:
