@@ -107,7 +107,8 @@ class Intervals:
 class SortedIntervals:
     """The intervals of one ask in the rough order of their values, in which those that hold an
     answer stand close together: `papers` have them, `up_to` is the highest end so far, `from_on`
-    the lowest beginning from there on. Full turns are no part of it.
+    the lowest beginning from there on; papers that do not ask it stand last. Full turns are no part
+    of it.
     """
 
     papers: Places
@@ -120,8 +121,8 @@ class SortedIntervals:
         papers = np.argsort(rank_roughly(intervals.value), kind="stable")
         room = _SLACK * np.abs(intervals.value[papers])
         low, high = intervals.low[papers] - room, intervals.high[papers] + room
-        up_to = np.maximum.accumulate(np.maximum(low, high))
-        from_on = np.minimum.accumulate(np.minimum(low, high)[::-1])[::-1]
+        up_to = np.fmax.accumulate(np.maximum(low, high))
+        from_on = np.fmin.accumulate(np.minimum(low, high)[::-1])[::-1]
         return cls(papers, up_to, from_on)
 
     def find_ranges(self, answers: Numbers) -> tuple[Places, Places]:

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping
+from dataclasses import replace
 from fractions import Fraction
 
 import numpy as np
 import pytest
 
-from kinegrade.exam.folder.keys import Paper
+from kinegrade.exam.folder.keys import NOT_ASKED, Paper
 from kinegrade.exam.keyed_exam import KeyedExam
 from kinegrade.grading.fast.another_paper import PapersAnswered
 from tests.grading.sitting_class import SittingClass, honest_slips, sitting_class
@@ -117,3 +118,31 @@ def test_rows_of_others_are_found_among_the_suspect_as_one_by_one(students: int)
     assert {row for row, owner in enumerate(owners) if owner} <= {*suspect}
     assert sum(map(bool, owners)) > students // 4
     assert len(suspect) < students
+
+
+def test_rows_of_others_are_found_where_papers_hold_different_alternatives() -> None:
+    """Even papers hold the second question, odd ones the third; rows slip by two lines."""
+    whole, held = sitting_class(40, 1), ("q2", "q3")
+    examinees = tuple(
+        replace(
+            each,
+            keys={
+                column: NOT_ASKED if column.startswith(held[place % 2]) else key
+                for column, key in each.keys.items()
+            },
+        )
+        for place, each in enumerate(whole.exam.examinees)
+    )
+    exam = KeyedExam(whole.exam.asks, examinees)
+    papers, every = PapersAnswered(exam), list(exam.papers())
+    keys = np.array([paper.keys.list_values() for paper in every])
+    typed = keys.copy()
+    typed[20:] = np.roll(keys, 2, axis=0)[20:]
+    typed[20:, :3] = np.nan  # the first question is left out
+    wrong = np.abs(typed - keys) > 0.01 * np.abs(keys)
+    owners = [
+        papers.find_owner(paper, numbers, amiss)
+        for paper, numbers, amiss in zip(every, typed, wrong, strict=True)
+    ]
+    assert [row for row, owner in enumerate(owners) if owner] == [*range(20, 40)]
+    assert {*range(20, 40)} <= {*papers.list_suspect(typed, wrong)}
