@@ -395,7 +395,8 @@ def test_the_roster_must_be_that_of_the_exam(folder: Path) -> None:
     (folder / "roster.csv").write_text(roster(students), encoding="utf-8")
     (folder / "late.csv").write_text(roster({"s2": "Zoë", "x": "X"}), encoding="utf-8")
     assert [line.replace("EXAM/exam.json", "HEAD") for line in refused(folder)] == [
-        'roster.csv: no student "a/b" - expected everyone who has a paper in EXAM - add the line',
+        'roster.csv: no student "a/b" - expected everyone who has a paper in EXAM - add the line, '
+        "or, where only the id has changed, use kinegrade exchange --new-id",
         'roster.csv:2: name "Anna" of student "s0" - expected "Ann", as in HEAD - correct the line',
         'roster.csv:4: student "new" has no paper in EXAM - expected the students of the exam - '
         "list late students in the file of --add alone",
