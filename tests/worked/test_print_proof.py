@@ -163,6 +163,22 @@ def test_the_double_of_an_angle_at_a_corner_is_read() -> None:
 
 
 @pytest.mark.parametrize(
+    ("line", "laws"),
+    [
+        (r"v = 0.3333\,\unit{m} \cdot 1.7 \approx 0.567\,\unit{m}", set()),
+        (r"v = 0.5666\,\unit{m} \approx 0.567\,\unit{m}", set()),
+        (r"v = 0.5666\,\unit{m} = 0.567\,\unit{m}", {"equal", "rounded"}),
+        (r"0.61\,\unit{m} \cdot 7.5 \approx 4.58\,\unit{m}", set()),
+        (r"0.6\,\unit{m} \cdot 7.5 \approx 4.5\,\unit{m}", {"settled"}),
+        (r"0.61\,\unit{m} \cdot 7.5 \approx 4.7\,\unit{m}", {"equal"}),
+    ],
+)
+def test_a_decimal_of_few_digits_is_rounded_after_one_of_more(line: str, laws: set[Law]) -> None:
+    page = (Display((read_math(line, ""),)), Prose("Above stands $v$."))
+    assert {fault.law for fault in find_faults(page, drawn("slider-crank")[0])} == laws
+
+
+@pytest.mark.parametrize(
     "right", [[ACROSS, BACK], [Arrow("v_U", Vector(1.6, 0.0)), Arrow("v_W", Vector(-0.6, 0.0))]]
 )
 def test_a_polygon_that_closes_has_no_faults_with_arrows_drawn_aside_or_not(

@@ -6,7 +6,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator, Sequence, Set
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from itertools import islice
 from typing import Literal, TypeAlias
 
@@ -169,9 +169,12 @@ def _judge_line(line: Line, sought: Set[str], known: _Known) -> Iterator[Fault]:
             if point not in known.letters:
                 yield Fault("point", f"{point} in {line.text}")
     values: list[tuple[Side, Amount]] = []
-    for side in line.sides:
+    numbers = () if any(find_symbols(line.left)) else (Side("=", line.left),)
+    for side in (*numbers, *line.sides) if line.sides else ():
         try:
-            values.append((side, read_formula(side.row, known.worth)))
+            values.append(
+                (side, _count_rounding(side, read_formula(side.row, known.worth), values))
+            )
         except MixedUnits:
             yield Fault("unit", line.text)
         except Unreadable:
@@ -209,7 +212,7 @@ def _judge_values(line: Line, values: Values) -> Iterator[Fault]:
             yield Fault("equal", line.text)
     before = [amount.precise for _, amount in values if amount.precise is not None]
     for side, amount in values:
-        if is_decimal(side.row) and before and not _is_rounded(line.left, side):
+        if is_decimal(side.row) and before:
             rounded = any(amount.precise is None for _, amount in values)
             if rounded and side.relation == r"\approx":
                 continue
@@ -223,18 +226,12 @@ def _find_room(side: Side, amount: Amount) -> float:
     return amount.room
 
 
-def _is_rounded(left: Row, side: Side) -> bool:
-    """Whether a decimal stands for a sum of rounded numbers, to which it is but nearly equal."""
-    try:
-        precise = read_formula(left, refuse_symbols).precise
-    except (Unreadable, MixedUnits):
-        return False
-    return precise is None and side.relation == r"\approx"
-
-
-def refuse_symbols(symbol: str) -> Amount:
-    """For formulas in numbers alone."""
-    raise Unreadable(symbol)
+def _count_rounding(side: Side, amount: Amount, before: Values) -> Amount:
+    """A decimal of few digits, where it rounds what has been rounded before."""
+    rounds = side.relation == r"\approx" and is_decimal(side.row) and amount.value
+    if rounds and before and before[-1][1].precise is None:
+        return replace(amount, precise=None, room=_find_room(side, amount))
+    return amount
 
 
 def _judge_exact_forms(line: Line, values: Values) -> Iterator[Fault]:
