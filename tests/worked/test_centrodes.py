@@ -88,5 +88,14 @@ def test_a_centrode_found_by_normals_needs_no_speeds() -> None:
 def test_a_component_of_the_vector_to_a_pole_is_worked_out_by_coordinates() -> None:
     """It printed the expression of the template, along(AS, midpoint(O, B) - A)."""
     solution = solve_template(load_template("guide-tube-rod-fixed-centrode"), {})
-    expected = r"\xi_{S} &= x_{S}\cos 30^\circ + y_{S}\sin 30^\circ = -0.05\,\unit{m} \cdot"
+    expected = (
+        r"\xi_{S} &= x_{S}\cos\frac{\theta}{2} + y_{S}\sin\frac{\theta}{2} = -0.05\,\unit{m} \cdot"
+    )
+    assert find_untold(expected, solution) == []
+
+
+def test_a_bisector_has_half_the_angle_of_which_the_size_alone_is_given() -> None:
+    solution = solve_template(load_template("guide-tube-rod-fixed-centrode"), {"theta": "-118"})
+    half = r"\frac{\theta}{2}"  # below the x axis
+    expected = rf"\eta_{{S}} &= x_{{S}}\sin{half} + y_{{S}}\cos{half} ="
     assert find_untold(expected, solution) == []

@@ -15,6 +15,7 @@ from kinegrade.worked.formulas.measures import bearing, double, tidy
 from kinegrade.worked.formulas.numbers import measure, state_angle
 from kinegrade.worked.formulas.symbols import collect_symbols, name_coordinate, name_point
 from kinegrade.worked.steps.poles import name_pole
+from kinegrade.worked.vectors.inclinations import Inclination, find_cosine
 
 _RIGHT, _CLOSE = 90.0, 1e-7  # degrees
 
@@ -56,15 +57,23 @@ def state_distance(
 
 
 def state_component(
-    ends: Sequence[tuple[Expression, Vector]], direction: Vector, case: Case
+    ends: Sequence[tuple[Expression, Vector]],
+    direction: Vector,
+    case: Case,
+    named: Inclination | None,
 ) -> tuple[Formula, Formula]:
-    """The component along a direction of the vector to the first of two points from the second,
-    by their coordinates: in symbols and in numbers.
+    """The component along a direction, `named` by an angle where one is known, of the vector to the
+    first of two points from the second, by their coordinates: in symbols and in numbers.
     """
     symbols, numbers = list[Formula](), list[Formula]()
     for number, (axis, quarter) in enumerate(zip(AXES, (0.0, _RIGHT), strict=True)):
         apart = abs((bearing(direction) - quarter + 180) % 360 - 180)
         if abs(apart - _RIGHT) < _CLOSE or not double(ends[0][1][number] - ends[1][1][number]):
+            continue
+        cosine = find_cosine(Inclination(1, None, 0.0, number), named) if named else None
+        if cosine is not None:
+            for told, size in zip((symbols, numbers), _subtract(axis, ends, case), strict=True):
+                told.append((size * cosine.state(told is numbers)).signed(cosine.sign))
             continue
         acute, sign = tidy(min(apart, 180 - apart)), (1 if apart < _RIGHT else -1)
         for told, size in zip((symbols, numbers), _subtract(axis, ends, case), strict=True):

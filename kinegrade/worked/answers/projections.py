@@ -13,6 +13,7 @@ from kinegrade.worked.formulas.atoms import ZERO, add_terms
 from kinegrade.worked.formulas.formula import Formula, Function
 from kinegrade.worked.formulas.measures import bearing, double, tidy
 from kinegrade.worked.formulas.numbers import state_angle
+from kinegrade.worked.positions.bisectors import find_bisector_angle
 from kinegrade.worked.vectors.by_components import project_components, split
 from kinegrade.worked.vectors.components import state_signed
 from kinegrade.worked.vectors.inclinations import (
@@ -21,6 +22,7 @@ from kinegrade.worked.vectors.inclinations import (
     is_line_found,
     name_along,
     name_axis,
+    relate,
 )
 from kinegrade.worked.vectors.stage import multiply_by_cosine
 
@@ -38,8 +40,11 @@ class Working:
 
 def name_known_axis(direction: Expression, value: Vector, case: Case) -> Inclination | None:
     """The direction that an ask names, whose value is given, along or normal to the line of two
-    points, by an angle that is known; None where none is.
+    points or to the bisector of a given angle, by an angle that is known; None where none is.
     """
+    half = find_bisector_angle(direction, case)
+    if half is not None:
+        return relate(bearing(value), half)
     points = [name for name in find_names(direction) if name in case.motion.points]
     if len(points) != 2:
         return None

@@ -63,7 +63,9 @@ def work_out(tree: Expression, case: Case) -> Working:
             is_pole(each, case) for each in (end, start)
         ):
             places = [(each, find_value(each, case)) for each in (end, start)]
-            return Working(*state_component(places, find_value(direction, case), case))
+            value = find_value(direction, case)
+            named = name_known_axis(direction, value, case)
+            return Working(*state_component(places, value, case, named))
         case Call() if is_rotation_call(tree):
             return _state_rotation(tree, case)
         case Operation(left=left) if not isinstance(left, Number):

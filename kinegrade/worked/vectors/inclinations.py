@@ -14,6 +14,7 @@ from kinegrade.mechanics.relations import Term
 from kinegrade.mechanics.vector_equation import Part
 from kinegrade.worked.case import Case, write_row
 from kinegrade.worked.document import Block, Display
+from kinegrade.worked.findings import Stated
 from kinegrade.worked.formulas.atoms import TWO, Symbol, add_terms, list_summands
 from kinegrade.worked.formulas.formula import Formula, Function, FunctionName, Sum
 from kinegrade.worked.formulas.measures import bearing, double, tidy
@@ -128,7 +129,7 @@ def name_direction(direction: float, part: Part, case: Case) -> Inclination | No
     if ends is not None:
         return name_along(direction, ends, case)
     track = find_track_angle(part.term, case) if part.term else None
-    return name_axis(direction) or (_relate(direction, track) if track else None)
+    return name_axis(direction) or (relate(direction, track) if track else None)
 
 
 def name_along(direction: float, ends: tuple[str, str], case: Case) -> Inclination | None:
@@ -137,10 +138,10 @@ def name_along(direction: float, ends: tuple[str, str], case: Case) -> Inclinati
     if axis is not None:
         return axis
     line = _find_line(ends, case)
-    return _relate(direction, line) if line else None
+    return relate(direction, line) if line else None
 
 
-def _relate(direction: float, line: tuple[Formula, int, float]) -> Inclination | None:
+def relate(direction: float, line: Stated) -> Inclination | None:
     """A direction by the angle of a line along or normal to which it is; None for any other."""
     angle, sign, value = line
     quarters = (direction - sign * value) / _RIGHT

@@ -72,7 +72,9 @@ def find_angles(row: Row) -> Iterator[float]:
 
 
 def find_arguments(row: Row) -> Iterator[Row]:
-    """What functions of a formula are of, where that stands in brackets or is a multiple."""
+    """What functions of a formula are of, where that stands in brackets or is a multiple or a
+    part.
+    """
     for place, node in enumerate(row):
         function = node.base if isinstance(node, Scripts) else node
         rest = row[place + 1 :]
@@ -81,6 +83,8 @@ def find_arguments(row: Row) -> Iterator[Row]:
         elif isinstance(function, Function) and rest and isinstance(rest[0], Number):
             corner = rest[1:2] == (Sign(r"\angle"),)
             yield rest[: 2 + _count_letters(rest[2:])] if corner else rest[:2]
+        elif isinstance(function, Function) and rest and isinstance(rest[0], Quotient):
+            yield rest[:1]
         for part in list_parts(node):
             yield from find_arguments(part)
 
