@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from kinegrade.language import Language
-from tests.worked.draws import kept
+from tests.worked.draws import kept, stated
 from tests.worked.telling import proses
 
 
@@ -65,3 +65,11 @@ def test_the_angle_of_two_lines_is_told_once(name: str) -> None:
 )
 def test_it_is_said_in_every_language(language: Language, said: str) -> None:
     assert said in _read("toggle-press", language)
+
+
+def test_a_line_that_a_sum_of_given_angles_places_has_its_angle_told() -> None:
+    # its jaw is upright: v_B lies along x, and the figure has delta and beta, but not their sum
+    values = {"OE": "0.34", "BG": "0.7", "AB": "0.65", "d": "0.85", "omega": "4", "alpha": "5"}
+    angles = {"delta": "30", "beta": "55", "gamma": "95", "psi": "-70"}
+    told = "\n".join(proses(stated("stone-crusher", **values, **angles)))
+    assert r"$GB$ makes $\delta + \beta$ with the $y$ axis" in told

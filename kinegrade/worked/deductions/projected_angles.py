@@ -13,7 +13,7 @@ from kinegrade.mechanics.vector_equation import Part
 from kinegrade.worked.case import Case
 from kinegrade.worked.findings import Pair
 from kinegrade.worked.formulas.atoms import Symbol, VectorSymbol
-from kinegrade.worked.formulas.formula import Formula
+from kinegrade.worked.formulas.formula import Formula, Sum
 from kinegrade.worked.formulas.measures import bearing
 from kinegrade.worked.formulas.numbers import state_angle
 from kinegrade.worked.formulas.symbols import join_letters
@@ -179,8 +179,11 @@ def explain_angles(stage: Stage, projection: Projection) -> Iterator[Message]:
 
 
 def _is_seen(found: list[_Leaning]) -> bool:
-    """Whether only one named angle is needed, of a vector along a line with an axis."""
-    return len(found[0].lines) == 1 and not any(any(one.turns) for one in found)
+    """Whether only one named angle is needed, of a vector along a line with an axis; a sum of some
+    is nowhere drawn.
+    """
+    summed = isinstance(found[0].cosine.angle, Sum)
+    return len(found[0].lines) == 1 and not summed and not any(any(one.turns) for one in found)
 
 
 def _join(found: Sequence[_Leaning]) -> Message:
