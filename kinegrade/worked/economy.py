@@ -28,26 +28,26 @@ _COORDINATES = (Letter("x"), Letter("y"))
 
 def leave_out_unused(blocks: Sequence[Block], told: Sequence[Row]) -> tuple[Block, ...]:
     """The blocks without coordinates that are neither zero nor answers, and that neither a formula
-    further down nor one of sentences, `told`, takes up by letter or by number; a sentence that led
-    to these alone is left out with them.
+    further down nor one of sentences, `told`, takes up by letter or by number; an equation or a
+    sentence that led to these alone is left out with them.
     """
-    page = _Page(find_symbols(told), [])
+    page = _Page(find_symbols(told), [], set())
     kept = list[Block]()
-    bare = False
+    below = list[bool]()  # whether anything is left of each display that a sentence leads to
     for block in reversed(blocks):
         match block:
             case Display(lines):
                 left = page.select(lines)
-                bare = not left
+                below.append(bool(left))
                 kept += [Display(left)] if left else []
             case Prose(text, formulas):
                 page.said.extend(map(_flatten, formulas))
-                if not bare or not text.endswith((":", "：")):
+                if not below or any(below) or not text.endswith((":", "：")):
                     kept.append(block)
-                bare = False
+                below.clear()
             case Heading() | TermTable() | Pictures():
                 kept.append(block)
-                bare = False
+                below.clear()
             case _:
                 assert_never(block)
     return tuple(reversed(kept))
@@ -55,10 +55,13 @@ def leave_out_unused(blocks: Sequence[Block], told: Sequence[Row]) -> tuple[Bloc
 
 @dataclass(frozen=True)
 class _Page:
-    """What stands further down: the letters met, and the formulas of sentences, node by node."""
+    """What stands further down: the letters met, and the formulas of sentences, node by node; and
+    the coordinates left out there.
+    """
 
     met: set[Node]
     said: list[Row]
+    dropped: set[Node]
 
     def select(self, lines: Sequence[Row]) -> tuple[Row, ...]:
         """The lines of the equations that are taken up; their letters count as met from then on."""
@@ -66,11 +69,18 @@ class _Page:
         for line in reversed(lines):
             going_on.append(line)
             left = line[: line.index(Mark())] if Mark() in line else line
-            if left and (not _is_coordinate(left) or self._needs(left, going_on)):
+            if left and self._keeps(left, going_on):
                 kept += going_on
                 self.met.update(find_symbols(going_on))
+            elif left and _is_coordinate(left):
+                self.dropped.add(left[0])
             going_on = [] if left else going_on
         return tuple(reversed((*kept, *going_on)))
+
+    def _keeps(self, left: Row, lines: Sequence[Row]) -> bool:
+        if _is_coordinate(left):
+            return self._needs(left, lines)
+        return not self.dropped & find_symbols([left])  # else nobody solves it
 
     def _needs(self, left: Row, lines: Sequence[Row]) -> bool:
         start, end = find_value(lines[0])

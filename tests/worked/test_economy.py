@@ -46,6 +46,13 @@ def test_a_sentence_that_leads_to_nothing_goes_too() -> None:
     assert reread(PLACE, FOUND) == []
 
 
+def test_an_equation_of_a_coordinate_goes_with_it_and_leaves_the_sentence_of_the_other() -> None:
+    circle = read_display([r"(x_{S} - 1\,\unit{m})^{2} + y_{S}^{2} &= 9\,\unit{m^2}"])
+    level = read_display([r"y_{S} &= 0", r"x_{S} &= 4\,\unit{m}"])
+    assert reread(PLACE, circle, level) == [PLACE.text, "    y_{S} &= 0"]
+    assert len(reread(PLACE, circle, level, told="x_{S}")) == 4
+
+
 def test_a_line_that_goes_on_goes_with_its_equation() -> None:
     long = Display(tuple(read_math(one, "test") for one in (r"x_{S} &= 1 + 1", r"&= 2\,\unit{m}")))
     assert reread(Prose("Here."), long) == ["Here."]
