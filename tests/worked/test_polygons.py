@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
+from itertools import pairwise
+
+import pytest
 
 from kinegrade.problem.solving import solve_template
-from kinegrade.problem.template.library.library import load_template
+from kinegrade.problem.template.library.library import find_template_names, load_template
 from kinegrade.worked.case import write_row
 from kinegrade.worked.document import Block, Picture, Pictures, Prose, TermTable
 from kinegrade.worked.solution import write_worked_solution
-from tests.worked.draws import stated
+from tests.worked.draws import drawn, stated, told
 
 
 def list_drawings(blocks: Sequence[Block], caption: str) -> list[Picture]:
@@ -58,6 +62,29 @@ def test_vectors_too_short_to_draw_are_named_below_the_picture() -> None:
     blocks = stated("rolling-wheel-pin-slotted-rocker", phi="-3")
     (picture,) = list_drawings(blocks, "velocities")
     assert picture.caption == r"velocities (too short to draw: $v_{\mathrm{e}}$)"
+
+
+def test_a_vector_too_short_for_a_polygon_is_named_below_it() -> None:
+    """The arrow beside it leads to the tip of their sum, and is labelled as that vector alone."""
+    blocks = stated("rolling-wheel-pin-slotted-rocker", phi="-3")
+    (picture,) = list_drawings(blocks, "acceleration polygon")
+    short = r"$a_{\mathrm{e}}^{\mathrm{n}}$, $a_{\mathrm{r}}$ and $a_{\mathrm{Cor}}$"
+    assert picture.caption.endswith(f" (too short to draw: {short})")
+
+
+@pytest.mark.sampled(12, first=1)
+@pytest.mark.parametrize("name", find_template_names())
+def test_each_vector_of_a_table_is_in_its_polygon_or_named_below_it(name: str) -> None:
+    for table, drawings in pairwise(told(drawn(name)[0])):
+        if isinstance(table, TermTable) and isinstance(drawings, Pictures):
+            polygons = [one for one in drawings.pictures if "polygon" in one.caption]
+            for picture in polygons if len(polygons) == 1 else ():
+                # What is sought may turn out as zero
+                found = (term for term in table.terms if "?" not in term.magnitude)
+                symbols = {write_row(term.symbol) for term in found} - {"0"}
+                plain = {re.sub(r"\\boldsymbol\{(\w)\}", r"\1", symbol) for symbol in symbols}
+                labels = {label.symbol for label in picture.scene.labels}
+                assert [one for one in plain - labels if f"${one}$" not in picture.caption] == []
 
 
 def test_accelerations_have_a_polygon_and_no_sketch_that_would_say_it_again() -> None:

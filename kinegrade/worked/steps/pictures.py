@@ -10,7 +10,7 @@ from typing import assert_never
 from kinegrade.figure.vectors.mechanism import PointArrow, draw_with_vectors
 from kinegrade.figure.vectors.pole_construction import Pole, draw_pole_construction
 from kinegrade.language.math.tree import Text, list_nodes
-from kinegrade.language.message import Message, list_all
+from kinegrade.language.message import Message
 from kinegrade.mechanics.rates import Rate, make_turning
 from kinegrade.mechanics.vector_equation import Part, VectorEquation
 from kinegrade.problem.template.hints import Turning
@@ -19,6 +19,7 @@ from kinegrade.worked.document import Picture, Pictures
 from kinegrade.worked.steps.couplers import choose_method, find_coupler
 from kinegrade.worked.steps.poles import name_pole
 from kinegrade.worked.steps.polygons import (
+    describe,
     draw_equation,
     is_seen,
     make_floats,
@@ -72,9 +73,8 @@ def _draw_velocities(equations: Sequence[VectorEquation], stage: Stage) -> Pictu
         tuple(arrows.values()),
         _find_turnings(rates, case),
     )
-    drawn = {label.symbol for label in scene.labels}
-    short = [f"${arrow.symbol}$" for arrow in arrows.values() if arrow.symbol not in drawn]
-    return Picture(scene, _name_picture(short, case))
+    symbols = [arrow.symbol for arrow in arrows.values()]
+    return describe(scene, Message("solution.picture-velocities"), symbols, case)
 
 
 def _find_point_arrows(
@@ -123,11 +123,3 @@ def _draw_pole(body: str, rays: Sequence[PointArrow], case: Case) -> Picture:
     scene = draw_pole_construction(mechanism, case.template.figure, pole, rays, rotation)
     caption = Message("solution.picture-pole", body=case.naming.body(body))
     return Picture(scene, case.write(caption))
-
-
-def _name_picture(short: Sequence[str], case: Case) -> str:
-    """The caption of a picture of the mechanism with its velocities but for those too short."""
-    caption = Message("solution.picture-velocities")
-    if not short:
-        return case.write(caption)
-    return case.write(Message("solution.picture-without", picture=caption, short=list_all(short)))

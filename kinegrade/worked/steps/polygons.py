@@ -6,9 +6,10 @@ from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from decimal import Decimal
 
+from kinegrade.figure.scene import Scene
 from kinegrade.figure.vectors.chains import Arrow, find_order, find_scale
 from kinegrade.figure.vectors.polygon import SPARE, draw_polygon
-from kinegrade.language.message import Message
+from kinegrade.language.message import Message, list_all
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Part, VectorEquation, is_whole
 from kinegrade.numbers.units import read_unit
@@ -51,7 +52,18 @@ def draw_equation(equation: VectorEquation, stage: Stage, scale: float | None) -
         scale=Decimal(f"{1 / scene.scale:.3g}"),
         unit=read_unit(case.notation.name(UNITS[stage.level, False])).printed,
     )
-    return Picture(scene, case.write(scale_words))
+    return describe(scene, scale_words, [arrow.symbol for side in sides for arrow in side], case)
+
+
+def describe(scene: Scene, caption: Message, symbols: Iterable[str], case: Case) -> Picture:
+    """A drawing of vectors with its caption, which names those that are too short to be drawn: an
+    arrow without them would be taken for the sum that it leads to.
+    """
+    drawn = {label.symbol for label in scene.labels}
+    short = [f"${symbol}$" for symbol in symbols if symbol not in drawn]
+    if short:
+        caption = Message("solution.picture-without", picture=caption, short=list_all(short))
+    return Picture(scene, case.write(caption))
 
 
 def order_vectors(equation: VectorEquation, case: Case) -> VectorEquation:

@@ -22,6 +22,7 @@ _IN_PLACE = Vector(0.0, 0.0)
 _APART = 0.05  # millimetres within which two corners coincide
 _ROUNDED = 0.005  # of a length, what four digits leave open
 _CORNER = re.compile(r"[a-z]'*(_\{\d+\})?'*")  # the small letter of a corner
+_BRACKET = re.compile(r"\s*[(（]")
 _BETWEEN = 2.0  # millimetres by which a symbol longer than its arrow may be nearer to another
 _LEAVES = 0.4  # millimetres from a label to the leader that leaves it
 _ORIGIN = 0.5  # millimetres, radius of the dot at the origin
@@ -69,8 +70,11 @@ def judge_polygons(
 
 
 def _read_scale_unit(caption: str) -> float:
-    """What the unit at the end of a caption is in SI: "1 mm corresponds to 2 cm/s"."""
-    return read_unit(caption.rsplit(maxsplit=1)[-1].replace("²", "^2")).value
+    """What the unit at the end of a caption is in SI: "1 mm corresponds to 2 cm/s", before the
+    vectors that are too short to draw.
+    """
+    scale = _BRACKET.split(caption)[0]
+    return read_unit(scale.rsplit(maxsplit=1)[-1].replace("²", "^2")).value
 
 
 def _find_origin(scene: Scene) -> Vector | None:
