@@ -106,6 +106,10 @@ WRONG: dict[Law, tuple[Block, ...]] = {
         Prose(r"$AB$ makes the acute angle $\psi$ with the $x$ axis."),
         Display((read_math(r"v_{A}\sin\psi = 2\,\unit{m/s}", ""),)),
     ),
+    "between": (
+        Display((read_math(r"\psi = 30^\circ", ""),)),
+        Prose(r"The angle between $OA$ and $OB$ is $180^\circ - \psi$."),
+    ),
     "redone": (
         Prose(
             r"Check by Pythagoras: left side $(2\,\unit{m/s})^{2} + (1.333\,\unit{m/s})^{2} \approx"

@@ -9,8 +9,13 @@ from dataclasses import dataclass, replace
 
 from kinegrade.language.math.tree import Letter, Row, Sign, Space
 from kinegrade.language.message import Listing, Message, Text
-from kinegrade.mechanics.vector_equation import Part
 from kinegrade.worked.case import Case
+from kinegrade.worked.deductions.oblique_lines import (
+    ObliqueLine,
+    direct_lines,
+    draw_line,
+    find_line,
+)
 from kinegrade.worked.findings import Pair
 from kinegrade.worked.formulas.atoms import Symbol, VectorSymbol
 from kinegrade.worked.formulas.formula import Formula, Sum
@@ -22,13 +27,8 @@ from kinegrade.worked.vectors.angle_sums import explain_sums, tell_sum
 from kinegrade.worked.vectors.components import find_heading as find_piece_heading
 from kinegrade.worked.vectors.inclinations import (
     Cosine,
-    Inclination,
     find_cosine,
-    find_ends,
     find_term_ends,
-    name_along,
-    name_axis,
-    name_direction,
 )
 from kinegrade.worked.vectors.magnitudes import find_heading
 from kinegrade.worked.vectors.projection import Projection
@@ -36,25 +36,8 @@ from kinegrade.worked.vectors.stage import Stage, find_axis, find_share_cosine
 from kinegrade.worked.vectors.vectors import name_part
 
 _RIGHT, _HALF = 90.0, 180.0
-_CLOSE = 1e-6  # degrees
 _X, _Y = Symbol((Letter("x"),)), Symbol((Letter("y"),))
 AXIS_NAMES = {0.0: Message("solution.projection-x"), 90.0: Message("solution.projection-y")}
-
-
-@dataclass(frozen=True)
-class _Line:
-    """An oblique line: its letters, or the vector along it where no two points give it, its
-    direction in degrees, and that by named angles.
-    """
-
-    letters: Formula
-    direction: float
-    named: Inclination
-    ends: tuple[str, str] | None
-
-    def is_across(self, direction: float) -> bool:
-        """Whether a direction along or normal to the line is normal to it."""
-        return round((direction - self.direction) / _RIGHT) % 2 == 1
 
 
 @dataclass(frozen=True)
@@ -68,11 +51,11 @@ class _Leaning:
     heading: float
     axis: float
     cosine: Cosine
-    line: _Line | None
-    base: _Line | None
+    line: ObliqueLine | None
+    base: ObliqueLine | None
 
     @property
-    def lines(self) -> tuple[_Line, ...]:
+    def lines(self) -> tuple[ObliqueLine, ...]:
         """The lines whose angles make up that of the projection."""
         return tuple(line for line in (self.line, self.base) if line is not None)
 
@@ -96,10 +79,13 @@ class _Leaning:
             line, angle = case.text(_add_stated(first, case)), f"${case.text(self.cosine.angle)}$"
             return Message("solution.line-makes", line=line, angle=angle, axis=axis)
         turned = self.turns[0] != self.turns[1]
-        angle = self._tell_angle(complement=turned == (self.cosine.function == "cos"))
-        lines = zip(("first", "second"), (first, *others), strict=True)
-        letters = {place: case.text(line.letters) for place, line in lines}
-        return Message("solution.between-lines", **letters, angle=angle)
+        complement = turned == (self.cosine.function == "cos")
+        lines = direct_lines(
+            first, others[0], abs(self._measure_angle(complement=complement)), case
+        )
+        letters = zip(("first", "second"), (case.text(line) for line in lines), strict=True)
+        angle = self._tell_angle(complement=complement)
+        return Message("solution.between-lines", **dict(letters), angle=angle)
 
     def state(self, others: Sequence[VectorSymbol]) -> Message:
         """The angle with the axis of the vector, and of others along it."""
@@ -121,8 +107,13 @@ class _Leaning:
         if not complement:
             return tell_sum(self.cosine, case) or f"${case.text(angle)}$"
         right = state_angle(_RIGHT)
-        rest = right - angle if self.cosine.value <= _RIGHT else angle - right
+        positive = self._measure_angle(complement=True) >= 0
+        rest = right - angle if positive else angle - right
         return f"${case.text(rest)}$"
+
+    def _measure_angle(self, *, complement: bool) -> float:
+        """The angle of the cosine in degrees, or what it falls short of a right angle by."""
+        return _RIGHT - self.cosine.value if complement else self.cosine.value
 
     def _name_vectors(self, vectors: Sequence[VectorSymbol]) -> Symbol:
         """Vectors with the line along or normal to which they are."""
@@ -149,7 +140,7 @@ def join_plainly(symbols: Sequence[VectorSymbol]) -> Row:
     return (*first, *(node for row in others for node in (Sign(","), Space(" "), *row)))
 
 
-def _add_stated(line: _Line, case: Case) -> Formula:
+def _add_stated(line: ObliqueLine, case: Case) -> Formula:
     """The letters of a line, with those of the line, normal to it or parallel, whose angle with an
     axis the figure marks in its place.
     """
@@ -205,7 +196,7 @@ def _join(found: Sequence[_Leaning]) -> Message:
 def _list_leaning(stage: Stage, projection: Projection) -> Iterator[_Leaning]:
     """The vectors of a projection that are aslant to its axis by named angles."""
     case, axis, reference = stage.case, find_axis(projection, stage.case), projection.reference
-    base = _find_line(reference, projection, case) if reference else None
+    base = find_line(reference, projection, case) if reference else None
     if axis is None:
         return
     for share in projection.shares:
@@ -214,7 +205,7 @@ def _list_leaning(stage: Stage, projection: Projection) -> Iterator[_Leaning]:
             heading, direction = find_piece_heading(piece, case), bearing(piece.positive)
             ends = find_term_ends(piece.term, case) if piece.term else None
             vector = replace(piece.symbol, bold=ends is not None)
-            line = _draw_line(ends, direction, case) if ends else None
+            line = draw_line(ends, direction, case) if ends else None
             cosine = find_cosine(heading, axis) if heading else None
             if cosine is not None:
                 yield _Leaning(case, vector, direction, projection.axis, cosine, line, base)
@@ -222,25 +213,5 @@ def _list_leaning(stage: Stage, projection: Projection) -> Iterator[_Leaning]:
         if cosine is not None:
             vector = name_part(projection.equation, share.part, case, bold=True)
             direction = bearing(find_heading(share.part))
-            line = _find_line(share.part, projection, case)
+            line = find_line(share.part, projection, case)
             yield _Leaning(case, vector, direction, projection.axis, cosine, line, base)
-
-
-def _find_line(part: Part, projection: Projection, case: Case) -> _Line | None:
-    """The oblique line along or normal to which a part is."""
-    direction, ends = bearing(find_heading(part)), find_ends(part, case)
-    if ends is not None:
-        return _draw_line(ends, direction, case)
-    named = name_direction(direction, part, case)
-    if named is None or named.angle is None:
-        return None
-    return _Line(name_part(projection.equation, part, case, bold=True), direction, named, None)
-
-
-def _draw_line(ends: tuple[str, str], direction: float, case: Case) -> _Line | None:
-    """The line through two points, along or normal to which a direction is; None along an axis."""
-    if name_axis(direction) is not None or not {*ends} <= {*case.motion.points}:
-        return None
-    start, end = (case.motion.points[point] for point in ends)
-    named, letters = name_along(bearing(end - start), ends, case), map(case.naming.letter, ends)
-    return _Line(join_letters(letters), bearing(end - start), named, ends) if named else None

@@ -27,7 +27,7 @@ from kinegrade.worked.document import Block, Display, Prose, TermTable
 from kinegrade.worked.words.naming import Naming
 
 _NORMAL = re.compile(r"\\perp ([^,$]*)")
-_POINT = re.compile(r"[A-Z](?:_\{\w+\}|'|_\w)*")
+POINT = re.compile(r"[A-Z](?:_\{\w+\}|'|_\w)*")
 _CLAUSE = re.compile(r"\\boldsymbol\{[va]\}[^$]*\\(?:perp|parallel)")
 _BOLD = re.compile(r"\\boldsymbol\{([va])\}")
 _COMPONENT = re.compile(r"^\S*,[xy]\}")  # on the axes, with which the figure shows the angles
@@ -86,7 +86,7 @@ def _find_lines(text: str) -> set[frozenset[str]]:
 
 
 def _find_points(letters: str) -> frozenset[str]:
-    return frozenset(_POINT.findall(letters.strip()))
+    return frozenset(POINT.findall(letters.strip()))
 
 
 def find_projected(row: Row) -> Iterator[tuple[str, str]]:

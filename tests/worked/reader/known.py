@@ -32,6 +32,7 @@ KNOWN: Mapping[Law, frozenset[str]] = {
         )
     ),
     "inclined": frozenset(),
+    "between": frozenset(),
     "sense": frozenset(),
     "early": frozenset(),
     "way": frozenset(),

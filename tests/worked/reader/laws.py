@@ -16,6 +16,7 @@ from kinegrade.worked.case import write_row
 from kinegrade.worked.document import Block, Prose
 from tests.worked.reader.amounts import Amount, MixedUnits, Unreadable
 from tests.worked.reader.answers import find_without_way
+from tests.worked.reader.between import find_misnamed
 from tests.worked.reader.checks import find_unrepeatable
 from tests.worked.reader.economy import find_repeated, find_unused
 from tests.worked.reader.equations import Line, Said, Side, read_page
@@ -55,6 +56,7 @@ Law: TypeAlias = Literal[
     "used",
     "once",
     "inclined",
+    "between",
     "redone",
     "sense",
     "early",
@@ -76,6 +78,7 @@ LAWS: dict[Law, str] = {
     "used": "what is found is asked, or used further down, by a check at least",
     "once": "no long sentence stands twice under a title",
     "inclined": "a vector normal to a line is projected by an angle that a sentence has derived",
+    "between": "the angle between two lines is that between the directions of their letters",
     "sense": "a vector in a table has a direction, not the line alone",
     "early": "the length of an arm in a table is given, or has been found before the table",
     "way": "words beside the box of an answer with a sign say where it points",
@@ -139,6 +142,8 @@ def find_faults(blocks: Sequence[Block], solution: Solution) -> Iterator[Fault]:
     yield from (Fault("early", length) for length in find_early(blocks, solution))
     yield from (Fault("way", line) for line in find_without_way(blocks, solution))
     yield from (Fault("inclined", line) for line in find_underived(blocks, solution))
+    misnamed = find_misnamed(blocks, solution, known.worth)
+    yield from (Fault("between", angle) for angle in misnamed)
     yield from (Fault("redone", check) for check in find_unrepeatable(blocks))
     for wrong in judge_polygons(blocks, known.amounts):
         yield Fault(wrong.law, wrong.line)

@@ -1,0 +1,81 @@
+"""Oblique lines of a projection: their letters and their directions by named angles."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from kinegrade.mechanics.vector_equation import Part
+from kinegrade.worked.case import Case
+from kinegrade.worked.formulas.formula import Formula
+from kinegrade.worked.formulas.measures import bearing
+from kinegrade.worked.formulas.symbols import join_letters
+from kinegrade.worked.vectors.inclinations import (
+    Inclination,
+    find_ends,
+    name_along,
+    name_axis,
+    name_direction,
+)
+from kinegrade.worked.vectors.magnitudes import find_heading
+from kinegrade.worked.vectors.projection import Projection
+from kinegrade.worked.vectors.vectors import name_part
+
+_RIGHT, _HALF = 90.0, 180.0
+_CLOSE = 1e-6  # degrees
+
+
+@dataclass(frozen=True)
+class ObliqueLine:
+    """An oblique line: its letters, or the vector along it where no two points give it, its
+    direction in degrees, and that by named angles.
+    """
+
+    letters: Formula
+    direction: float
+    named: Inclination
+    ends: tuple[str, str] | None
+
+    def is_across(self, direction: float) -> bool:
+        """Whether a direction along or normal to the line is normal to it."""
+        return round((direction - self.direction) / _RIGHT) % 2 == 1
+
+
+def find_line(part: Part, projection: Projection, case: Case) -> ObliqueLine | None:
+    """The oblique line along or normal to which a part is."""
+    direction, ends = bearing(find_heading(part)), find_ends(part, case)
+    if ends is not None:
+        return draw_line(ends, direction, case)
+    named = name_direction(direction, part, case)
+    if named is None or named.angle is None:
+        return None
+    return ObliqueLine(
+        name_part(projection.equation, part, case, bold=True), direction, named, None
+    )
+
+
+def draw_line(ends: tuple[str, str], direction: float, case: Case) -> ObliqueLine | None:
+    """The line through two points, along or normal to which a direction is; None along an axis."""
+    if name_axis(direction) is not None or not {*ends} <= {*case.motion.points}:
+        return None
+    start, end = (case.motion.points[point] for point in ends)
+    named, letters = name_along(bearing(end - start), ends, case), map(case.naming.letter, ends)
+    return ObliqueLine(join_letters(letters), bearing(end - start), named, ends) if named else None
+
+
+def direct_lines(
+    first: ObliqueLine, second: ObliqueLine, angle: float, case: Case
+) -> tuple[Formula, Formula]:
+    """The letters of two lines, one of them from its other end where only so the angle, in
+    degrees, is that between the directions of the letters.
+    """
+    between = abs((first.direction - second.direction + _HALF) % (2 * _HALF) - _HALF)
+    if abs(between - angle) < _CLOSE:
+        return first.letters, second.letters
+    if second.ends:
+        return first.letters, _turn_letters(second.ends, case)
+    return _turn_letters(first.ends, case) if first.ends else first.letters, second.letters
+
+
+def _turn_letters(ends: tuple[str, str], case: Case) -> Formula:
+    """The letters of a line from its end to its start."""
+    return join_letters(map(case.naming.letter, ends[::-1]))
