@@ -76,3 +76,12 @@ def test_a_named_length_is_not_found_again_by_coordinates(name: str) -> None:
     # OC = y_C was told after y_C = OC
     assert r"= y_{C}" not in _read(name)
     assert r"= x_{B}" not in _read(name)
+
+
+def test_a_part_of_a_relative_acceleration_is_taken_as_it_was_found() -> None:
+    """Both parts went into components along x and y, and came back from these."""
+    page = displayed(kept("pin-in-two-rings"))
+    assert any(
+        line.startswith(r"a_{\mathrm{r},1}^{\mathrm{t}} &= -a_{\mathrm{r}1}^") for line in page
+    )
+    assert not any(r"a_{\mathrm{r}1,x}" in line for line in page)

@@ -46,8 +46,8 @@ def explain_relative(motion: Relative, level: Level, case: Case) -> Found:
         return Fact(name, value, False, (Piece(name, term.coefficient(), value, term),))
     coriolis = name_coriolis(index_relative(motion, case))
     parts = [part for part in list_relative_parts(term, case, level) if part.symbol != coriolis]
-    yield case.show(*(add_components(axis, name, parts, case) for axis in AXES))
-    return Fact(name, add_vectors(part.value for part in parts), True)
+    pieces = tuple(piece for part in parts for piece in part.pieces)
+    return Fact(name, add_vectors(part.value for part in parts), False, pieces)
 
 
 def _find_track(motion: Relative, case: Case) -> Term | None:
