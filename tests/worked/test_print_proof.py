@@ -193,6 +193,16 @@ def test_a_polygon_that_closes_has_no_faults_with_arrows_drawn_aside_or_not(
     assert list(find_faults(page, drawn("slider-crank")[0])) == []
 
 
+def test_an_arrow_may_lead_past_a_vector_that_its_caption_names_as_too_short() -> None:
+    short, known = Vector(0.0066, 0.0066), Display((read_math(r"v_U = 0.7071\,\unit{m}", ""),))
+    right = [ACROSS, Arrow("v_T", short), Arrow("v_W", BACK.value - short)]
+    (picture,) = _draw([ALONG], right).pictures
+    named = replace(picture, caption=f"{picture.caption} (too short to draw: $v_T$)")
+    for one, laws in ((picture, {"label"}), (named, set[str]())):
+        page = (known, Pictures((one,)), Prose("Above stand $v_U$ and $v_T$."))
+        assert {fault.law for fault in find_faults(page, drawn("slider-crank")[0])} == laws
+
+
 def _lines_with(name: str, part: str) -> list[str]:
     return [line for line in lines(kept(name)) if part in line]
 

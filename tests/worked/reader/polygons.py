@@ -25,6 +25,8 @@ _CORNER = re.compile(r"[a-z]'*(_\{\d+\})?'*")  # the small letter of a corner
 _BRACKET = re.compile(r"\s*[(（]")
 _BETWEEN = 2.0  # millimetres by which a symbol longer than its arrow may be nearer to another
 _LEAVES = 0.4  # millimetres from a label to the leader that leaves it
+_UNDRAWN = 0.01  # of the longest vector: shorter ones are not drawn
+_FORMULA = re.compile(r"\$[^$]*\$")
 _ORIGIN = 0.5  # millimetres, radius of the dot at the origin
 
 
@@ -54,6 +56,23 @@ class _Arrow:
         return self.start - self.aside, self.tip - self.aside
 
 
+@dataclass(frozen=True)
+class _Sizes:
+    """What the symbols of a page are worth, millimetres on paper for one of SI, and how far an
+    arrow may lead past vectors that are not drawn.
+    """
+
+    amounts: Mapping[str, Amount]
+    scale: float
+    undrawn: float
+
+    def find(self, symbol: str) -> list[float]:
+        """How long the arrow of a symbol is: as its magnitude says, and as it does itself."""
+        row = read_math(symbol, "")
+        told = (self.amounts.get(name) for name in (name_magnitude(row), name_symbol(row)))
+        return [abs(amount.value) * self.scale for amount in told if amount is not None]
+
+
 def judge_polygons(
     blocks: Iterable[Block], amounts: Mapping[str, Amount]
 ) -> Iterator[PolygonFault]:
@@ -66,7 +85,16 @@ def judge_polygons(
                 yield from _judge_chains(origin, arrows, picture.caption)
                 yield from _judge_corners(origin, arrows, picture)
                 scale = picture.scene.scale / _read_scale_unit(picture.caption)
-                yield from _judge_labels(picture.scene, scale, arrows, amounts)
+                sizes = _Sizes(amounts, scale, _measure_undrawn(picture.caption, arrows))
+                yield from _judge_labels(picture.scene, sizes, arrows)
+
+
+def _measure_undrawn(caption: str, arrows: Iterable[_Arrow]) -> float:
+    """Millimetres that the vectors named as too short to draw have together at most: an arrow next
+    to them leads past them.
+    """
+    longest = max((arrow.length for arrow in arrows), default=0.0)
+    return _UNDRAWN * longest * len(_FORMULA.findall(caption))
 
 
 def _read_scale_unit(caption: str) -> float:
@@ -140,20 +168,16 @@ def _judge_corners(
 
 
 def _judge_labels(
-    scene: Scene, scale: float, arrows: tuple[_Arrow, ...], amounts: Mapping[str, Amount]
+    scene: Scene, sizes: _Sizes, arrows: tuple[_Arrow, ...]
 ) -> Iterator[PolygonFault]:
-    """The arrow nearest to a label is as long as the vector that the label names, to a scale in
-    millimetres on paper.
-    """
+    """The arrow nearest to a label is as long as the vector that the label names."""
     for label in scene.primitives:
         if not isinstance(label, Label) or _CORNER.fullmatch(label.symbol):
             continue
-        row = read_math(label.symbol, "")
-        names = (name_magnitude(row), name_symbol(row))
-        sizes = [abs(amounts[name].value) * scale for name in names if name in amounts]
+        told_sizes = sizes.find(label.symbol)
         named = _follow_leader(label, arrows, scene)
-        if sizes and named and not _stands_well(label, named, sizes):
-            told = " or ".join(f"{size:.2f} mm" for size in sizes)
+        if told_sizes and named and not _stands_well(label, named, told_sizes, sizes.undrawn):
+            told = " or ".join(f"{size:.2f} mm" for size in told_sizes)
             yield PolygonFault("label", f"{label.symbol} is not beside an arrow of {told}")
 
 
@@ -168,13 +192,15 @@ def _follow_leader(label: Label, arrows: tuple[_Arrow, ...], scene: Scene) -> tu
     return arrows
 
 
-def _stands_well(label: Label, arrows: tuple[_Arrow, ...], sizes: Sequence[float]) -> bool:
+def _stands_well(
+    label: Label, arrows: tuple[_Arrow, ...], sizes: Sequence[float], undrawn: float
+) -> bool:
     """Whether no arrow is nearer to a label than one of such a length; a label that is longer than
     its arrow may be about as near to another.
     """
     least = min(_measure_gap(label, arrow) for arrow in arrows)
     for arrow in arrows:
-        room = _APART + _ROUNDED * arrow.length
+        room = _APART + _ROUNDED * arrow.length + undrawn
         if any(abs(arrow.length - size) <= room for size in sizes):
             slack = _BETWEEN if arrow.length < max(label.width, label.height) else _APART
             if _measure_gap(label, arrow) <= least + slack:
