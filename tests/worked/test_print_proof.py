@@ -193,6 +193,17 @@ def test_a_polygon_that_closes_has_no_faults_with_arrows_drawn_aside_or_not(
     assert list(find_faults(page, drawn("slider-crank")[0])) == []
 
 
+def test_the_letter_of_a_corner_serves_those_close_to_it_on_both_sides() -> None:
+    short = Vector(0.03, 0.0)  # 1.5 mm: the corners before and after it have no room for letters
+    steps = [Arrow("v_P", short), Arrow("v_Q", short), Arrow("v_W", BACK.value - short * 2)]
+    scene = draw_polygon([ALONG], [ACROSS, *steps], {"b": ACROSS.value + short})
+    picture = Picture(scene, "velocity polygon, 1 mm corresponds to 1 m/s")
+    letters = {label.symbol for label in scene.labels if len(label.symbol) == 1}
+    assert len(letters) == 3
+    page = (Pictures((picture,)), Prose("Here."))
+    assert list(find_faults(page, drawn("slider-crank")[0])) == []
+
+
 def test_an_arrow_may_lead_past_a_vector_that_its_caption_names_as_too_short() -> None:
     short, known = Vector(0.0066, 0.0066), Display((read_math(r"v_U = 0.7071\,\unit{m}", ""),))
     right = [ACROSS, Arrow("v_T", short), Arrow("v_W", BACK.value - short)]

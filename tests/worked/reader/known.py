@@ -41,8 +41,6 @@ KNOWN: Mapping[Law, frozenset[str]] = {
 
 # Those that break a law at some draws, and not at the two that `make test` looks at
 RARE: Mapping[Law, frozenset[str]] = {
-    # of two short arrows one after the other the tips are a millimetre apart
-    "corner": frozenset(("bent-rod-two-sleeves", "pin-in-two-rings")),
     # one draw in 400; short arrows along others leave a symbol no place of its own
     "label": frozenset(("bent-rod-two-sleeves", "crank-slider-in-floating-link")),
 }

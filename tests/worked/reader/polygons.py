@@ -7,6 +7,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import combinations
 from math import hypot
 from typing import Literal
 
@@ -157,14 +158,26 @@ def _meet(one: Vector, other: Vector) -> bool:
 def _judge_corners(
     origin: Vector, arrows: tuple[_Arrow, ...], picture: Picture
 ) -> Iterator[PolygonFault]:
-    """There are as many letters of corners as corners that stand clear of one another."""
+    """There are as many letters of corners as it takes for each to have one, or to be so close to
+    another that has one that two would stand in a heap.
+    """
     corners = [origin]
     for arrow in arrows:
-        if not any(hypot(*(arrow.ends[1] - corner)) < CLOSE for corner in corners):
+        if not any(_meet(arrow.ends[1], corner) for corner in corners):
             corners.append(arrow.ends[1])
     named = sum(bool(_CORNER.fullmatch(label.symbol)) for label in picture.scene.labels)
-    if named < len(corners):
-        yield PolygonFault("corner", f"{picture.caption}: {len(corners) - named} without a letter")
+    lettered = combinations(corners, min(named, len(corners)))
+    if not any(_reach_all(chosen, corners) for chosen in lettered):
+        yield PolygonFault(
+            "corner", f"{picture.caption}: {named} letters of {len(corners)} corners"
+        )
+
+
+def _reach_all(lettered: Sequence[Vector], corners: Sequence[Vector]) -> bool:
+    """Whether each corner is one of those lettered or close to one."""
+    return all(
+        any(hypot(*(corner - other)) <= CLOSE + _APART for other in lettered) for corner in corners
+    )
 
 
 def _judge_labels(
