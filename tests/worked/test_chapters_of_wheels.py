@@ -253,12 +253,12 @@ rope = "E"
 def test_a_rope_moves_with_the_rim_of_its_drum() -> None:
     asks = {"v": "y(velocity(E)) in m/s", "a": "y(acceleration(E)) in m/s^2"}
     told = r"""
-        ## The rope moves with the rim of the drum
+        ## The rope moves with the rim of radius $2\,\unit{m}$ of the drum
         There is no slip at the contact, and the centre of the drum is fixed; so the rope has the\
-             speed of the rim:
+             speed of this rim ($v_{E}$ positive upwards):
         v_{E} &= 2\,\unit{m} \cdot \omega_{C} = 2\,\unit{m} \cdot (-3\,\unit{rad/s}) = -6\,\unit{m/s}
-        The rope has the speed of the rim of the drum at any time; differentiated with respect to\
-             time:
+        The rope has the speed of this rim of the drum at any time; differentiated with respect\
+             to time ($a_{E}$ positive upwards):
         a_{E} &= 2\,\unit{m} \cdot \alpha_{C} = 2\,\unit{m} \cdot 5\,\unit{rad/s^2} = 10\,\unit{m/s^2}
         """
     assert find_untold(told, solve_small(ROPE, **asks)) == []

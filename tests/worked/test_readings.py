@@ -85,3 +85,20 @@ def test_a_part_of_a_relative_acceleration_is_taken_as_it_was_found() -> None:
         line.startswith(r"a_{\mathrm{r},1}^{\mathrm{t}} &= -a_{\mathrm{r}1}^") for line in page
     )
     assert not any(r"a_{\mathrm{r}1,x}" in line for line in page)
+
+
+def test_of_a_rope_the_straight_part_translates_with_its_load() -> None:
+    told = _read("hoist-with-gears")
+    assert "the straight part of the rope with the load: translation" in told
+    assert "$r_{3}$ of the gear" in told
+
+
+def test_a_check_along_the_radius_of_a_moving_circle_is_named_by_the_composition() -> None:
+    told = _read("eccentric-cam-offset-follower")
+    assert "constant length" not in told
+    assert "In the answer box (positive clockwise about $C$):" in told
+
+
+def test_a_component_beside_its_axis_is_a_vector() -> None:
+    component = r"\boldsymbol{v}_{B,x} \parallel x"
+    assert component in _read("rolling-wheel-pin-slotted-rocker")

@@ -158,7 +158,21 @@ class _Differentiated(Multiplied):
                 TermSide(other, line=line),
                 TermSide(tuple(rest), tuple(shares), value, line=line),
             )
-            yield from self.compare(self._name("length", own), *sides, by)
+            yield from self.compare(self._name_distance(own), *sides, by)
+
+    def _name_distance(self, own: Term) -> Message:
+        """What is differentiated; the centre of a circle in a moving frame moves with the frame, so
+        the motions of the point itself are composed.
+        """
+        match own.kind:
+            case "arc":
+                point, centre = map(self.case.naming.point, (own.point, own.base))
+                kind = f"solution.composed-arc-{self.equation.level}"
+                return Message(kind, point=point, centre=centre)
+            case "rotation" | "sliding":
+                return self._name("length", own)
+            case _:
+                assert_never(own.kind)
 
     def _list_normal(self, own: Term) -> list[Amount]:
         """What velocities leave of accelerations along a distance that does not change."""

@@ -204,7 +204,7 @@ def _list_leaning(stage: Stage, projection: Projection) -> Iterator[_Leaning]:
         for piece in pieces:
             heading, direction = find_piece_heading(piece, case), bearing(piece.positive)
             ends = find_term_ends(piece.term, case) if piece.term else None
-            vector = replace(piece.symbol, bold=ends is not None)
+            vector = replace(piece.symbol, bold=True)
             line = draw_line(ends, direction, case) if ends else None
             cosine = find_cosine(heading, axis) if heading else None
             if cosine is not None:

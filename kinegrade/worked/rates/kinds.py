@@ -12,6 +12,7 @@ from kinegrade.mechanics.laws import NoSlip
 from kinegrade.mechanics.mechanism import Body, Mechanism
 from kinegrade.mechanics.plan import Step
 from kinegrade.mechanics.shapes import Circle, Line
+from kinegrade.problem.template.hints import ROPES
 from kinegrade.worked.case import Case
 from kinegrade.worked.contacts import find_contact
 from kinegrade.worked.document import Block, Heading
@@ -40,6 +41,9 @@ def _describe_motion(
     if body.name in mechanism.resting:
         return Message("solution.rests", body=name)
     if body.name in case.translating:
+        shape = case.template.figure.shapes.get(body.name)
+        if shape in ROPES:  # the rest may be wound up
+            return Message(f"solution.translates-{shape}", body=name)
         return Message("solution.translates", body=name)
     letters = case.naming.omega(body.name), case.naming.alpha(body.name)
     if any(is_met(letter, met) for letter in letters):

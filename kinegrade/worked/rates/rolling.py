@@ -44,11 +44,31 @@ def state_rolling(roll: NoSlip, relation: Relation, case: Case, level: Level) ->
     )
     equation = Equation(name_speed(term, case, level), equate(right))
     if roll.joint in case.findings.rim_tracks:
-        title = Message("solution.title-rim", body=body, other=other)
-        reason = Message(f"solution.rim-{level}", body=body, other=other)
-        return Statement(title, reason, equation)
+        return Statement(
+            Message("solution.title-rim", **_name_rim(roll, case)),
+            Message(
+                f"solution.rim-{level}",
+                body=body,
+                other=other,
+                speed=case.text(name_speed(term, case, level)),
+                way=_describe_positive_sense(term, case, level),
+            ),
+            equation,
+        )
     title = Message("solution.title-roll", body=body, other=other)
     return Statement(title, _explain_rolling(roll, term, case, level), equation)
+
+
+def _name_rim(roll: NoSlip, case: Case) -> dict[str, Text]:
+    """A wheel, the radius of the rim with which a track moves, one of several perhaps, and the
+    track.
+    """
+    radius = case.text(state_rolled_radius(roll, case))
+    return {
+        "body": case.naming.body(roll.body),
+        "other": describe_track(roll, case),
+        "radius": radius,
+    }
 
 
 def _explain_rolling(roll: NoSlip, term: Term, case: Case, level: Level) -> Message:
@@ -215,7 +235,7 @@ def tell_rolls(rolls: Sequence[NoSlip], case: Case) -> Message:
         return Message("solution.idea-roll", body=body, centre=centre)
     other = list_all(case.naming.body(one.of) for one in rolls)
     if roll.joint in case.findings.rim_tracks:
-        return Message("solution.idea-rim", body=body, other=other)
+        return Message("solution.idea-rim", **_name_rim(roll, case))
     if others:
         return Message("solution.idea-roll-on-each", body=body, centre=centre, other=other)
     return Message("solution.idea-roll-on", body=body, centre=centre, other=other)
