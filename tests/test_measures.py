@@ -57,8 +57,8 @@ def test_lines_of_code_are_lines_without_docstrings_comments_and_blanks(tmp_path
 # did when fairness came to be bounded (mistakes, follow-through, papers alike hard) and when
 # mechanisms came to move (cycles)
 FAR = {
-    "syntax nodes": 847_100,
-    "lines of code": 85_810,
+    "syntax nodes": 847_500,
+    "lines of code": 85_860,
     "syntax nodes a line": 9.874,
     "modules of more than 250 lines": 30,
 }

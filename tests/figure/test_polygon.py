@@ -12,7 +12,8 @@ from hypothesis import strategies as st
 from kinegrade.figure.scene import FIRM, THIN, Scene
 from kinegrade.figure.vectors.arrows import DASHED
 from kinegrade.figure.vectors.chains import Arrow, find_order
-from kinegrade.figure.vectors.plain_mechanism import PICTURE
+from kinegrade.figure.vectors.corners import FAR
+from kinegrade.figure.vectors.plain_mechanism import LARGE, PICTURE
 from kinegrade.figure.vectors.polygon import draw_polygon
 from kinegrade.mechanics.vector import Vector
 from kinegrade.round_numbers import STEPS
@@ -118,8 +119,7 @@ def test_polygons_of_any_vectors_are_clear(polar: list[tuple[int, float]]) -> No
     ]
     total = sum((arrow.value for arrow in right), Vector(0.0, 0.0))
     assert (
-        faults(draw_polygon([Arrow("v_B", total, False)], right), PICTURE.width, PICTURE.height)
-        == []
+        faults(draw_polygon([Arrow("v_B", total, False)], right), LARGE.width, LARGE.height) == []
     )
 
 
@@ -170,6 +170,43 @@ def test_the_letter_of_a_corner_is_nearest_to_it() -> None:
     (label,) = (label for label in scene.labels if label.symbol == "o")
     tip = origin + first * scene.scale
     assert hypot(*(label.centre - origin)) < hypot(*(label.centre - tip))
+
+
+def test_a_vector_that_would_be_a_dot_has_a_larger_scale_at_which_none_is_drawn_aside() -> None:
+    # The cam of an offset follower: at the scale of smaller pictures, 5 mm per m/s, the two long
+    # arrows would look like one
+    follower, cam = Vector(0.0, 0.147), Vector(-5.764, -1.92)
+    right = [Arrow("v_e", cam), Arrow("v_r", follower - cam, False)]
+    scene = draw_polygon([Arrow("v_a", follower, False)], right, {"a": follower, "a'": cam})
+    assert scene.scale == 10.0
+    assert PICTURE.width < scene.width <= LARGE.width
+    (origin,) = dots(scene)
+    assert {round(hypot(*(start - origin)), 6) for start, _ in lines(scene, FIRM)} == {0.0}
+
+
+def test_letters_stand_beside_their_corners_where_arrows_are_short() -> None:
+    # A slotted rocker with two drivers: of seven vectors four are a tenth of the longest
+    left = [
+        Arrow("a_B", Vector(2.0, 0.0)),
+        Arrow(r"a_{AB}^{\mathrm{n}}", Vector(2.65, -1.85)),
+        Arrow(r"a_{AB}^{\mathrm{t}}", Vector(-9.74, -13.91), False),
+    ]
+    right = [
+        Arrow(r"a_{\mathrm{e}}^{\mathrm{n}}", Vector(-0.03, -0.172)),
+        Arrow(r"a_{\mathrm{e}}^{\mathrm{t}}", Vector(-0.688, 0.121)),
+        Arrow(r"a_{\mathrm{Cor}}", Vector(-1.553, 0.274)),
+    ]
+    total = sum((arrow.value for arrow in left), Vector(0.0, 0.0))
+    found = sum((arrow.value for arrow in right), Vector(0.0, 0.0))
+    right.insert(2, Arrow(r"a_{\mathrm{r}}", total - found, False))
+    vertices = {"b": left[0].value, "a": total, "a'": right[0].value + right[1].value}
+    scene = draw_polygon(left, right, vertices)
+    (origin,) = dots(scene)
+    for label in scene.labels:
+        if label.symbol in vertices:
+            off = label.centre - origin - vertices[label.symbol] * scene.scale
+            beyond = (abs(off.x) - label.width / 2, abs(off.y) - label.height / 2)
+            assert hypot(*(max(each, 0.0) for each in beyond)) <= FAR
 
 
 def test_corners_have_the_letters_of_their_points() -> None:

@@ -20,6 +20,7 @@ from kinegrade.figure.plane import length
 from kinegrade.figure.scene import Primitive, Scene
 from kinegrade.figure.vectors.arrows import VectorArrow, put_side_by_side
 from kinegrade.figure.vectors.plain_mechanism import (
+    LARGE,
     PICTURE,
     BareMechanism,
     find_pins,
@@ -31,7 +32,6 @@ from kinegrade.problem.template.hints import FigureHints, Turning
 # Millimetres, of the longest arrow; of one that starts at a point with more than FEW
 LONGEST, CROWDED = (16.0, 21.0)
 _FEW = 3
-LARGE = Room(80.0, 64.0)  # millimetres, for a picture whose arrows leave too little room
 _SHORTEST = 1.2  # millimetres: a shorter arrow would not be visible and is left out
 _LEAST_SCALE = 0.6  # of the scale without arrows: a smaller mechanism is not told apart
 _TOO_SMALL = 2  # as bad as so many crowded symbols

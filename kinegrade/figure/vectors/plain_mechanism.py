@@ -19,6 +19,7 @@ from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import FigureHints
 
 PICTURE = Room(64.0, 44.0)  # smaller than the figure of the question: text stands beside it
+LARGE = Room(80.0, 64.0)  # millimetres, for a picture that is too hard to read in less
 _LARGEST_PIN = PIN + 0.1  # millimetres, radius of the symbol at a point
 _BAR = structs.replace(BOLD, ink="grey")
 _SURROUND = 12.0  # millimetres that symbols take beside the mechanism, as a first estimate

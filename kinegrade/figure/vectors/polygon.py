@@ -4,7 +4,7 @@ common end.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise, product
 from string import ascii_lowercase
@@ -12,34 +12,38 @@ from types import MappingProxyType
 
 from msgspec.structs import replace
 
-from kinegrade.figure.mechanism.fitting import make_scene
+from kinegrade.figure.mechanism.fitting import Room, make_scene
 from kinegrade.figure.placing.layout import Layout
-from kinegrade.figure.placing.place import Wish, list_spots_around, rate_nearness
+from kinegrade.figure.placing.place import Wish
 from kinegrade.figure.plane import length
 from kinegrade.figure.scene import Disc, Scene
 from kinegrade.figure.vectors.arrows import VectorArrow, put_side_by_side
 from kinegrade.figure.vectors.chains import (
+    LARGEST,
     Arrow,
     find_corners,
     find_scale,
     measure_spans,
     round_scale,
 )
+from kinegrade.figure.vectors.corners import (
+    list_apart,
+    list_corners,
+    name_corners,
+    wish_letter,
+)
 from kinegrade.figure.vectors.leaders import NOTHING, ONE_ARROW, write_symbol
-from kinegrade.figure.vectors.plain_mechanism import PICTURE
+from kinegrade.figure.vectors.plain_mechanism import LARGE, PICTURE
 from kinegrade.mechanics.vector import Vector
 
 _NEGLIGIBLE = 0.01  # of the longest vector: shorter ones are not drawn
 _OFFSETS = (2.0, -6.0, 8.0, -12.0, 14.0)  # millimetres between arrows that would lie on one another
 _NEXT = 2.51  # times a round number, the next one is not above it
 _LEAST = 10.0  # millimetres: no polygon is made smaller than this, whatever its symbols take
-_ORIGINS = ("o", "p")  # letters of the origin: another where it is that of a corner
 # Letters of the other corners: usual ones first, none that is an origin's or a vector's
 SPARE = tuple("nkqsuw" + "".join(sorted(set(ascii_lowercase) - set("nkqsuwavop"))))
-CLOSE = 2.0  # millimetres: letters of corners that close would stand in a heap
-_MISTAKEN = 20.0  # demerit of a letter that may be read as that of another corner
+_SHORT = 2.4  # millimetres, the length of a head
 _TRIES = 4  # orders in which the symbols are placed
-_SAME = 0.05  # millimetres within which two corners coincide
 _ZERO = Vector(0.0, 0.0)
 
 
@@ -66,22 +70,26 @@ def draw_polygon(
     their true positions. `vertices` are letters (LaTeX math) for the tips of vectors from the
     origin; the other corners have `spare` ones, unless a letter stands there already. The scale of
     the scene is millimetres per m/s (or m/s^2), a round number: `scale`, that of other polygons,
-    unless this one would be too large or too small, or its symbols have no place at it. The figure
-    is within PICTURE of `plain_mechanism`.
+    unless this one would be too large or too small, or is hard to read at it. The figure is within
+    PICTURE of `plain_mechanism`, or LARGE where it is easier to read.
     """
     names = _Names(vertices, tuple(letter for letter in spare if letter not in vertices))
     across, upward = measure_spans(left, right)
     if across + upward == 0.0:
-        return _fit(left, right, names, 1.0, 0.0)
+        return _fit(left, right, names, 1.0, _Limits(PICTURE, 0.0)).scene
     largest = find_scale(left, right)
     common = min(scale or largest, largest)
     least = _LEAST / max(across, upward)
-    scenes: list[Scene] = []
-    for size in _list_sizes(common if common > least else largest, largest):
-        scenes.append(_fit(left, right, names, size, least))
-        if not scenes[-1].crowded:
+    first = common if common > least else largest
+    drawings: list[_Drawing] = []
+    for room, last in ((PICTURE, largest), (LARGE, find_scale(left, right, LARGEST))):
+        for size in _list_sizes(first, last):
+            drawings.append(_fit(left, right, names, size, _Limits(room, least)))
+            if not drawings[-1].faults + drawings[-1].short:
+                return drawings[-1].scene
+        if not min(drawing.faults for drawing in drawings):
             break
-    return min(scenes, key=lambda scene: len(scene.crowded))
+    return min(drawings, key=lambda drawing: (drawing.faults, drawing.short)).scene
 
 
 def _list_sizes(first: float, last: float) -> Iterator[float]:
@@ -92,39 +100,65 @@ def _list_sizes(first: float, last: float) -> Iterator[float]:
     yield last
 
 
+@dataclass(frozen=True)
+class _Limits:
+    """What a polygon takes at most, and the scale below which it does not shrink."""
+
+    room: Room
+    least: float
+
+
+@dataclass(frozen=True)
+class _Drawing:
+    """A polygon to a scale, how much in it is hard to read, and how many arrows are hardly more
+    than a head, or corners without a letter: a reason for a larger scale, not a larger picture.
+    """
+
+    scene: Scene
+    faults: int
+    short: int
+
+
 def _fit(
     left: Sequence[Arrow],
     right: Sequence[Arrow],
     names: _Names,
     scale: float,
-    least: float,
-) -> Scene:
-    """The polygon to a scale, or to the next smaller one above `least` with which it is within
-    PICTURE.
-    """
+    limits: _Limits,
+) -> _Drawing:
+    """The polygon to a scale, or to the next smaller one with which it is within its limits."""
     while True:
-        layout = _compose(left, right, names, scale)
+        arrows = _place(left, right, scale)
+        layout = _compose(arrows, names, scale)
         scene = replace(make_scene(layout.primitives, scale), crowded=layout.crowded)
-        if scale <= least or (scene.width <= PICTURE.width and scene.height <= PICTURE.height):
-            return scene
+        room = limits.room
+        if scale <= limits.least or (scene.width <= room.width and scene.height <= room.height):
+            unnamed = len(list_corners(arrows)) + len(arrows) - len(layout.labels)
+            short = sum(length(arrow.end - arrow.start) < _SHORT for arrow in arrows)
+            faults = len(layout.crowded) + sum(map(_rate_arrow, arrows))
+            return _Drawing(scene, faults, short + unnamed)
         scale = round_scale(scale * 0.99)
 
 
-def _compose(
-    left: Sequence[Arrow],
-    right: Sequence[Arrow],
-    names: _Names,
-    scale: float,
-) -> Layout:
-    """The arrows with their symbols and the letters of their corners."""
+def _rate_arrow(arrow: VectorArrow) -> int:
+    """How hard an arrow is to read: one that is not where it belongs, or hardly more than a dot."""
+    return (arrow.aside != _ZERO) + (length(arrow.end - arrow.start) < _SHORT / 2)
+
+
+def _place(left: Sequence[Arrow], right: Sequence[Arrow], scale: float) -> tuple[VectorArrow, ...]:
+    """The arrows of both sides on paper."""
     least = _NEGLIGIBLE * max((length(arrow.value) for arrow in (*left, *right)), default=0.0)
     laid = [arrow for side in (left, right) for arrow in _lay_arrows(side, scale, least)]
-    arrows = put_side_by_side(laid, _OFFSETS)
-    corners = _list_corners(arrows)
-    lettered = _name_corners(names.vertices, corners, scale)
-    layout = _name_arrows(arrows, [_wish_letter(*one, corners) for one in lettered.items()])
-    for letter, corner in zip(names.spare, _list_apart(corners, lettered.values()), strict=False):
-        layout = layout.written((_wish_letter(letter, corner, corners),))
+    return put_side_by_side(laid, _OFFSETS)
+
+
+def _compose(arrows: Sequence[VectorArrow], names: _Names, scale: float) -> Layout:
+    """The arrows with their symbols and the letters of their corners."""
+    corners = list_corners(arrows)
+    lettered = name_corners(names.vertices, corners, scale)
+    layout = _name_arrows(arrows, [wish_letter(*one, corners) for one in lettered.items()])
+    for letter, corner in zip(names.spare, list_apart(corners, lettered.values()), strict=False):
+        layout = layout.written((wish_letter(letter, corner, corners),))
     return layout
 
 
@@ -161,47 +195,6 @@ def _write_symbols(bare: Layout, arrows: Sequence[VectorArrow], crossed: float) 
         crowded = layout.crowded
         order.sort(key=lambda arrow: arrow.symbol not in crowded)
     return layout
-
-
-def _list_corners(arrows: Sequence[VectorArrow]) -> list[Vector]:
-    """The origin and the other corners, each once."""
-    corners = [_ZERO]
-    corners.extend(arrow.end for arrow in arrows if not _is_among(arrow.end, corners))
-    return corners
-
-
-def _is_among(place: Vector, places: Iterable[Vector], within: float = _SAME) -> bool:
-    return any(length(place - other) < within for other in places)
-
-
-def _list_apart(corners: Iterable[Vector], named: Iterable[Vector]) -> Iterator[Vector]:
-    """The corners that have no letter and stand clear of those that have: a letter of their own
-    would be in a heap with the other one.
-    """
-    places = list(named)
-    for corner in corners:
-        if not _is_among(corner, places, CLOSE):
-            places.append(corner)
-            yield corner
-
-
-def _name_corners(
-    vertices: Mapping[str, Vector], corners: Sequence[Vector], scale: float
-) -> dict[str, Vector]:
-    """The letters of the origin and of those vertices that the polygon has."""
-    origin = next(letter for letter in _ORIGINS if letter not in vertices)
-    places = {letter: vertex * scale for letter, vertex in vertices.items()}
-    others = {one: place for one, place in places.items() if _is_among(place, corners[1:])}
-    return {origin: _ZERO} | others
-
-
-def _wish_letter(letter: str, corner: Vector, corners: Sequence[Vector]) -> Wish:
-    """A letter outside its corner, nearer to it than to any other."""
-    middle = sum(corners, _ZERO) * (1 / len(corners))
-    spots = list_spots_around(letter, corner, away=corner - middle)
-    others = [other for other in corners if length(other - corner) > CLOSE]
-    mistaken = _MISTAKEN * rate_nearness(letter, spots, (corner,), others)
-    return Wish(letter, spots, None, mistaken, names=corner)
 
 
 def _lay_arrows(chain: Sequence[Arrow], scale: float, least: float) -> Iterator[VectorArrow]:

@@ -12,7 +12,7 @@ from math import hypot
 from typing import Literal
 
 from kinegrade.figure.scene import BOLD, THIN, Disc, Label, Outline, Scene, Strokes
-from kinegrade.figure.vectors.polygon import CLOSE
+from kinegrade.figure.vectors.corners import CLOSE
 from kinegrade.language.math.reading import read_math
 from kinegrade.mechanics.vector import Vector
 from kinegrade.worked.document import Block, Picture, Pictures

@@ -1,0 +1,80 @@
+"""The corners of a polygon of vectors and where their letters stand."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+
+import numpy as np
+
+from kinegrade.figure.placing.extent import measure_symbol
+from kinegrade.figure.placing.place import (
+    Floats,
+    Wish,
+    list_close_spots,
+    list_spots_around,
+    rate_nearness,
+)
+from kinegrade.figure.plane import length
+from kinegrade.figure.vectors.arrows import VectorArrow
+from kinegrade.mechanics.vector import Vector
+
+_ORIGINS = ("o", "p")  # letters of the origin: another where it is that of a corner
+CLOSE = 2.0  # millimetres: letters of corners that close would stand in a heap
+FAR = 2.5  # millimetres of paper from a corner to its letter, from which on that is not seen as its
+_STRAY = 1.0  # demerit of a letter that far
+_MISTAKEN = 20.0  # demerit of a letter that may be read as that of another corner
+_SAME = 0.05  # millimetres within which two corners coincide
+_ZERO = Vector(0.0, 0.0)
+
+
+def list_corners(arrows: Sequence[VectorArrow]) -> list[Vector]:
+    """The origin and the other corners, each once."""
+    corners = [_ZERO]
+    corners.extend(arrow.end for arrow in arrows if not _is_among(arrow.end, corners))
+    return corners
+
+
+def _is_among(place: Vector, places: Iterable[Vector], within: float = _SAME) -> bool:
+    return any(length(place - other) < within for other in places)
+
+
+def list_apart(corners: Iterable[Vector], named: Iterable[Vector]) -> Iterator[Vector]:
+    """The corners that have no letter and stand clear of those that have: a letter of their own
+    would be in a heap with the other one.
+    """
+    places = list(named)
+    for corner in corners:
+        if not _is_among(corner, places, CLOSE):
+            places.append(corner)
+            yield corner
+
+
+def name_corners(
+    vertices: Mapping[str, Vector], corners: Sequence[Vector], scale: float
+) -> dict[str, Vector]:
+    """The letters of the origin and of those vertices that the polygon has."""
+    origin = next(letter for letter in _ORIGINS if letter not in vertices)
+    places = {letter: vertex * scale for letter, vertex in vertices.items()}
+    others = {one: place for one, place in places.items() if _is_among(place, corners[1:])}
+    return {origin: _ZERO} | others
+
+
+def wish_letter(letter: str, corner: Vector, corners: Sequence[Vector]) -> Wish:
+    """A letter outside its corner, nearer to it than to any other."""
+    middle = sum(corners, _ZERO) * (1 / len(corners))
+    spots, far = _list_letter_spots(letter, corner, corner - middle)
+    others = [other for other in corners if length(other - corner) > CLOSE]
+    mistaken = _MISTAKEN * rate_nearness(letter, spots, (corner,), others)
+    return Wish(letter, spots, None, mistaken + _STRAY * far, names=corner)
+
+
+def _list_letter_spots(letter: str, corner: Vector, away: Vector) -> tuple[Floats, Floats]:
+    """Places of a letter about its corner, and for each 1 where it is far from it, else 0: those
+    near it come first, of them the ones outside.
+    """
+    outside = list_spots_around(letter, corner, away=away)
+    spots = np.concatenate((outside, list_close_spots(letter, corner, FAR)))
+    off = np.abs(spots - np.array(corner)) - np.array(measure_symbol(letter)) / 2
+    far = np.hypot(*np.maximum(off, 0.0).T) > FAR
+    order = np.argsort(far, kind="stable")
+    return spots[order], np.asarray(far[order], dtype=float)
