@@ -215,8 +215,8 @@ def test_accelerations_of_a_rod_that_does_not_turn_at_this_instant() -> None:
         Given: the angular acceleration of $OA$.
         \alpha_{OA} &= 0
         ## $AB$: base point $A$
-        The acceleration of $B$ is that of the base point $A$ plus the normal and tangential
-            accelerations of the rotation of $AB$ about $A$.
+        The acceleration of $B$ is that of the base point $A$ plus the normal (n) and tangential
+            (t) accelerations of the rotation of $AB$ about $A$.
             Here $OA = y_{A} = 3\,\unit{m}$, $AB = \sqrt{x_{B}^{2} + y_{A}^{2}} =
             \sqrt{(4\,\unit{m})^{2} + (3\,\unit{m})^{2}} = 5\,\unit{m}$.
         [ ] \boldsymbol{a}_{B} | ? | $+x$
