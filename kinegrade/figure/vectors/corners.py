@@ -21,6 +21,7 @@ from kinegrade.mechanics.vector import Vector
 _ORIGINS = ("o", "p")  # letters of the origin: another where it is that of a corner
 CLOSE = 2.0  # millimetres: letters of corners that close would stand in a heap
 FAR = 2.5  # millimetres of paper from a corner to its letter, from which on that is not seen as its
+_EVERY = 6  # of the places close to a corner, one in so many is tried
 _STRAY = 1.0  # demerit of a letter that far
 _MISTAKEN = 20.0  # demerit of a letter that may be read as that of another corner
 _SAME = 0.05  # millimetres within which two corners coincide
@@ -70,10 +71,11 @@ def wish_letter(letter: str, corner: Vector, corners: Sequence[Vector]) -> Wish:
 
 def _list_letter_spots(letter: str, corner: Vector, away: Vector) -> tuple[Floats, Floats]:
     """Places of a letter about its corner, and for each 1 where it is far from it, else 0: those
-    near it come first, of them the ones outside.
+    near it come first, of them the ones outside; few, as a place costs more the later
+    it comes, and a letter on a line is worse than one far off.
     """
     outside = list_spots_around(letter, corner, away=away)
-    spots = np.concatenate((outside, list_close_spots(letter, corner, FAR)))
+    spots = np.concatenate((outside, list_close_spots(letter, corner, FAR)[::_EVERY]))
     off = np.abs(spots - np.array(corner)) - np.array(measure_symbol(letter)) / 2
     far = np.hypot(*np.maximum(off, 0.0).T) > FAR
     order = np.argsort(far, kind="stable")
