@@ -252,7 +252,7 @@ def test_zero_answers_carry_an_absolute_tolerance(exam: Path) -> None:
         zero = line["questions"][1]["asks"]["v_x"]
         assert (zero["exact"], zero["decimal"], zero["value"]) == ("0", "0", 0.0)
         speed = values["r"]["value"] * values["omega"]["value"]
-        assert zero["tolerance"] == {"relative": 0.01, "absolute": pytest.approx(speed / 10**6)}
+        assert zero["tolerance"] == {"relative": 0.01, "absolute": pytest.approx(speed / 10**10)}
 
 
 def test_grading_reads_the_exam(exam: Path) -> None:

@@ -66,7 +66,7 @@ def test_a_zero_answer_has_room_for_what_a_calculator_leaves_of_it(bank: Bank) -
         values, (v_x, v_y) = paper.questions[1].drawn.values, paper.questions[1].asks
         fastest = int(values["r"]) * int(values["omega"])
         assert v_x.answer.is_zero
-        assert v_x.tolerance.absolute == Fraction(fastest, 10**6)
+        assert v_x.tolerance.absolute == Fraction(fastest, 10**10)
         assert (v_y.tolerance.relative, v_y.tolerance.absolute) == (0, Fraction(1, 4))
 
 

@@ -71,6 +71,7 @@ def test_a_refusal_is_said_in_any_language() -> None:
     (" up", "m/s", '"up" stands after the number; the unit "m/s" was expected'),
     ("m\n", "furlong", '"m" stands after the number; the unit "furlong" was expected'),
     ("1/minute", "rad/s", '"1/minute" can mean turns or radians per minute; write r/min or rad/min'),
+    ("1/min", "deg/s", '"1/min" can mean turns or radians per minute; write r/min or rad/min'),
     ("1/min", "rad/s", '"1/min" can mean turns or radians per minute; write r/min or rad/min'),
 ])  # fmt: skip
 def test_an_unknown_unit_is_told(typed: str, unit: str, reason: str) -> None:

@@ -20,7 +20,7 @@ def given(sheet: Pad, *values: float) -> list[Noted]:
 
 
 def error(sheet: Pad, result: Noted) -> float:
-    return float(sheet.sum_errors((result,))[0, 0])
+    return float(sheet.sweep_back((result,)).errors[0, 0])
 
 
 def test_a_product_is_off_by_half_a_unit_of_its_last_figure() -> None:
@@ -104,9 +104,9 @@ def test_two_equations_are_eliminated_line_by_line() -> None:
     assert cos(radians(50)) * x.value - sin(radians(20)) * y.value == pytest.approx(1)
     assert sin(radians(50)) * x.value + cos(radians(20)) * y.value == pytest.approx(2)
     finer, unknowns = solve(6)
-    coarse = sheet.sum_errors((x, y))
+    coarse = sheet.sweep_back((x, y)).errors
     assert np.all((coarse > 0.002) & (coarse < 0.02))
-    assert finer.sum_errors(unknowns) == pytest.approx(coarse / 1000)
+    assert finer.sweep_back(unknowns).errors == pytest.approx(coarse / 1000)
 
 
 def test_each_instance_has_errors_of_its_own() -> None:
@@ -114,7 +114,7 @@ def test_each_instance_has_errors_of_its_own() -> None:
     values = sheet.write(np.array([4.0, 3.0, -1.0]))
     arithmetic = Noting(sheet)
     with arithmetic.context():
-        errors = sheet.sum_errors((arithmetic.sqrt(values),))[0]
+        errors = sheet.sweep_back((arithmetic.sqrt(values),)).errors[0]
     assert errors[:2].tolist() == pytest.approx([0, 0.005])
     assert np.isnan(errors[2])
     assert float(values) == 4.0

@@ -82,4 +82,4 @@ def test_numbers_have_the_decimal_mark_of_the_language(bank: Path) -> None:
     patterns = [str(piece) for each in sheet.questions for line in each.patterns for piece in line]
     written = "".join(patterns)
     assert re.findall(r"<mn>[0-9]+\.[0-9]", written) == []
-    assert "<mn>0</mn><mi>,</mi><mn>02</mn>" in written
+    assert re.search("<mn>[0-9]+</mn><mi>,</mi><mn>[0-9]", written)

@@ -42,6 +42,12 @@ def test_a_belt_that_is_said_to_be_otherwise_is_a_fault(said: str, wrong: str) -
     assert found == [f"{fault}joint"] * bool(wrong)
 
 
+@pytest.mark.parametrize("said", ["An open (uncrossed) belt", "Ein nicht gekreuzter Riemen"])
+def test_a_belt_that_is_not_crossed_is_open(said: str) -> None:
+    faults = all_said(find_false_claims(say(load_template("two-stage-belt-drive"), said), []))
+    assert not [each for each in faults if "belt" in each]
+
+
 @pytest.mark.parametrize(
     ("means", "wrong"),
     [

@@ -179,4 +179,4 @@ def test_a_row_that_leaves_something_open_cannot_be_imported(room: Path) -> None
         functions(room).write_text(before, encoding="utf-8")
         append(room, row(name))
         done = run_python(room, "-c", "import kinegrade.problem.quantities.motion_functions")
-        assert f"missing 1 required positional argument: '{name}'" in done.stderr
+        assert f"Missing required argument '{name}'" in done.stderr

@@ -105,9 +105,9 @@ def print_by_typst(room: Path) -> None:
     edit(
         room / "kinegrade/press/typst/press.py",
         (
-            "from kinegrade.press.typst.key import",
+            "from kinegrade.press.typst.paper import",
             "from kinegrade.press.typst.seats import write_seats_source\n"
-            "from kinegrade.press.typst.key import",
+            "from kinegrade.press.typst.paper import",
         ),
         ("    def gallery(", TYPST_METHOD),
     )

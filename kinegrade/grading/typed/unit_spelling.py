@@ -60,6 +60,7 @@ _KINDS = {
     (0, -2, 0): Message("typing.kind-rate-of-rate"),
 }
 _PER_MINUTE = Counter({"min": -1})
+_TURNS_PER_TIME = (Fraction(2), Fraction(1, 30))  # times pi: r/s and r/min in rad/s
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,8 +81,9 @@ class WrittenUnit:
 
     @property
     def counts_turns(self) -> bool:
-        """Whether it is a number of turns in a time, as r/min is."""
-        return (self.pi, self.length, self.time, self.angle) == (1, 0, -1, 1)
+        """Whether it is a number of turns in a second or a minute, as r/min is and deg/s is not."""
+        rate = (self.pi, self.length, self.time, self.angle) == (1, 0, -1, 1)
+        return rate and self.factor in _TURNS_PER_TIME
 
 
 @lru_cache(maxsize=4096)

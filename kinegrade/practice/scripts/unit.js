@@ -61,7 +61,7 @@ class UnitReader {
       [new RegExp(between.join("|"), "g"), "/"],
       [new RegExp(`${choose("square")}\\s*(\\p{L}+)`, "gu"), "$1^2"],
     ];
-    this.cycles = new RegExp(`^(?:[kM]?Hz|${choose("cycles")})$`, "iu");
+    this.cycles = new RegExp(`^(?:([kM])?Hz|${choose("cycles")})$`, "iu");
   }
 
   /**
@@ -71,11 +71,12 @@ class UnitReader {
    * @returns {number}
    */
   convert(typed, unit) {
-    const written = dropBrackets(typed);
+    let written = dropBrackets(typed);
     const pure = unit === "" || unit === "1";
     if (written === "" || written === unit || (pure && written === "1")) return 1;
     const wanted = pure ? makePureUnit() : this.read(unit);
-    this.refuseTurns(written, unit, wanted);
+    if (wanted && countsTurns(wanted)) written = this.addTurns(written);
+    else this.refuseTurns(written, unit, wanted);
     const found = this.read(written);
     if (!found || !wanted) {
       const parts = { typed: quote(typed.trim()), unit: quote(unit) };
@@ -91,19 +92,30 @@ class UnitReader {
     return (found.factor / wanted.factor) * Math.PI ** (found.pi - wanted.pi);
   }
 
+  /** @param {string} written @returns {string} a count per time with what is counted: turns */
+  addTurns(written) {
+    if (this.isPerMinute(written)) return "r/min";
+    const found = this.cycles.exec(written);
+    return found && !found[1] ? "r/s" : written;
+  }
+
+  /** @param {string} written */
+  isPerMinute(written) {
+    const powers = this.readPowers(this.foldUnit(written));
+    const left = [...(powers ?? [])].filter(([, power]) => power !== 0);
+    return left.length === 1 && powers?.get("min") === -1;
+  }
+
   /** @param {string} written @param {string} unit @param {WrittenUnit | null} wanted */
   refuseTurns(written, unit, wanted) {
     const typed = quote(written);
     if (this.cycles.test(written)) {
       const parts = { typed, unit: quote(unit), wanted: wanted ? nameKind(wanted) : "" };
       const pure = unit === "" || unit === "1";
+      if (!wanted) throw new WrongUnit("turns-for-unit", parts);
       throw new WrongUnit(pure ? "turns-for-number" : "turns-for-kind", parts);
     }
-    const powers = wanted?.angle ? this.readPowers(this.foldUnit(written)) : null;
-    const left = [...(powers ?? [])].filter(([, power]) => power !== 0);
-    if (left.length === 1 && powers?.get("min") === -1) {
-      throw new Unreadable("per-minute", { typed });
-    }
+    if (wanted?.angle && this.isPerMinute(written)) throw new Unreadable("per-minute", { typed });
   }
 
   /** @param {string} text @returns {WrittenUnit | null} null where it is not written as a unit */
@@ -181,6 +193,12 @@ class UnitReader {
     const { length, time, angle } = exponents;
     return { factor, pi, length, time, angle };
   }
+}
+
+/** @param {WrittenUnit} unit whether it is a number of turns in a second or a minute */
+function countsTurns({ factor, pi, length, time, angle }) {
+  const rate = pi === 1 && length === 0 && time === -1 && angle === 1;
+  return rate && [1, 60].some((seconds) => Math.abs(factor * seconds - 2) < 1e-12);
 }
 
 /** @returns {WrittenUnit} */

@@ -183,10 +183,12 @@ def _measure_step(line: Line, place: Vector, toward: Vector) -> Vector | None:
 
 
 def _is_toward(step: Vector, side: Side) -> bool:
-    """Whether a step leads to a side, straight where that is said."""
-    room = DIFFERENT * length(step)
+    """Whether a step leads to a side, straight where that is said; by a given length it may lead
+    nowhere, as that may be drawn as zero.
+    """
+    room, along = DIFFERENT * length(step), step.dot(side.toward)
     straight = not side.upright or abs(step.cross(side.toward)) <= room
-    return straight and bool(step.dot(side.toward) > room)
+    return straight and bool(along > room or (side.given and along >= -room))
 
 
 def _find_length(template: Template, name: str) -> Parameter | None:

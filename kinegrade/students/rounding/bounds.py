@@ -25,7 +25,7 @@ from kinegrade.students.mistaking.mistake_outcomes import find_outcomes
 from kinegrade.students.rounding.rounding import Rounding
 from kinegrade.students.rounding.working import Working
 
-_LEFT = 1e-4  # of the scale, at least: what a calculator leaves of a zero, 6e-17, is right
+_LEFT = 1e-8  # of the scale, at least: what a calculator leaves of a zero, 6e-17, is right
 
 
 def find_roundings(

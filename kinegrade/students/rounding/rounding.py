@@ -19,7 +19,7 @@ class Rounding(Generic[_Number]):
 
     No student is further off than the `bound`. `largest` is the largest term that goes into the
     answer, which is far larger than the answer where terms cancel; it is between a
-    ten-thousandth and the whole of the mechanism's scale of such quantities.
+    hundred-millionth and the whole of the mechanism's scale of such quantities.
     """
 
     bound: _Number
