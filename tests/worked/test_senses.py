@@ -41,10 +41,10 @@ def test_a_given_motion_along_a_line_of_two_points_is_told_from_point_to_point()
 @pytest.mark.parametrize(
     ("language", "convention"),
     [
-        ("en", "With the sign that is asked for (positive clockwise about $C$):"),
-        ("zh", "按所求量的正方向（绕 $C$ 顺时针为正）："),
+        ("en", "In the answer box (positive clockwise about $C$):"),
+        ("zh", "答案框中（绕 $C$ 顺时针为正）："),
         # the author has no words in German
-        ("de", "Mit dem Vorzeichen, nach dem gefragt ist:"),
+        ("de", "Mit dem Vorzeichen des Antwortfelds:"),
     ],
 )
 def test_an_answer_in_the_opposite_sense_names_the_sign_that_is_asked_for(
