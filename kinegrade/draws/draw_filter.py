@@ -177,16 +177,16 @@ class DrawFilter:
         """
         return self._find_dealt(values).tolerances
 
-    def bound_together(self, draws: Iterable[Combination]) -> None:
+    def round_together(self, draws: Iterable[Combination]) -> None:
         """Bound honest rounding at the values of several papers that are set next, all at once,
         which takes little longer than for one.
         """
-        self._bounded.clear()
+        self._rounded.clear()
         new = [values for values in draws if tuple(values.values()) not in self._found]
         if new:
-            found = self.bound(new, self.carry)
+            found = self.round_draws(new, self.carry)
             for place, values in enumerate(new):
-                self._bounded[tuple(values.values())] = take_one(found, place)
+                self._rounded[tuple(values.values())] = take_one(found, place)
 
     def _find_dealt(self, values: Combination) -> Examined:
         """A combination that was dealt, solved once however often it is asked for in a row."""
@@ -200,14 +200,20 @@ class DrawFilter:
     def _work_out(self, values: Combination) -> Examined:
         """An instance, fit for students or not: what honest rounding would leave is as stated."""
         solution = solve_template(self.template, values, self.asks, self.plan)
-        roundings = self._bounded.get(tuple(values.values()))
+        roundings = self._rounded.get(tuple(values.values()))
         if roundings is None:
-            roundings = take_one(self.bound([values], self.carry), 0)
+            roundings = self.find_roundings(values)
         allowed = self.accuracy.allow(solution, roundings)
         stated = {name: self.accuracy.find_stated(name) for name in allowed}
         return Examined(solution, {name: allowed[name] or stated[name] for name in allowed})
 
-    def bound(self, draws: Sequence[Combination], carry: int) -> Mapping[str, Rounding[Doubles]]:
+    def find_roundings(self, values: Combination) -> Mapping[str, Rounding[float]]:
+        """By ask how rounding to the figures that students carry bears on the answer at values."""
+        return take_one(self.round_draws([values], self.carry), 0)
+
+    def round_draws(
+        self, draws: Sequence[Combination], carry: int
+    ) -> Mapping[str, Rounding[Doubles]]:
         """By ask how rounding to `carry` significant figures bears on the answer of each draw;
         nothing where no instance can be worked out.
         """
@@ -263,8 +269,8 @@ class DrawFilter:
         return {}
 
     @cached_property
-    def _bounded(self) -> dict[tuple[str, ...], Mapping[str, Rounding[float]]]:
-        """What `bound_together` found last, by values."""
+    def _rounded(self) -> dict[tuple[str, ...], Mapping[str, Rounding[float]]]:
+        """What `round_together` found last, by values."""
         return {}
 
     @cached_property

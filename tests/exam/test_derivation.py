@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from decimal import Decimal
 from math import inf, nextafter
 from typing import Any
@@ -12,7 +12,6 @@ import msgspec
 import pytest
 from msgspec.structs import replace
 
-from kinegrade.draws.deck import Combination
 from kinegrade.errors import ExamError
 from kinegrade.exam.bank.bank import read_bank
 from kinegrade.exam.bank.blueprint import Bank, BankQuestion
@@ -24,7 +23,6 @@ from kinegrade.exam.setting.derivation import derive_question
 from kinegrade.exam.setting.key_record import make_key_question
 from kinegrade.exam.setting.setting import SetQuestion
 from kinegrade.expressions.reading import read_expression
-from kinegrade.students.rounding.rounding import Rounding, take_one
 from tests.problem.draws import draw_filter
 from tests.small_class import write_class
 
@@ -83,11 +81,7 @@ def without(part: str, name: str) -> Change:
 
 def derive(question: BankQuestion, kept: KeyQuestion) -> SetQuestion:
     """The question by its key, where terms cancel by the roundings of four figures."""
-
-    def find_roundings(values: Combination) -> Mapping[str, Rounding[float]]:
-        return take_one(draw_filter(question.template).bound([values], 4), 0)
-
-    return derive_question(question, kept, WHERE, find_roundings)
+    return derive_question(question, kept, WHERE, draw_filter(question.template).find_roundings)
 
 
 @pytest.mark.parametrize("form", [earlier, lambda question: question])
@@ -111,7 +105,8 @@ def test_what_is_derived_again_is_the_key(
 def test_another_way_of_stating_the_same_is_the_same(
     bank: Bank, kept: tuple[KeyQuestion, ...], change: Change
 ) -> None:
-    derive(bank.questions[0], change(kept[0]))
+    derived = derive(bank.questions[0], change(kept[0]))
+    assert make_key_question(derived, {}) == kept[0]
 
 
 def test_the_last_digits_of_another_version_do_not_matter(
@@ -135,7 +130,8 @@ def test_a_value_known_as_a_double_only_decides_as_far_as_doubles_go(
     bank: Bank, kept: tuple[KeyQuestion, ...]
 ) -> None:
     rounded = changed_parameter(exact=None)(earlier(kept[0]))
-    derive(bank.questions[0], rounded)
+    found = derive(bank.questions[0], rounded).drawn.solution["v_B"]
+    assert found.value == pytest.approx(float(kept[0].asks["v_B"].value), rel=1e-12)
 
 
 TOLERANCE = StatedTolerance(Decimal("0.05"), Decimal(0))

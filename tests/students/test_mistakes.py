@@ -44,7 +44,6 @@ from kinegrade.students.mistaking.mistakes import (
     find_known_mistakes,
     work_out,
 )
-from kinegrade.students.rounding.rounding import take_one
 from kinegrade.students.separation import collect_columns, measure_distance
 from tests.problem.crank import crank, crank_text
 from tests.problem.draws import dealt, draw_filter, drawn
@@ -295,7 +294,7 @@ def test_no_student_who_makes_a_known_mistake_gets_full_marks(name: str) -> None
     inseparable = separation.inseparable(separation.compare(separation.sample))
     for one in drawn(draws, 4):
         solution = attach_mistakes(one.solution)
-        found = take_one(draws.bound([one.values], 4), 0)
+        found = draws.find_roundings(one.values)
         for ask in template.asked():
             answer = solution[ask]
             allowed = find_effective_tolerance(ONE_PER_CENT, answer.value, found[ask].largest)

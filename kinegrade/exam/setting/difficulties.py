@@ -46,7 +46,7 @@ def bound_coarse_rounding(kept: KeptExam, draws: Draws) -> Predicted:
     bounds: Predicted = {}
     for name, by_student in draws.items():
         drawn = [*by_student.values()]
-        for ask, rounding in kept.unkeyed.filters[name].bound(drawn, coarse).items():
+        for ask, rounding in kept.unkeyed.filters[name].round_draws(drawn, coarse).items():
             for student, bound in zip(by_student, rounding.bound.tolist(), strict=True):
                 bounds.setdefault(student, {})[f"{name}.{ask}"] = bound
     return bounds

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, partial
 from typing import Literal, TypeAlias
 
 from msgspec import structs
@@ -21,7 +21,6 @@ from kinegrade.exam.folder.faults import explain_broken
 from kinegrade.exam.folder.records import Candidate, KeyLine, KeyQuestion
 from kinegrade.exam.roster.students import Student, read_place
 from kinegrade.exam.setting.derivation import (
-    FindRoundings,
     derive_question,
     find_differences,
     work_out,
@@ -29,7 +28,7 @@ from kinegrade.exam.setting.derivation import (
 from kinegrade.exam.setting.setting import Exam, SetPaper, SetQuestion
 from kinegrade.language.message import Fault, Message, Quoted
 from kinegrade.mechanics.plan import Plan
-from kinegrade.students.rounding.rounding import Rounding, take_one
+from kinegrade.students.rounding.rounding import Rounding
 
 _Term: TypeAlias = Literal["code", "version", "questions", "printed"]
 
@@ -68,7 +67,9 @@ class KeptExam:
         question = self._questions.get(kept.question)
         if question is None:
             raise explain_contradiction(where, [Message("exam.no-question-of-bank")])
-        return derive_question(question, kept, where, self._make_finder(kept.question), plan)
+        return derive_question(
+            question, kept, where, partial(self._find_roundings, kept.question), plan
+        )
 
     def rework(self, candidate: Candidate) -> tuple[SetPaper, tuple[Fault, ...]]:
         """The paper of a student worked out from its values, whatever follows from them, and each
@@ -81,7 +82,7 @@ class KeptExam:
         for name in names:
             question = self._questions[name]
             where = Message("exam.student-question", student=Quoted(line.student), question=name)
-            reworked = work_out(question, stated[name], where, self._make_finder(name))
+            reworked = work_out(question, stated[name], where, partial(self._find_roundings, name))
             differences += [Fault(where, each) for each in find_differences(reworked, stated[name])]
             questions.append(reworked)
         order = tuple(map(names.index, line.order))
@@ -113,14 +114,9 @@ class KeptExam:
             line.place,
         )
 
-    def _make_finder(self, question: str) -> FindRoundings:
-        """What finds how rounding bears on the answers to a question."""
-
-        def find_roundings(values: Combination) -> Mapping[str, Rounding[float]]:
-            draw_filter = self.unkeyed.filters[question]
-            return take_one(draw_filter.bound([values], self.bank.carry), 0)
-
-        return find_roundings
+    def _find_roundings(self, question: str, values: Combination) -> Mapping[str, Rounding[float]]:
+        """How rounding bears on the answers to a question."""
+        return self.unkeyed.filters[question].find_roundings(values)
 
     def _list_held(self, line: KeyLine) -> tuple[str, ...]:
         """The questions that a paper holds, in the bank's order; all of the bank where those of its

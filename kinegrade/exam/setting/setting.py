@@ -158,7 +158,7 @@ def set_paper(exam: Exam, dealt: DealtPaper) -> SetPaper:
 def set_papers(exam: Exam, dealt: Sequence[DealtPaper]) -> list[SetPaper]:
     """Several papers, which are set faster together than one by one. Raises as `set_paper`."""
     for name, draw_filter in exam.filters.items():
-        draw_filter.bound_together(each.values[name] for each in dealt if name in each.values)
+        draw_filter.round_together(each.values[name] for each in dealt if name in each.values)
     return [set_paper(exam, each) for each in dealt]
 
 
