@@ -57,10 +57,10 @@ def test_lines_of_code_are_lines_without_docstrings_comments_and_blanks(tmp_path
 # did when fairness came to be bounded (mistakes, follow-through, papers alike hard) and when
 # mechanisms came to move (cycles)
 FAR = {
-    "syntax nodes": 848_000,
-    "lines of code": 85_860,
-    "syntax nodes a line": 9.874,
-    "modules of more than 250 lines": 30,
+    "syntax nodes": 875_000,
+    "lines of code": 88_500,
+    "syntax nodes a line": 9.95,
+    "modules of more than 250 lines": 36,
 }
 COPIED = """
 def total(rows, key):
