@@ -177,7 +177,9 @@ def test_the_type_checker_names_every_place_that_does_not_know_what_was_added(
         text = (copy / name).read_text(encoding="utf-8")
         assert changed(text) != text
         (copy / name).write_text(changed(text), encoding="utf-8")
-    shutil.copy(PACKAGE.parent / "pyproject.toml", tmp_path)
+    for name in ("pyproject.toml", "tests/replaced_values.py"):
+        (tmp_path / name).parent.mkdir(exist_ok=True)
+        shutil.copy(PACKAGE.parent / name, tmp_path / name)
     files = [f"kinegrade/{name}" for name in (*KNOWN, *dict(REPORTED))]
     # What these files import of the rest of the package does not matter to them
     arguments = [sys.executable, "-m", "mypy", "--follow-imports=skip", *files]
