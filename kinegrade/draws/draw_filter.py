@@ -204,7 +204,7 @@ class DrawFilter:
         if roundings is None:
             roundings = self.find_roundings(values)
         allowed = self.accuracy.allow(solution, roundings)
-        stated = {name: self.accuracy.find_stated(name) for name in allowed}
+        stated = self.accuracy.state(solution, roundings)
         return Examined(solution, {name: allowed[name] or stated[name] for name in allowed})
 
     def find_roundings(self, values: Combination) -> Mapping[str, Rounding[float]]:

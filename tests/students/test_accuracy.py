@@ -67,6 +67,13 @@ def test_an_answer_next_to_zero_is_allowed_its_amount_and_no_more() -> None:
     assert allow(0.0, h="0", largest=0.0) == PER_CENT
 
 
+def test_what_is_stated_holds_next_to_zero_even_where_rounding_leaves_it() -> None:
+    """So that a draw that was dealt, and would be refused now, is not marked more strictly."""
+    accuracy = Accuracy({"v_x": PER_CENT}, 4, frozenset())
+    stated = accuracy.state(solution("0"), {"v_x": Rounding(0.041, 4.0)})
+    assert stated == {"v_x": Tolerance(Fraction(1, 100), Fraction(4, 100))}
+
+
 def test_an_ask_without_a_stated_tolerance_is_honest() -> None:
     assert Accuracy().allow(solution(), {"v_x": Rounding(0.05, 2.0)})["v_x"] == Tolerance(
         Fraction(3, 100)

@@ -43,6 +43,21 @@ class Accuracy:
         """Whether an ask's tolerance is widened where rounding needs it."""
         return ask in self.honest or ask not in self.tolerances
 
+    def state(
+        self, solution: Solution, roundings: Mapping[str, Rounding[float]]
+    ) -> dict[str, Tolerance]:
+        """The tolerance of each answer of an instance as it is stated, next to zero with the share
+        that is allowed there.
+
+        `roundings` are those of `find_roundings`.
+        """
+        return {
+            name: find_effective_tolerance(
+                self.find_stated(name), answer.value, roundings.get(name, UNBOUNDED).largest
+            )
+            for name, answer in solution.answers.items()
+        }
+
     def allow(
         self, solution: Solution, roundings: Mapping[str, Rounding[float]]
     ) -> dict[str, Tolerance | None]:
@@ -51,15 +66,13 @@ class Accuracy:
         `roundings` are those of `find_roundings`.
         """
         allowed: dict[str, Tolerance | None] = {}
-        for name, answer in solution.answers.items():
-            found = roundings.get(name, UNBOUNDED)
-            tolerance = find_effective_tolerance(
-                self.find_stated(name), answer.value, found.largest
-            )
-            if _holds(tolerance, answer.value, found.bound):
+        for name, tolerance in self.state(solution, roundings).items():
+            value = solution.answers[name].value
+            bound = roundings.get(name, UNBOUNDED).bound
+            if _holds(tolerance, value, bound):
                 allowed[name] = tolerance
             elif self.may_widen(name):
-                allowed[name] = _widen(tolerance, answer.value, found.bound)
+                allowed[name] = _widen(tolerance, value, bound)
             else:
                 allowed[name] = None
         return allowed
