@@ -28,7 +28,7 @@ from kinegrade.grading.grade import grade
 
 STUDENTS = 20_000
 ODD_SHARE = 0.1  # of the answers in the mixed class: commas, units, roots, blanks, words
-PLAIN_PROMISE, MIXED_PROMISE = 3.4, 0.43
+PLAIN_PROMISE, MIXED_PROMISE = 3.4, 0.55
 GRADE = "grade EXAM answers.csv -o MARKS"
 #: What is promised of whole commands; `grade` has exports and checks of what it has written.
 COMMANDS = {

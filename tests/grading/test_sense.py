@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import chain
 from typing import get_args
 
 import pytest
@@ -10,9 +11,10 @@ from kinegrade.exam.folder.earlier_signs import recognise_convention
 from kinegrade.grading.typed.answers import read
 from kinegrade.grading.typed.keyboard import fold
 from kinegrade.grading.typed.number_text import Unreadable
-from kinegrade.grading.typed.sense import Sense, find_direction, split_sense
+from kinegrade.grading.typed.sense import SENSE_WORDS, Sense, find_direction, split_sense
 from kinegrade.language import ENGLISH, Language
 from kinegrade.language.catalogue import open_catalogue
+from kinegrade.language.spellings import list_spellings
 from kinegrade.sign_conventions import Convention
 
 WORDS: dict[Sense, tuple[str, ...]] = {
@@ -45,6 +47,12 @@ def test_every_word_is_taken_off_before_and_behind(sense: Sense) -> None:
             assert (rest.strip(), found) == ("12 m/s" if "m/s" in form else "12", sense), (
                 form.format(word)
             )
+
+
+def test_no_word_for_a_sense_has_a_digit() -> None:
+    """Whether an answer may hold one is looked up without its digits."""
+    spelled = "".join(chain.from_iterable(map(list_spellings, SENSE_WORDS.values())))
+    assert not any(letter.isdigit() for letter in spelled)
 
 
 @pytest.mark.parametrize(

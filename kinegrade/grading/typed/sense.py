@@ -10,7 +10,7 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, lru_cache
 from typing import Literal
 
 from kinegrade.grading.typed.number_text import Unreadable
@@ -38,6 +38,8 @@ _POSITIVE: Mapping[Convention, Sense | None] = {
     "magnitude": None, "unsigned": None, "signed": None, "ccw": "ccw", "cw": "cw",
     "+x": "right", "-x": "left", "+y": "up", "-y": "down",
 }  # fmt: skip
+
+_NO_DIGITS = str.maketrans("", "", "0123456789")
 
 
 @dataclass(frozen=True)
@@ -78,6 +80,14 @@ def names_sense(label: str) -> bool:
     return _compile_patterns().alone.search(label) is not None
 
 
+@lru_cache(maxsize=4096)
+def _may_name_sense(text: str) -> bool:
+    """Whether a text without its digits may hold a word for a sense, in which there are none: of
+    the answers of a class few differ in anything but digits.
+    """
+    return _compile_patterns().anywhere.search(text) is not None
+
+
 def split_sense(text: str) -> tuple[str, Sense | None]:
     """A folded answer without its word for the sense, and that sense; None where there is no such
     word.
@@ -85,8 +95,10 @@ def split_sense(text: str) -> tuple[str, Sense | None]:
     >>> split_sense("12 rad/s (clockwise)")
     ('12 rad/s', 'cw')
     """
+    if not _may_name_sense(text.translate(_NO_DIGITS)):
+        return text, None
     patterns = _compile_patterns()
-    for pattern in (patterns.behind, patterns.before) if patterns.anywhere.search(text) else ():
+    for pattern in (patterns.behind, patterns.before):
         found = pattern.search(text)
         if found:
             sense = next(name for name in SENSE_WORDS if found[name] is not None)
