@@ -21,21 +21,28 @@ from kinegrade.exam.folder.numbers import require_double
 from kinegrade.exam.folder.records import KeyLine, StatedAnswer
 from kinegrade.language.message import Fault, Message, Quoted
 from kinegrade.marks_folder.rows import Put
+from kinegrade.numbers.tolerance import Tolerance
 from kinegrade.reports.predictions import Predictions, find_predictions
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class RightAnswer:
-    """A right answer: `exact` is an expression where there is one; `allowed` is the tolerance on
-    the paper, `coarse` how far off an answer may be that is rounded too coarsely, 0 where that is
-    not known.
+    """A right answer: `exact` is an expression where there is one; `rule` is the tolerance on the
+    paper, `coarse` how far off an answer may be that is rounded too coarsely, 0 where that is not
+    known.
     """
 
     value: Fraction
     exact: str | None
     unit: str
-    allowed: Fraction
+    rule: Tolerance
     coarse: float = 0.0
+
+    @cached_property
+    def allowed(self) -> Fraction:
+        """How far off an answer may be."""
+        low, high = self.rule.interval(self.value)
+        return max(self.value - low, high - self.value)
 
 
 @dataclass(frozen=True)
@@ -163,9 +170,8 @@ class PaperRecords:
 
 
 def _read_right_answer(stated: StatedAnswer, coarse: float) -> RightAnswer:
-    value = find_exact_value(stated)
-    low, high = read_rule(stated.tolerance).interval(value)
-    return RightAnswer(value, stated.exact, stated.unit, max(value - low, high - value), coarse)
+    rule = read_rule(stated.tolerance)
+    return RightAnswer(find_exact_value(stated), stated.exact, stated.unit, rule, coarse)
 
 
 def _read_parameters(line: KeyLine) -> Iterator[tuple[tuple[str, str], float]]:

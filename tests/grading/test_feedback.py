@@ -17,6 +17,7 @@ from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.grading.judging.hints import Hint, find_hint
 from kinegrade.language.catalogue import Catalogue, open_catalogue
 from kinegrade.marks_folder.folder import MarksFolder
+from kinegrade.numbers.tolerance import Tolerance
 from kinegrade.press.html.feedback import write_feedback_html
 from kinegrade.press.markdown.feedback import write_feedback_markdown
 from kinegrade.press.sheet import FeedbackRow
@@ -115,7 +116,7 @@ def test_what_rounding_may_lead_to_is_put_down_to_it(
 def test_a_right_answer_is_exact_where_that_is_short(
     exact: str, decimal: str, unit: str, expected: tuple[str, str]
 ) -> None:
-    right = RightAnswer(Fraction(decimal), exact, unit, Fraction(0))
+    right = RightAnswer(Fraction(decimal), exact, unit, Tolerance())
     assert (write_closed_form(right), write_decimal(right)) == expected
 
 
@@ -124,7 +125,8 @@ def test_a_right_answer_is_exact_where_that_is_short(
     [("0.0259", "±0.025\u202fm/s"), ("0.3", "±0.3\u202fm/s"), ("1/3", "±0.33\u202fm/s"), ("0", "")],
 )
 def test_what_is_allowed_is_never_rounded_up(allowed: str, written: str) -> None:
-    assert write_allowed(RightAnswer(Fraction(2), None, "m/s", Fraction(allowed))) == written
+    rule = Tolerance(absolute=Fraction(allowed))
+    assert write_allowed(RightAnswer(Fraction(2), None, "m/s", rule)) == written
 
 
 @pytest.mark.parametrize(

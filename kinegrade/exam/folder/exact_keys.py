@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import lru_cache
 from math import isclose, nan
 
 import msgspec
@@ -130,6 +131,7 @@ def _read_key(ask: Ask, answer: StatedAnswer) -> Key:
     return Key(value, stated, period, mistakes)
 
 
+@lru_cache(maxsize=1024)  # rules repeat on every paper
 def read_rule(tolerance: StatedTolerance) -> Tolerance:
     """The rule that a tolerance states; figures are those to which an answer has to agree. Raises
     FieldError.

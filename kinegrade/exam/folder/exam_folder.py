@@ -101,7 +101,7 @@ class ExamFolder:
         """The file of the head, to be named in messages."""
         return self.path / HEAD
 
-    @property
+    @cached_property
     def key(self) -> Path:
         """The file of the key, to be named in messages."""
         return self.path / KEY

@@ -26,7 +26,8 @@ _MULTIPLE_OF_PI = re.compile(r"-?(?:[0-9]+\*)?pi(?:/[0-9]+)?")
 def write_decimal(right: RightAnswer) -> str:
     """The decimal with its unit, after "≈" where it is rounded.
 
-    >>> write_decimal(RightAnswer(Fraction("1.154700538379"), None, "m/s", Fraction(0)))
+    >>> from kinegrade.numbers.tolerance import Tolerance
+    >>> write_decimal(RightAnswer(Fraction("1.154700538379"), None, "m/s", Tolerance()))
     '≈ 1.1547\u202fm/s'
     """
     value = round_to_decimal(right.value, _SHOWN_DIGITS)
@@ -38,7 +39,8 @@ def write_decimal(right: RightAnswer) -> str:
 def write_closed_form(right: RightAnswer) -> str:
     r"""The exact value without its unit, in LaTeX math; "" where it is long, or is the decimal.
 
-    >>> right = RightAnswer(Fraction("2.857883832488647"), "33*sqrt(3)/20", "m/s", Fraction(0))
+    >>> from kinegrade.numbers.tolerance import Tolerance
+    >>> right = RightAnswer(Fraction("2.857883832488647"), "33*sqrt(3)/20", "m/s", Tolerance())
     >>> print(write_closed_form(right))
     \frac{33 \sqrt{3}}{20}
     """
@@ -58,7 +60,9 @@ def write_closed_form(right: RightAnswer) -> str:
 def write_allowed(right: RightAnswer) -> str:
     """How far off an answer may be, rounded down to two figures; "" where nothing is allowed.
 
-    >>> write_allowed(RightAnswer(Fraction(2), None, "m/s", Fraction("0.0259")))
+    >>> from kinegrade.numbers.tolerance import Tolerance
+    >>> rule = Tolerance(absolute=Fraction("0.0259"))
+    >>> write_allowed(RightAnswer(Fraction(2), None, "m/s", rule))
     '±0.025\u202fm/s'
     """
     if not right.allowed:
