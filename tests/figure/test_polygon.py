@@ -14,7 +14,7 @@ from kinegrade.figure.vectors.arrows import DASHED
 from kinegrade.figure.vectors.chains import Arrow, find_order
 from kinegrade.figure.vectors.corners import FAR
 from kinegrade.figure.vectors.plain_mechanism import LARGE, PICTURE
-from kinegrade.figure.vectors.polygon import draw_polygon
+from kinegrade.figure.vectors.polygon import HIGH, draw_polygon
 from kinegrade.mechanics.vector import Vector
 from kinegrade.round_numbers import STEPS
 from tests.figure.clear import dots, faults, heads, lines, symbols
@@ -147,17 +147,40 @@ def test_vectors_keep_their_places_where_none_runs_along_another() -> None:
     assert find_order(*TRIANGLE) == (range(1), range(2))
 
 
-def test_a_corner_that_is_no_points_has_a_letter_and_no_number_as_bodies_have() -> None:
+def test_a_corner_past_a_vector_that_is_not_drawn_keeps_its_letter() -> None:
+    tiny = Vector(0.02, 0.03)
+    right = [Arrow("a_1", A), Arrow("a_2", tiny), Arrow("a_3", B - A - tiny)]
+    assert {"a", "b"} < set(symbols(draw_polygon([Arrow("a_B", B)], right, {"a": A, "b": B})))
+
+
+def test_a_polygon_whose_symbols_find_no_place_is_high() -> None:
+    # A pin in two rings: six short arrows in a heap beside two long ones
+    sizes = {
+        r"a_{\mathrm{e}1}^{\mathrm{n}}": (-2.08, -1.526),
+        r"a_{\mathrm{e}1}^{\mathrm{t}}": (-1.908, 2.6),
+        r"a_{\mathrm{r}1}^{\mathrm{n}}": (-0.213, -0.678),
+        r"a_{\mathrm{r}1}^{\mathrm{t}}": (8.513, -2.677),
+        r"a_{\mathrm{Cor}1}": (-0.64, -2.035),
+        r"a_{\mathrm{e}2}^{\mathrm{n}}": (8.32, -6.105),
+        r"a_{\mathrm{e}2}^{\mathrm{t}}": (1.145, 1.56),
+        r"a_{\mathrm{r}2}^{\mathrm{n}}": (6.453, -20.52),
+        r"a_{\mathrm{r}2}^{\mathrm{t}}": (-5.206, -1.637),
+        r"a_{\mathrm{Cor}2}": (-7.04, 22.386),
+    }
+    arrows = [Arrow(symbol, Vector(*size)) for symbol, size in sizes.items()]
+    vertices = {
+        "m'": Vector(-3.988, 1.074),
+        "m": Vector(3.672, -4.316),
+        "m''": Vector(9.465, -4.545),
+    }
+    scene = draw_polygon(arrows[:5], arrows[5:], vertices, 1.0)
+    assert (scene.scale, scene.crowded) == (2.0, ())
+    assert LARGE.height < scene.height <= HIGH.height
+
+
+def test_a_corner_that_is_no_points_has_no_letter() -> None:
     left, right = TRIANGLE
-    assert symbols(draw_polygon(left, right, {"b": B})) == ["b", "n", "o", "v_A", "v_B", "v_{BA}"]
-    assert "x" in symbols(draw_polygon(left, right, {"b": B}, spare="xy"))
-
-
-def test_a_corner_beside_one_with_a_letter_has_none() -> None:
-    tick = Vector(0.1, 0.02)
-    right = [Arrow("v_1", A), Arrow("v_2", tick), Arrow("v_3", B - A - tick)]
-    scene = draw_polygon([Arrow("v_B", B)], right, {"a": A, "b": B})
-    assert [one for one in symbols(scene) if len(one) == 1] == ["a", "b", "o"]
+    assert symbols(draw_polygon(left, right, {"b": B})) == ["b", "o", "v_A", "v_B", "v_{BA}"]
 
 
 def test_the_letter_of_a_corner_is_nearest_to_it() -> None:

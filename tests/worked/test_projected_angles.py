@@ -73,3 +73,10 @@ def test_a_line_that_a_sum_of_given_angles_places_has_its_angle_told() -> None:
     angles = {"delta": "30", "beta": "55", "gamma": "95", "psi": "-70"}
     told = "\n".join(proses(stated("stone-crusher", **values, **angles)))
     assert r"$GB$ makes $\delta + \beta$ with the $y$ axis" in told
+
+
+def test_two_lines_have_no_angle_beyond_a_straight_one() -> None:
+    values = {"a": "45", "b": "170", "c": "100", "d": "160", "phi": "100", "n": "80"}
+    told = "\n".join(proses(stated("four-bar-by-lengths", **values)))
+    assert r"The angle between $AB$ and $DC$ is $\varphi + \psi_{DC} - 180^\circ$, so" in told
+    assert r"Here $\varphi + \psi_{DC} = 100^\circ + 85.93^\circ \approx 185.93^\circ$." in told

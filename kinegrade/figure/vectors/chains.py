@@ -17,7 +17,7 @@ from kinegrade.mechanics.vector import Vector
 from kinegrade.round_numbers import round_down
 
 # Millimetres that the polygon alone takes at most: the rest of a figure is for symbols
-_SPAN, LARGEST = (52.0, 36.0), (68.0, 56.0)
+USUAL, LARGEST, HIGHEST = (52.0, 36.0), (68.0, 56.0), (68.0, 76.0)
 _TINY = 1e-12
 _PERMUTED, _ORDERS = 4, 150  # vectors of a side that may change places, orders that are tried
 _SAME = 0.05  # millimetres within which two corners coincide
@@ -53,7 +53,7 @@ def measure_spans(left: Sequence[Arrow], right: Sequence[Arrow]) -> tuple[float,
 
 
 def find_scale(
-    left: Sequence[Arrow], right: Sequence[Arrow], span: tuple[float, float] = _SPAN
+    left: Sequence[Arrow], right: Sequence[Arrow], span: tuple[float, float] = USUAL
 ) -> float:
     """The largest round scale, millimetres per m/s or m/s^2, at which the vectors fit a polygon of
     that width and height.

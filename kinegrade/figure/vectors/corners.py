@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
 import numpy as np
 
@@ -19,7 +19,7 @@ from kinegrade.figure.vectors.arrows import VectorArrow
 from kinegrade.mechanics.vector import Vector
 
 _ORIGINS = ("o", "p")  # letters of the origin: another where it is that of a corner
-CLOSE = 2.0  # millimetres: letters of corners that close would stand in a heap
+_CLOSE = 2.0  # millimetres: a letter cannot be told to be that of one of two corners that close
 FAR = 2.5  # millimetres of paper from a corner to its letter, from which on that is not seen as its
 _EVERY = 6  # of the places close to a corner, one in so many is tried
 _STRAY = 1.0  # demerit of a letter that far
@@ -35,36 +35,32 @@ def list_corners(arrows: Sequence[VectorArrow]) -> list[Vector]:
     return corners
 
 
-def _is_among(place: Vector, places: Iterable[Vector], within: float = _SAME) -> bool:
-    return any(length(place - other) < within for other in places)
-
-
-def list_apart(corners: Iterable[Vector], named: Iterable[Vector]) -> Iterator[Vector]:
-    """The corners that have no letter and stand clear of those that have: a letter of their own
-    would be in a heap with the other one.
-    """
-    places = list(named)
-    for corner in corners:
-        if not _is_among(corner, places, CLOSE):
-            places.append(corner)
-            yield corner
+def _is_among(place: Vector, places: Iterable[Vector]) -> bool:
+    return any(length(place - other) < _SAME for other in places)
 
 
 def name_corners(
-    vertices: Mapping[str, Vector], corners: Sequence[Vector], scale: float
+    vertices: Mapping[str, Vector], corners: Sequence[Vector], scale: float, undrawn: float
 ) -> dict[str, Vector]:
-    """The letters of the origin and of those vertices that the polygon has."""
+    """The letters of the origin and of those vertices that the polygon has, but for vectors that
+    are not drawn, `undrawn` millimetres together: the arrow before them leads past its vertex.
+    """
     origin = next(letter for letter in _ORIGINS if letter not in vertices)
-    places = {letter: vertex * scale for letter, vertex in vertices.items()}
-    others = {one: place for one, place in places.items() if _is_among(place, corners[1:])}
-    return {origin: _ZERO} | others
+    named = {origin: _ZERO}
+    for letter, vertex in vertices.items():
+        off, place = min(
+            (length(corner - vertex * scale), place) for place, corner in enumerate(corners)
+        )
+        if place > 0 and off < undrawn + _SAME:
+            named[letter] = corners[place]
+    return named
 
 
 def wish_letter(letter: str, corner: Vector, corners: Sequence[Vector]) -> Wish:
     """A letter outside its corner, nearer to it than to any other."""
     middle = sum(corners, _ZERO) * (1 / len(corners))
     spots, far = _list_letter_spots(letter, corner, corner - middle)
-    others = [other for other in corners if length(other - corner) > CLOSE]
+    others = [other for other in corners if length(other - corner) > _CLOSE]
     mistaken = _MISTAKEN * rate_nearness(letter, spots, (corner,), others)
     return Wish(letter, spots, None, mistaken + _STRAY * far, names=corner)
 

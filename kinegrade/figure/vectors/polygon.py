@@ -7,31 +7,26 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise, product
-from string import ascii_lowercase
 from types import MappingProxyType
 
 from msgspec.structs import replace
 
 from kinegrade.figure.mechanism.fitting import Room, make_scene
 from kinegrade.figure.placing.layout import Layout
-from kinegrade.figure.placing.place import Wish
 from kinegrade.figure.plane import length
 from kinegrade.figure.scene import Disc, Scene
 from kinegrade.figure.vectors.arrows import VectorArrow, put_side_by_side
 from kinegrade.figure.vectors.chains import (
+    HIGHEST,
     LARGEST,
+    USUAL,
     Arrow,
     find_corners,
     find_scale,
     measure_spans,
     round_scale,
 )
-from kinegrade.figure.vectors.corners import (
-    list_apart,
-    list_corners,
-    name_corners,
-    wish_letter,
-)
+from kinegrade.figure.vectors.corners import list_corners, name_corners, wish_letter
 from kinegrade.figure.vectors.leaders import NOTHING, ONE_ARROW, write_symbol
 from kinegrade.figure.vectors.plain_mechanism import LARGE, PICTURE
 from kinegrade.mechanics.vector import Vector
@@ -40,19 +35,10 @@ _NEGLIGIBLE = 0.01  # of the longest vector: shorter ones are not drawn
 _OFFSETS = (2.0, -6.0, 8.0, -12.0, 14.0)  # millimetres between arrows that would lie on one another
 _NEXT = 2.51  # times a round number, the next one is not above it
 _LEAST = 10.0  # millimetres: no polygon is made smaller than this, whatever its symbols take
-# Letters of the other corners: usual ones first, none that is an origin's or a vector's
-SPARE = tuple("nkqsuw" + "".join(sorted(set(ascii_lowercase) - set("nkqsuwavop"))))
 _SHORT = 2.4  # millimetres, the length of a head
+HIGH = Room(80.0, 84.0)  # where symbols find no place in less
 _TRIES = 4  # orders in which the symbols are placed
 _ZERO = Vector(0.0, 0.0)
-
-
-@dataclass(frozen=True)
-class _Names:
-    """The letters of corners, and those that are left for the others."""
-
-    vertices: Mapping[str, Vector]
-    spare: tuple[str, ...]
 
 
 def draw_polygon(
@@ -60,7 +46,6 @@ def draw_polygon(
     right: Sequence[Arrow],
     vertices: Mapping[str, Vector] = MappingProxyType({}),
     scale: float | None = None,
-    spare: Sequence[str] = SPARE,
 ) -> Scene:
     """The polygon of "sum of `left` = sum of `right`" from the common origin o.
 
@@ -68,28 +53,28 @@ def draw_polygon(
     shorter than a hundredth of the longest are not drawn. The vectors of a side follow one another
     as they are given; those that would run along another are drawn beside it, with thin lines to
     their true positions. `vertices` are letters (LaTeX math) for the tips of vectors from the
-    origin; the other corners have `spare` ones, unless a letter stands there already. The scale of
-    the scene is millimetres per m/s (or m/s^2), a round number: `scale`, that of other polygons,
-    unless this one would be too large or too small, or is hard to read at it. The figure is within
-    PICTURE of `plain_mechanism`, or LARGE where it is easier to read.
+    origin; the other corners, between the components of a vector, are no point's and have none.
+    The scale of the scene is millimetres per m/s (or m/s^2), a round number: `scale`, that of other
+    polygons, unless this one would be too large or too small, or is hard to read at it. The figure
+    is within PICTURE of `plain_mechanism`, or LARGE where it is easier to read, or HIGH.
     """
-    names = _Names(vertices, tuple(letter for letter in spare if letter not in vertices))
     across, upward = measure_spans(left, right)
     if across + upward == 0.0:
-        return _fit(left, right, names, 1.0, _Limits(PICTURE, 0.0)).scene
+        return _fit(left, right, vertices, 1.0, _Limits(PICTURE, 0.0)).scene
     largest = find_scale(left, right)
     common = min(scale or largest, largest)
     least = _LEAST / max(across, upward)
     first = common if common > least else largest
     drawings: list[_Drawing] = []
-    for room, last in ((PICTURE, largest), (LARGE, find_scale(left, right, LARGEST))):
-        for size in _list_sizes(first, last):
-            drawings.append(_fit(left, right, names, size, _Limits(room, least)))
+    for room, span in ((PICTURE, USUAL), (LARGE, LARGEST), (HIGH, HIGHEST)):
+        for size in _list_sizes(first, find_scale(left, right, span)):
+            drawings.append(_fit(left, right, vertices, size, _Limits(room, least)))
             if not drawings[-1].faults + drawings[-1].short:
                 return drawings[-1].scene
-        if not min(drawing.faults for drawing in drawings):
+        best = min(drawings, key=lambda drawing: (drawing.faults, drawing.short))
+        if not best.faults or (room is LARGE and not best.scene.crowded):
             break
-    return min(drawings, key=lambda drawing: (drawing.faults, drawing.short)).scene
+    return best.scene
 
 
 def _list_sizes(first: float, last: float) -> Iterator[float]:
@@ -122,21 +107,23 @@ class _Drawing:
 def _fit(
     left: Sequence[Arrow],
     right: Sequence[Arrow],
-    names: _Names,
+    vertices: Mapping[str, Vector],
     scale: float,
     limits: _Limits,
 ) -> _Drawing:
     """The polygon to a scale, or to the next smaller one with which it is within its limits."""
     while True:
-        arrows = _place(left, right, scale)
-        layout = _compose(arrows, names, scale)
+        least = _NEGLIGIBLE * max((length(arrow.value) for arrow in (*left, *right)), default=0.0)
+        laid = [arrow for side in (left, right) for arrow in _lay_arrows(side, scale, least)]
+        arrows = put_side_by_side(laid, _OFFSETS)
+        undrawn = least * scale * (len(left) + len(right) - len(laid))
+        layout = _name_arrows(arrows, name_corners(vertices, list_corners(arrows), scale, undrawn))
         scene = replace(make_scene(layout.primitives, scale), crowded=layout.crowded)
         room = limits.room
         if scale <= limits.least or (scene.width <= room.width and scene.height <= room.height):
-            unnamed = len(list_corners(arrows)) + len(arrows) - len(layout.labels)
             short = sum(length(arrow.end - arrow.start) < _SHORT for arrow in arrows)
             faults = len(layout.crowded) + sum(map(_rate_arrow, arrows))
-            return _Drawing(scene, faults, short + unnamed)
+            return _Drawing(scene, faults, short)
         scale = round_scale(scale * 0.99)
 
 
@@ -145,27 +132,12 @@ def _rate_arrow(arrow: VectorArrow) -> int:
     return (arrow.aside != _ZERO) + (length(arrow.end - arrow.start) < _SHORT / 2)
 
 
-def _place(left: Sequence[Arrow], right: Sequence[Arrow], scale: float) -> tuple[VectorArrow, ...]:
-    """The arrows of both sides on paper."""
-    least = _NEGLIGIBLE * max((length(arrow.value) for arrow in (*left, *right)), default=0.0)
-    laid = [arrow for side in (left, right) for arrow in _lay_arrows(side, scale, least)]
-    return put_side_by_side(laid, _OFFSETS)
-
-
-def _compose(arrows: Sequence[VectorArrow], names: _Names, scale: float) -> Layout:
-    """The arrows with their symbols and the letters of their corners."""
-    corners = list_corners(arrows)
-    lettered = name_corners(names.vertices, corners, scale)
-    layout = _name_arrows(arrows, [wish_letter(*one, corners) for one in lettered.items()])
-    for letter, corner in zip(names.spare, list_apart(corners, lettered.values()), strict=False):
-        layout = layout.written((wish_letter(letter, corner, corners),))
-    return layout
-
-
-def _name_arrows(arrows: Sequence[VectorArrow], letters: Sequence[Wish]) -> Layout:
+def _name_arrows(arrows: Sequence[VectorArrow], lettered: Mapping[str, Vector]) -> Layout:
     """The arrows with their symbols and the letters of corners: symbols first, or else letters,
     which have to stand beside their corners, and at last with thin lines across other arrows.
     """
+    corners = list_corners(arrows)
+    letters = [wish_letter(*one, corners) for one in lettered.items()]
     ties = (tie for arrow in arrows for tie in arrow.ties())
     parts = (part for arrow in arrows for part in arrow.primitives())
     bare = Layout.of((*ties, *parts, Disc(_ZERO, 0.5, None, "black")))

@@ -80,11 +80,11 @@ class _Leaning:
             return Message("solution.line-makes", line=line, angle=angle, axis=axis)
         turned = self.turns[0] != self.turns[1]
         complement = turned == (self.cosine.function == "cos")
-        lines = direct_lines(
-            first, others[0], abs(self._measure_angle(complement=complement)), case
-        )
+        size = abs(self._measure_angle(complement=complement))
+        less = _HALF if size > _HALF else 0.0  # no two directions make more: one line from its end
+        lines = direct_lines(first, others[0], size - less, case)
         letters = zip(("first", "second"), (case.text(line) for line in lines), strict=True)
-        angle = self._tell_angle(complement=complement)
+        angle = self._tell_angle(complement=complement, less=less)
         return Message("solution.between-lines", **dict(letters), angle=angle)
 
     def state(self, others: Sequence[VectorSymbol]) -> Message:
@@ -99,17 +99,16 @@ class _Leaning:
             count=1 + len(others),
         )
 
-    def _tell_angle(self, *, complement: bool) -> str:
+    def _tell_angle(self, *, complement: bool, less: float = 0.0) -> str:
         """The angle of the cosine, worked out where it is a sum that has not been, or what it
-        differs from a right angle by.
+        differs from a right angle by; either `less` so many degrees.
         """
         case, angle = self.case, self.cosine.angle
-        if not complement:
+        if not complement and not less:
             return tell_sum(self.cosine, case) or f"${case.text(angle)}$"
-        right = state_angle(_RIGHT)
-        positive = self._measure_angle(complement=True) >= 0
-        rest = right - angle if positive else angle - right
-        return f"${case.text(rest)}$"
+        if complement and self._measure_angle(complement=True) >= 0:
+            return f"${case.text(state_angle(_RIGHT) - angle)}$"
+        return f"${case.text(angle - state_angle(less + _RIGHT * complement))}$"
 
     def _measure_angle(self, *, complement: bool) -> float:
         """The angle of the cosine in degrees, or what it falls short of a right angle by."""

@@ -8,7 +8,7 @@ from decimal import Decimal
 
 from kinegrade.figure.scene import Scene
 from kinegrade.figure.vectors.chains import Arrow, find_order, find_scale
-from kinegrade.figure.vectors.polygon import SPARE, draw_polygon
+from kinegrade.figure.vectors.polygon import draw_polygon
 from kinegrade.language.message import Message, list_all
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Part, VectorEquation, is_whole
@@ -46,7 +46,7 @@ def draw_equation(equation: VectorEquation, stage: Stage, scale: float | None) -
     """The polygon of a vector equation, to a scale that its caption states."""
     case = stage.case
     sides = _list_sides(order_vectors(equation, case), case)
-    scene = draw_polygon(*sides, _name_vertices(equation, case), scale, _list_spare(case))
+    scene = draw_polygon(*sides, _name_vertices(equation, case), scale)
     scale_words = Message(
         f"solution.polygon-{stage.level}",
         scale=Decimal(f"{1 / scene.scale:.3g}"),
@@ -135,12 +135,6 @@ def has_corner(letter: str, equation: VectorEquation, case: Case) -> bool:
     """Whether a letter stands at a corner of the polygon of an equation."""
     place = _name_vertices(order_vectors(equation, case), case).get(letter)
     return place is not None and is_seen(place)
-
-
-def _list_spare(case: Case) -> tuple[str, ...]:
-    """Letters of corners that are no point's in small."""
-    points = {point.lower() for point in case.motion.points}
-    return tuple(letter for letter in SPARE if letter not in points)
 
 
 def _write_small(letter: Symbol, case: Case) -> str:

@@ -74,7 +74,7 @@ LAWS: dict[Law, str] = {
     "point": "every point with coordinates is one of the statement, or is introduced as where wheels roll",
     "closed": "the arrows of a polygon follow one another from the origin to one end, on two sides",
     "label": "a symbol in a polygon stands beside an arrow as long as its value says",
-    "corner": "every corner of a polygon has its letter or number",
+    "corner": "the origin of a polygon and every corner that is a point's have a letter",
     "used": "what is found is asked, or used further down, by a check at least",
     "once": "no long sentence stands twice under a title",
     "inclined": "a vector normal to a line is projected by an angle that a sentence has derived",

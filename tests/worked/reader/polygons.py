@@ -7,12 +7,11 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from itertools import combinations
+from functools import partial
 from math import hypot
 from typing import Literal
 
 from kinegrade.figure.scene import BOLD, THIN, Disc, Label, Outline, Scene, Strokes
-from kinegrade.figure.vectors.corners import CLOSE
 from kinegrade.language.math.reading import read_math
 from kinegrade.mechanics.vector import Vector
 from kinegrade.worked.document import Block, Picture, Pictures
@@ -23,6 +22,9 @@ _IN_PLACE = Vector(0.0, 0.0)
 _APART = 0.05  # millimetres within which two corners coincide
 _ROUNDED = 0.005  # of a length, what four digits leave open
 _CORNER = re.compile(r"[a-z]'*(_\{\d+\})?'*")  # the small letter of a corner
+_COMPONENT = re.compile(r"\^\{\\mathrm\{[nt]\}\}|,[xy]")
+_FRAME = re.compile(r"\\mathrm\{e\}|'")  # leads to the moving frame's point
+_RELATIVE = re.compile(r"\\mathrm\{(r|Cor)\}")  # both lead from the moving frame's point
 _BRACKET = re.compile(r"\s*[(（]")
 _BETWEEN = 2.0  # millimetres by which a symbol longer than its arrow may be nearer to another
 _LEAVES = 0.4  # millimetres from a label to the leader that leaves it
@@ -158,26 +160,48 @@ def _meet(one: Vector, other: Vector) -> bool:
 def _judge_corners(
     origin: Vector, arrows: tuple[_Arrow, ...], picture: Picture
 ) -> Iterator[PolygonFault]:
-    """There are as many letters of corners as it takes for each to have one, or to be so close to
-    another that has one that two would stand in a heap.
+    """The origin and the corners at which a vector of a point ends have letters: as many as there
+    are vectors, each of its components together, unless corners coincide.
     """
     corners = [origin]
     for arrow in arrows:
         if not any(_meet(arrow.ends[1], corner) for corner in corners):
             corners.append(arrow.ends[1])
-    named = sum(bool(_CORNER.fullmatch(label.symbol)) for label in picture.scene.labels)
-    lettered = combinations(corners, min(named, len(corners)))
-    if not any(_reach_all(chosen, corners) for chosen in lettered):
-        yield PolygonFault(
-            "corner", f"{picture.caption}: {named} letters of {len(corners)} corners"
-        )
+    named = list(_name_arrows(picture.scene, arrows))
+    vectors = {_name_whole(symbol) for symbol, _ in named} - set(_find_early(named))
+    letters = sum(bool(_CORNER.fullmatch(label.symbol)) for label in picture.scene.labels)
+    wanted = min(len(corners), len(vectors))
+    if letters < wanted:
+        yield PolygonFault("corner", f"{picture.caption}: {letters} letters for {wanted} points")
 
 
-def _reach_all(lettered: Sequence[Vector], corners: Sequence[Vector]) -> bool:
-    """Whether each corner is one of those lettered or close to one."""
-    return all(
-        any(hypot(*(corner - other)) <= CLOSE + _APART for other in lettered) for corner in corners
-    )
+def _name_arrows(scene: Scene, arrows: tuple[_Arrow, ...]) -> Iterator[tuple[str, _Arrow]]:
+    """Each symbol with the arrow that it stands at."""
+    for label in scene.labels:
+        if not _CORNER.fullmatch(label.symbol):
+            at = _follow_leader(label, arrows, scene)
+            yield label.symbol, min(at, key=partial(_measure_gap, label))
+
+
+def _name_whole(symbol: str) -> str:
+    """The symbol of a vector without what tells its components; those from the point of a moving
+    frame to the point itself together.
+    """
+    return _RELATIVE.sub("r", _COMPONENT.sub("", symbol))
+
+
+def _find_early(named: Iterable[tuple[str, _Arrow]]) -> Iterator[str]:
+    """The relative vectors that do not follow that of the moving frame: none of their corners is
+    the frame's point.
+    """
+    ends = [arrow.ends[1] for symbol, arrow in named if _FRAME.search(symbol)]
+    relative: dict[str, list[_Arrow]] = {}
+    for symbol, arrow in named:
+        if _RELATIVE.search(symbol):
+            relative.setdefault(_name_whole(symbol), []).append(arrow)
+    for whole, parts in relative.items():
+        if not any(_meet(part.ends[0], end) for part in parts for end in ends):
+            yield whole
 
 
 def _judge_labels(
