@@ -7,22 +7,27 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import Literal
 
+from kinegrade.language import Language
 from kinegrade.language.message import Message
 from kinegrade.worked.case import Case
-from kinegrade.worked.document import Block, Prose, TermTable
+from kinegrade.worked.document import Block, Prose, TermTable, say
 
 _Tables = Literal["turned", "straight"]  # whether directions are told by a turn
 
 
-def find_convention(blocks: Sequence[Block], case: Case) -> Prose:
-    """The sense in which rotations are positive; the sense of vectors' letters where tables have
-    vectors, with the sign of a turn where one has it.
+def find_conventions(blocks: Sequence[Block], case: Case) -> tuple[Prose, Prose]:
+    """The sense in which rotations are positive, with the sense of vectors' letters where tables
+    have vectors, and the sign of a turn where one has it; and that values are rounded.
     """
-    said = [Message("solution.positive"), *_explain_letters(blocks), Message("solution.rounded")]
-    first, *others = said
+    first, *others = (Message("solution.positive"), *_explain_letters(blocks))
     for following in others:
         first = Message("solution.sentences", first=first, next=following)
-    return case.say(first)
+    return case.say(first), state_rounding(case.language)
+
+
+def state_rounding(language: Language) -> Prose:
+    """That values are rounded in print alone: the same for all questions of a paper."""
+    return say(Message("solution.rounded"), language)
 
 
 def _explain_letters(blocks: Sequence[Block]) -> Iterator[Message]:

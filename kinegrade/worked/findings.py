@@ -84,7 +84,8 @@ class Findings:
     of sentences by their text; `translated` the bodies of which has been said that their points
     have one velocity or acceleration; `composed` the moving frames, each with the body whose points
     move relative to it, of which the composition of motions has been explained; `coincident` the
-    primed letters that have been; `leaning` the lines, one or two, whose angle with an axis or with
+    primed letters that have been; `parts_explained` whether it has been said what the indices n and
+    t mark; `leaning` the lines, one or two, whose angle with an axis or with
     one another has been told for a projection.
     """
 
@@ -101,6 +102,7 @@ class Findings:
     arms: dict[frozenset[str], Symbol] = field(default_factory=dict)
     seen: dict[tuple[Expression, Expression], Seen] = field(default_factory=dict)
     places_alone: bool = False
+    parts_explained: bool = False
     poles_sought: frozenset[str] = frozenset()
     distances: set[Row] = field(default_factory=set)
     corners: set[str] = field(default_factory=set)

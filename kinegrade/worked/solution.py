@@ -28,7 +28,7 @@ from kinegrade.worked.asked_senses import count_as_asked
 from kinegrade.worked.case import Case
 from kinegrade.worked.checks.chapters import check_places
 from kinegrade.worked.contacts import find_contact, introduce_contacts
-from kinegrade.worked.conventions import find_convention
+from kinegrade.worked.conventions import find_conventions
 from kinegrade.worked.document import Block, Heading, WorkedSolution
 from kinegrade.worked.economy import leave_out_unused
 from kinegrade.worked.findings import Ways
@@ -126,7 +126,7 @@ def _write_blocks(case: Case, asked: Sequence[Ask], boxes: AnswerBoxes) -> Itera
     # In boxes before their turn: an answer is missing until its line has got its box
     later = tuple(boxes.frame(chapters))
     if velocities:
-        later = (later[0], find_convention(later, case), *later[1:])
+        later = (later[0], *find_conventions(later, case), *later[1:])
     checks = () if moving else tuple(check_places(still, case))
     used = (*list_lines((*poses, *later)), *case.findings.told[told:])
     if case.motion.rates:

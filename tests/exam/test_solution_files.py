@@ -126,3 +126,9 @@ def test_solve_typesets_the_worked_solution(tmp_path: Path) -> None:
     assert result.exit_code == 0
     assert "projectiontheorem" in text_of(page)
     assert kinegrade("solve", "slider-crank", "-o", page).exit_code == 2
+
+
+def test_the_questions_of_a_paper_say_once_that_values_are_rounded(solved_class: Path) -> None:
+    for file in sorted((solved_class / "solutions").glob("*.pdf")):
+        said = text_of(file)
+        assert said.count("rounded") + said.count("舍入") + said.count("Gerundet") == 1, file.name

@@ -56,7 +56,8 @@ def test_a_composition_of_velocities() -> None:
     assert read_chapter("# Velocities", solution) == as_read(
         r"""
         Rotations are positive counter-clockwise. A vector's letter stands for its component in the direction given in its first table ($\perp$ with $\curvearrowleft$: turned
-            counter-clockwise from what is named). Values are rounded in print alone.
+            counter-clockwise from what is named).
+        Values are rounded in print alone.
         Given: the angular velocity of the crank $O_{1}A$.
         \omega_{O_{1}A} &= 2\,\unit{rad/s}\quad\text{(counter-clockwise)}
         ## Composition of motions: moving point $A$, moving frame on $OB$
@@ -97,7 +98,8 @@ def test_a_composition_of_accelerations_with_coriolis() -> None:
         $\boldsymbol{a}_{\mathrm{a}} = \boldsymbol{a}_{\mathrm{e}} + \boldsymbol{a}_{\mathrm{r}} + \boldsymbol{a}_{\mathrm{Cor}}$: $\boldsymbol{a}_{\mathrm{e}}$
             is the acceleration of the point of $OB$ which is at $A$,
             $\boldsymbol{a}_{\mathrm{r}}$ that seen from $OB$,
-            $\boldsymbol{a}_{\mathrm{Cor}}$ the Coriolis acceleration.
+            $\boldsymbol{a}_{\mathrm{Cor}}$ the Coriolis acceleration. The
+            indices n and t mark normal and tangential parts.
         [ ] \boldsymbol{a}_{\mathrm{a}}^{\mathrm{n}} | $O_{1}A \cdot \omega_{O_{1}A}^{2} =
             16\,\unit{m/s^2}$ | $A \to O_{1}$
         [=] \boldsymbol{a}_{\mathrm{e}}^{\mathrm{n}} | $OA \cdot \omega^{2} = 8.192\,\unit{m/s^2}$ |
@@ -107,7 +109,7 @@ def test_a_composition_of_accelerations_with_coriolis() -> None:
         [+] \boldsymbol{a}_{\mathrm{Cor}} | $2\omega\,v_{\mathrm{r}} = 12.288\,\unit{m/s^2}$ | $\perp
             \boldsymbol{v}_{\mathrm{r}},\curvearrowleft$
         Here $a_{\mathrm{a}}^{\mathrm{t}} = 0$.
-        Right-hand rule:
+        Coriolis acceleration by the right-hand rule:
             $\boldsymbol{a}_{\mathrm{Cor}}=2\,\boldsymbol{\omega}\times\boldsymbol{v}_{\mathrm{r}}$
             has the direction of
             $\boldsymbol{v}_{\mathrm{r}}$ turned through $90^\circ$ counter-clockwise, with
@@ -167,7 +169,8 @@ def test_a_composition_of_accelerations_without_coriolis() -> None:
         $\boldsymbol{a}_{\mathrm{a}} = \boldsymbol{a}_{\mathrm{e}} + \boldsymbol{a}_{\mathrm{r}} + \boldsymbol{a}_{\mathrm{Cor}}$: $\boldsymbol{a}_{\mathrm{e}}$
             is the acceleration of the point of block which is at $C$,
             $\boldsymbol{a}_{\mathrm{r}}$ that seen from block,
-            $\boldsymbol{a}_{\mathrm{Cor}}$ the Coriolis acceleration.
+            $\boldsymbol{a}_{\mathrm{Cor}}$ the Coriolis acceleration. The
+            indices n and t mark normal and tangential parts.
         [ ] \boldsymbol{a}_{\mathrm{a}}^{\mathrm{n}} | $OC \cdot \omega_{OC}^{2} = 20\,\unit{m/s^2}$
             | $C \to O$
         [=] \boldsymbol{a}_{D} | ? | $+x$

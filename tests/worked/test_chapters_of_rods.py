@@ -103,7 +103,8 @@ def test_velocities_by_the_instantaneous_centre() -> None:
         \psi_{BA} &\approx 36.87^\circ
         BA &= \sqrt{x_{B}^{2} + y_{A}^{2}} = \sqrt{(4\,\unit{m})^{2} + (3\,\unit{m})^{2}} =
             5\,\unit{m}
-        By the law of sines in the triangle $PBA$:
+        By the law of sines in the triangle $PBA$, whose angles are $90^\circ - \psi_{BA}$ at $B$,
+            $\psi_{BA}$ at $A$ and $90^\circ$ at $P$:
         PB &= BA\sin\psi_{BA} = 5\,\unit{m} \cdot \sin 36.87^\circ = 3\,\unit{m}
         PA &= BA\cos\psi_{BA} = 5\,\unit{m} \cdot \cos 36.87^\circ = 4\,\unit{m}
         \omega &= \frac{v_{B}}{PB} = \frac{2\,\unit{m/s}}{3\,\unit{m}} = \frac{2}{3}\,\unit{rad/s}
@@ -179,7 +180,8 @@ def test_a_rod_in_instantaneous_translation() -> None:
     solution = solve_small(CRANK_UP, v_B="x(velocity(B)) in m/s", omega="omega(AB) in rad/s")
     assert read_chapter("# Velocities", solution) == as_read(
         r"""
-        Rotations are positive counter-clockwise. Values are rounded in print alone.
+        Rotations are positive counter-clockwise.
+        Values are rounded in print alone.
         Given: the angular velocity of $OA$.
         \omega_{OA} &= 2\,\unit{rad/s}\quad\text{(counter-clockwise)}
         ## $AB$: velocity pole

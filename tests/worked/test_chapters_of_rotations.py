@@ -63,7 +63,8 @@ def test_meshing_seen_from_the_carrier() -> None:
     solution = solve_small(PLANETS, omega="omega(planet) in rad/s")
     assert read_chapter("# Velocities", solution) == as_read(
         r"""
-        Rotations are positive counter-clockwise. Values are rounded in print alone.
+        Rotations are positive counter-clockwise.
+        Values are rounded in print alone.
         Given: $\omega_{OA} = 2\,\unit{rad/s}\quad\text{(counter-clockwise)}$,
             $\omega_{\text{sun}} = -3\,\unit{rad/s}\quad\text{(clockwise)}$.
         ## The planet gear meshes with the sun gear
@@ -107,7 +108,8 @@ def test_a_given_relative_rate() -> None:
     solution = solve_small(LINK, omega="omega(link) in rad/s")
     assert read_chapter("# Velocities", solution) == as_read(
         r"""
-        Rotations are positive counter-clockwise. Values are rounded in print alone.
+        Rotations are positive counter-clockwise.
+        Values are rounded in print alone.
         Given: the angular velocity of the arm $OA$.
         \omega_{OA} &= 2\,\unit{rad/s}\quad\text{(counter-clockwise)}
         ## The given motion

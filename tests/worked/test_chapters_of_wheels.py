@@ -71,7 +71,8 @@ def test_rolling_on_a_line() -> None:
     solution = solve_small(ON_A_LINE, omega="omega(wheel) in rad/s")
     assert read_chapter("# Velocities", solution) == as_read(
         r"""
-        Rotations are positive counter-clockwise. Values are rounded in print alone.
+        Rotations are positive counter-clockwise.
+        Values are rounded in print alone.
         Given: the velocity of $C$.
         v_{C} &= 6\,\unit{m/s}\quad\text{(to the right)}
         ## The wheel rolls without slipping on a fixed straight track
@@ -130,7 +131,8 @@ def test_rolling_inside_a_circle() -> None:
     )
     assert read_chapter("# Velocities", solution) == as_read(
         r"""
-        Rotations are positive counter-clockwise. Values are rounded in print alone.
+        Rotations are positive counter-clockwise.
+        Values are rounded in print alone.
         Given: the angular velocity of the wheel.
         \omega_{\text{wheel}} &= 3\,\unit{rad/s}\quad\text{(counter-clockwise)}
         ## The wheel rolls without slipping on a fixed circle
@@ -166,7 +168,8 @@ def test_a_centre_that_is_driven_on_its_circle() -> None:
     solution = solve_small(DRIVEN_ROUND, omega="omega(W) in rad/s", alpha="alpha(W) in rad/s^2")
     assert read_chapter("# Velocities", solution) == as_read(
         r"""
-        Rotations are positive counter-clockwise. Values are rounded in print alone.
+        Rotations are positive counter-clockwise.
+        Values are rounded in print alone.
         Given: the velocity of $A$ on its circle about $O$.
         v_{A} &= 6\,\unit{m/s}\quad\text{(counter-clockwise about }O\text{)}
         ## The wheel rolls without slipping on a fixed circle
@@ -201,7 +204,8 @@ def test_gears_with_fixed_axes() -> None:
     assert read_chapter("# Velocities", solution) == as_read(
         r"""
         Rotations are positive counter-clockwise. A vector's letter stands for its component in the direction given in its first table ($\perp$ with $\curvearrowleft$: turned
-            counter-clockwise from what is named). Values are rounded in print alone.
+            counter-clockwise from what is named).
+        Values are rounded in print alone.
         Given: the angular velocity of the gear.
         \omega_{O} &= 2\,\unit{rad/s}\quad\text{(counter-clockwise)}
         ## 1. Composition of motions: moving point $C$, moving frame on the gear

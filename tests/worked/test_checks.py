@@ -157,7 +157,7 @@ def test_a_point_in_two_slots_is_checked_by_the_components_that_are_asked() -> N
     blocks = stated("pin-in-disc-slot-and-rod", **given, alpha_1="0", alpha_2="0")
     (*_, check) = find_checks(blocks)
     assert check == Check(
-        "the second time derivative of the direction of $OM$, by coordinates",
+        "the acceleration of $M$ normal to $OM$, multiplied by this length, by coordinates",
         r"2OM\,v_{\mathrm{r}2}\,\omega_{\text{rod}} = 2 \cdot 0.1155\,\unit{m}"
         r" \cdot (-0.4\,\unit{m/s}) \cdot 3\,\unit{rad/s} \approx -0.2771\,\unit{m^2/s^2}",
         r"-y_{M}\,a_{M,x} + x_{M}\,a_{M,y} = -0.05774\,\unit{m} \cdot 6.3\,\unit{m/s^2}"
@@ -324,7 +324,7 @@ def test_a_slot_that_turns_is_checked_by_a_right_angle_and_by_its_direction() ->
             r"v_{\mathrm{a}}^{2} = (0.5\,\unit{m/s})^{2} = 0.25\,\unit{m^2/s^2}",
         ),
         Check(
-            "the second time derivative of the direction of $AB$, by coordinates",
+            "the acceleration of $B$ normal to $AB$, multiplied by this length, by coordinates",
             r"AB^{2}\,\alpha_{AC} + 2AB\,v_{\mathrm{r}}\,\omega_{AC} ="
             r" (0.8485\,\unit{m})^{2} \cdot (-0.3472\,\unit{rad/s^2})"
             r" + 2 \cdot 0.8485\,\unit{m} \cdot 0.3536\,\unit{m/s} \cdot 0.4167\,\unit{rad/s}"

@@ -4,6 +4,8 @@ stands for one thing.
 
 from __future__ import annotations
 
+import re
+
 from tests.worked.draws import kept, stated
 from tests.worked.telling import displayed, lines, proses
 
@@ -12,13 +14,13 @@ COUPLER = {"b": "0.8", "l_BC": "1.3", "l_CD": "2.1", "d": "1.9"}
 
 def find_rules(name: str) -> list[str]:
     """What the solution of a template says of directions by the right-hand rule."""
-    return [text for text in proses(kept(name)) if text.startswith("Right-hand rule")]
+    return [text for text in proses(kept(name)) if text.startswith("Coriolis acceleration")]
 
 
 def test_a_frame_that_turns_clockwise_turns_the_relative_velocity_clockwise() -> None:
     # the cam turns with -8 rad/s; seen from it the contact moves left, so a_C points upwards
     assert find_rules("flat-faced-follower-curvature-radius") == [
-        r"Right-hand rule: $\boldsymbol{a}_{\mathrm{Cor}}=2\,\boldsymbol{\omega}_{\text{cam}}\times"
+        r"Coriolis acceleration by the right-hand rule: $\boldsymbol{a}_{\mathrm{Cor}}=2\,\boldsymbol{\omega}_{\text{cam}}\times"
         r"\boldsymbol{v}_{\mathrm{r}}$ has the direction of "
         r"$\boldsymbol{v}_{\mathrm{r}}$ turned through $90^\circ$ clockwise, with $\omega_{\text{cam}}$."
     ]
@@ -27,7 +29,7 @@ def test_a_frame_that_turns_clockwise_turns_the_relative_velocity_clockwise() ->
 def test_the_directions_of_two_frames_are_said_in_one_sentence() -> None:
     first, *_ = find_rules("bent-rod-two-sleeves")
     assert first == (
-        r"Right-hand rule: $\boldsymbol{a}_{\mathrm{Cor}1}=2\,"
+        r"Coriolis acceleration by the right-hand rule: $\boldsymbol{a}_{\mathrm{Cor}1}=2\,"
         r"\boldsymbol{\omega}_{AE}\times\boldsymbol{v}_{\mathrm{r}1}$ has the direction of "
         r"$\boldsymbol{v}_{\mathrm{r}1}$ turned through $90^\circ$ counter-clockwise, with "
         r"$\omega_{AE}$; $\boldsymbol{a}_{\mathrm{Cor}2}=2\,"
@@ -95,3 +97,32 @@ def test_an_angle_that_a_triangle_has_given_is_not_found_again_by_its_tangent() 
     assert not any(r"\tan\varphi_{2}" in line for line in told)
     (line,) = (line for line in told if line.startswith(r"\varphi_{2} &="))
     assert r"&= \angle(x,\overrightarrow{BD}) + \angle DBC \approx 50.58^\circ" in line
+
+
+def test_what_n_and_t_mark_is_said_once_and_before_the_first_table_that_has_them() -> None:
+    # a_e^n and a_e^t stood in a table without a word
+    said = "The indices n and t mark normal and tangential parts."
+    for name in ("rotary-engine", "pin-in-two-rings", "two-rods-driven-ends"):
+        told = tuple(lines(kept(name)))
+        places = [place for place, line in enumerate(told) if said in line]
+        parts = [
+            place for place, line in enumerate(told) if re.match(r"    \[.*mathrm\{[nt]\}\}", line)
+        ]
+        assert [place < parts[0] for place in places] == ([True] if parts else []), name
+
+
+def test_the_sum_about_a_base_point_says_which_point_that_is() -> None:
+    # v_AB stood in a composition, and nothing said what it was
+    said = "\n".join(proses(kept("slotted-rocker-and-slider-two-drivers")))
+    assert (
+        r"Here $\boldsymbol{v}_{\mathrm{a}} = \boldsymbol{v}_{B} + \boldsymbol{v}_{AB}$, from the"
+        " base point $B$ of $AB$."
+    ) in said
+
+
+def test_the_law_of_sines_names_the_angles_of_its_triangle() -> None:
+    said = "\n".join(proses(kept("rod-ground-incline-fixed-centrode")))
+    assert (
+        r"in the triangle $SAB$, whose angles are $90^\circ - \theta$ at $A$,"
+        r" $\gamma + \theta - 90^\circ$ at $B$ and $180^\circ - \gamma$ at $S$:"
+    ) in said

@@ -98,8 +98,7 @@ def test_a_moving_frame_has_its_reason() -> None:
 
 def test_a_problem_of_positions_names_its_way() -> None:
     assert read_idea("pose-four-bar-coupler").endswith(
-        "First come the coordinates of the points; what else is asked follows from them. "
-        "Values are rounded in print alone."
+        "First come the coordinates of the points; what else is asked follows from them."
     )
 
 

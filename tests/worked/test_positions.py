@@ -37,7 +37,7 @@ from tests.laws.cases import shipped
 from tests.problem.draws import draw_filter
 from tests.problem.draws import drawn as draws_of
 from tests.worked.chains import chains, disagreements, part_value
-from tests.worked.draws import drawn
+from tests.worked.draws import drawn, kept, stated
 from tests.worked.telling import displayed as lines
 from tests.worked.telling import proses, tidy, tidy_prose
 
@@ -445,3 +445,22 @@ def test_a_solution_without_coordinates_has_no_chapter_on_positions() -> None:
     asked = drawn.solution.template.asked()
     blocks = write_worked_solution(drawn.solution, asked, "en").blocks
     assert "Positions" not in [block.text for block in blocks if isinstance(block, Heading)]
+
+
+def test_an_origin_at_a_moving_point_is_fixed_there() -> None:
+    # x_C was differentiated with time though B, the origin, moves
+    assert "The origin of the coordinates is fixed where $B$ is at this instant." in proses(
+        kept("crank-slider-in-floating-link")
+    )
+
+
+def test_a_side_that_has_the_length_of_another_is_one_of_a_parallelogram() -> None:
+    said = "\n".join(proses(kept("two-rods-driven-ends")))
+    assert "$OACB$ is a parallelogram, so $OA=BC$. $A$ lies at the distance $BC$ from $O$" in said
+
+
+def test_of_two_directions_with_one_tangent_the_side_tells_which_is_meant() -> None:
+    # tan = -0.64 was followed by 147.48 degrees
+    given = {"a": "310", "b": "240", "d": "660", "h": "280", "phi": "-10", "omega": "-3"}
+    said = "\n".join(proses(stated("watt-linkage", **given)))
+    assert "$BD$ leads to the left and upwards, so its angle with the $x$ axis" in said

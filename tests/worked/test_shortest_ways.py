@@ -241,7 +241,7 @@ def test_rotations_that_are_given_stand_in_one_sentence() -> None:
 
 def test_coriolis_accelerations_in_one_frame_have_one_rule() -> None:
     (rule,) = (
-        text for text in proses(kept("square-on-two-fixed-points")) if "Right-hand rule" in text
+        text for text in proses(kept("square-on-two-fixed-points")) if "right-hand rule" in text
     )
     assert rule.count("turned through") == 1
     assert all(rf"\mathrm{{Cor}}{number}" in rule for number in "12")

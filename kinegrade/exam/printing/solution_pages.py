@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field, replace
 
 from kinegrade.cycles.chapter import write_cycle_chapter
@@ -20,6 +21,7 @@ from kinegrade.problem.printed_givens import mark_question
 from kinegrade.problem.solution import Solution
 from kinegrade.problem.statement import write_statement
 from kinegrade.problem.template.template import Method
+from kinegrade.worked.conventions import state_rounding
 from kinegrade.worked.solution import write_worked_solution
 
 # A language, the identifier of a question, and its values as they were drawn
@@ -58,9 +60,8 @@ class SolutionWriter:
 def write_solution_sheet(bank: Bank, paper: SetPaper, writer: SolutionWriter) -> SolutionSheet:
     """The worked solutions of one student's paper, in the order of the paper."""
     language = writer.for_all or find_own_language(paper, writer.language)
-    questions = tuple(
-        writer.write(number, question, language) for number, question in paper.numbered
-    )
+    written = (writer.write(number, question, language) for number, question in paper.numbered)
+    questions = tuple(_say_rounding_once(written, language))
     return SolutionSheet(
         language,
         bank.course.in_language(language),
@@ -72,6 +73,17 @@ def write_solution_sheet(bank: Bank, paper: SetPaper, writer: SolutionWriter) ->
         questions,
         large=paper.student.reads_large_print,
     )
+
+
+def _say_rounding_once(
+    questions: Iterable[WorkedQuestion], language: Language
+) -> Iterator[WorkedQuestion]:
+    """The questions with that values are rounded said by the first alone that says so."""
+    rounding, said = state_rounding(language), False
+    for question in questions:
+        others = tuple(block for block in question.blocks if block != rounding)
+        yield replace(question, blocks=others) if said else question
+        said = said or others != question.blocks
 
 
 def work_question(

@@ -78,7 +78,7 @@ class _Differentiated(Multiplied):
                     rest = tuple(one for one in before if one not in (turn, slide))
                     moment = self.shares.measure((turn, slide), by)
                     sides = TermSide((), tuple(own), moment), TermSide(other, without=rest)
-                    yield from self.compare(self._name("direction", turn), *sides, by)
+                    yield from self.compare(self._name_across(turn), *sides, by)
 
     def list_offsets(self) -> Iterator[Check]:
         """The distance of the axis of a body from a line of it along which a point slides."""
@@ -170,7 +170,9 @@ class _Differentiated(Multiplied):
                 kind = f"solution.composed-arc-{self.equation.level}"
                 return Message(kind, point=point, centre=centre)
             case "rotation" | "sliding":
-                return self._name("length", own)
+                first, second = self._find_ends(own)
+                kind = f"solution.derivative-length-{self.equation.level}"
+                return Message(kind, first=first, second=second)
             case _:
                 assert_never(own.kind)
 
@@ -210,15 +212,20 @@ class _Differentiated(Multiplied):
         omega = measure(self.case.motion.omega(body), "rad/s")
         return Amount(self.case.naming.omega(body), omega)
 
-    def _name(self, kind: str, term: Term) -> Message:
-        """The quantity that is differentiated, by the line of a rotation."""
+    def _name_across(self, turn: Term) -> Message:
+        """What stands there: the motion of a point across its arm, times the arm."""
+        first, second = self._find_ends(turn)
+        point = self.case.naming.point(turn.point)
+        kind = f"solution.derivative-direction-{self.equation.level}"
+        return Message(kind, point=point, first=first, second=second)
+
+    def _find_ends(self, term: Term) -> tuple[str, str]:
+        """The letters of the line of a rotation, in the order in which its length has them."""
         ends = (term.base, term.point)
         letters = join_letters(map(self.case.naming.letter, reversed(ends)))
         named = name_length(*ends, self.case) == letters
         first, second = map(self.case.naming.point, reversed(ends) if named else ends)
-        return Message(
-            f"solution.derivative-{kind}-{self.equation.level}", first=first, second=second
-        )
+        return first, second
 
 
 def _keeps_distance(term: Term) -> bool:

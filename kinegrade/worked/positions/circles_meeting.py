@@ -62,6 +62,7 @@ def explain_circles(
     return (
         instance.say(_describe_triangle(point, circles, left, instance)),
         Display(_solve_triangle(axis, side, cosine, (corner, opened))),
+        *_name_quadrant(side.direction, instance),
         instance.say(
             Message("solution.triangle-side", point=name, first=start, second=end, sense=sense),
         ),
@@ -109,6 +110,18 @@ def find_direction(direction: Expression, instance: Instance) -> tuple[Row, ...]
     angle = instance.formula(direction)
     slope = () if x == ZERO else instance.equation(Function("tan", angle), over(y, x), PURE)
     return (*slope, *instance.equation(angle, direction, DEGREE))
+
+
+def _name_quadrant(direction: Expression, instance: Instance) -> Iterator[Block]:
+    """Where a direction by coordinates lies, of the two that have its tangent."""
+    if isinstance(direction, Call):
+        start, end = direction.arguments
+        x, y = instance.axes.pair(Operation("-", end, start)) or _NOTHING
+        ends = {"first": instance.text(start), "second": instance.text(end)}
+        if instance.sign(x) < 0 < instance.sign(y):
+            yield instance.say(Message("solution.leads-up-left", **ends))
+        if instance.sign(x) < 0 and instance.sign(y) < 0:
+            yield instance.say(Message("solution.leads-down-left", **ends))
 
 
 def _work_out_sum(direction: Expression, instance: Instance) -> tuple[Row, ...]:

@@ -12,16 +12,18 @@ from typing import assert_never
 from kinegrade.expressions.tree import Call, Expression, Name, Number, Operation, list_parts, walk
 from kinegrade.language.math.tree import Row
 from kinegrade.language.message import Message
+from kinegrade.worked.case import Case
 from kinegrade.worked.construction_steps import Step
 from kinegrade.worked.document import Block
 from kinegrade.worked.formulas.atoms import Symbol
+from kinegrade.worked.formulas.measures import is_zero
 from kinegrade.worked.positions.algebra import ZERO, minus, over, plus
 from kinegrade.worked.positions.axes import length_of, scale
 from kinegrade.worked.positions.circles_meeting import find_direction
 from kinegrade.worked.positions.instance import Instance
 from kinegrade.worked.positions.intersections import explain_foot, explain_meeting
 from kinegrade.worked.positions.parts import Coordinates, Derived, Part, Stated, write_parts
-from kinegrade.worked.positions.polar import find_polar_way, write_positive
+from kinegrade.worked.positions.polar import find_parallelogram, find_polar_way, write_positive
 from kinegrade.worked.positions.vectors import describe_vector, negate, write_way
 
 
@@ -47,12 +49,31 @@ def _explain_construction(step: Step, instance: Instance) -> Part:
         return _explain_toward(step, instance)
     pair = instance.axes.pair(tree) or (ZERO, ZERO)
     if pair == (ZERO, ZERO):
-        return Stated(Message("solution.origin", point=instance.letter(step.point)), ())
+        return Stated(_name_origin(step.point, instance), ())
     sentence = _describe_place(step, instance)
     found = instance.coordinates(step.point, pair)
     if sentence is None:
         return Coordinates((instance.letter(step.point),), found)
     return Stated(sentence, found, tuple(_find_used(tree, instance)))
+
+
+def _name_origin(point: str, instance: Instance) -> Message:
+    """The point at the origin: the coordinates do not move with one that moves."""
+    letter = instance.letter(point)
+    if _moves(point, instance.case):
+        return Message("solution.moving-origin", point=letter)
+    return Message("solution.origin", point=letter)
+
+
+def _moves(point: str, case: Case) -> bool:
+    """Whether a point is one of a moving body, and of none in which it rests at this instant."""
+    motion = case.motion
+    if not motion.rates:
+        return False
+    bodies = motion.frames.mechanism.bodies
+    owners = [body.name for body in bodies if point in body.points]
+    moving = (not is_zero(motion.velocity(point, owner)) for owner in owners)
+    return bool(owners) and all(moving)
 
 
 def _find_used(tree: Expression, instance: Instance) -> Iterator[Derived]:
@@ -77,7 +98,11 @@ def _describe_place(step: Step, instance: Instance) -> Message | None:
         case Name():
             return Message("solution.coincides", point=point, other=instance.letter(tree.name))
         case Call(function="polar", arguments=(centre, radius, angle)):
-            return _describe_polar_place(point, (centre, radius, angle), instance)
+            place = _describe_polar_place(point, (centre, radius, angle), instance)
+            reason = find_parallelogram(step.point, (centre, radius), instance)
+            if reason is None:
+                return place
+            return Message("solution.sentences", first=reason, next=place)
         case Call(function="midpoint", arguments=(Name(first), Name(second))):
             return Message(
                 "solution.midpoint",

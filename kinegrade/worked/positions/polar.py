@@ -3,10 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import permutations
 from typing import Literal, assert_never
 
 from kinegrade.expressions.tree import Call, Expression, Name, Number, Operation
+from kinegrade.language.message import Message
 from kinegrade.worked.formulas.leaves import count_quarter_turns
+from kinegrade.worked.formulas.measures import is_zero
+from kinegrade.worked.formulas.symbols import join_letters, name_point
 from kinegrade.worked.positions.algebra import ZERO, is_negated, minus
 from kinegrade.worked.positions.instance import Instance
 
@@ -43,6 +47,30 @@ def find_polar_way(
         None if quarters is None else _HEADINGS[(quarters + 2 * against) % 4],
         against,
     )
+
+
+def find_parallelogram(
+    point: str, place: tuple[Expression, Expression], instance: Instance
+) -> Message | None:
+    """That a point forms a parallelogram with its centre and the two points whose distance its
+    radius is called by; None where the radius is not called so.
+    """
+    centre, radius = place
+    points = instance.case.motion.points
+    if not isinstance(centre, Name) or not isinstance(radius, Name) or point not in points:
+        return None
+    side = points[point] - points[centre.name]
+    others = [name for name in points if name not in (point, centre.name)]
+    for start, end in permutations(others, 2):
+        letters = join_letters(map(name_point, (start, end)))
+        back = join_letters(map(name_point, (end, start)))
+        called = instance.symbols[radius.name] in (letters, back)
+        if called and is_zero(points[end] - points[start] - side):
+            corners = (centre.name, point, end, start)
+            places = zip(("first", "second", "third", "fourth"), corners, strict=True)
+            named = {place: instance.letter(corner) for place, corner in places}
+            return Message("solution.parallelogram", **named)
+    return None
 
 
 def write_positive(distance: Expression, instance: Instance) -> tuple[str, bool]:

@@ -114,9 +114,9 @@ def _find_rolling_centre(equation: VectorEquation, case: Case) -> Part | None:
     return absolute[0] if known and is_composed(equation, absolute[0]) else None
 
 
-def describe_meanings(equation: VectorEquation, case: Case) -> Iterator[str]:
+def describe_meanings(equation: VectorEquation, case: Case) -> Iterator[Text]:
     """What the absolute and the transport vector of a composition consist of, where they are not
-    single parts.
+    single parts, and from which base point where that is a rotation about one.
     """
     if len(equation.compositions) != 1:
         return
@@ -142,4 +142,15 @@ def describe_meanings(equation: VectorEquation, case: Case) -> Iterator[str]:
         ):
             index = _index_absolute(equation, number) if role == "a" else number
             symbol = name_by_role(role, equation.level, index, bold=True)
-            yield case.tell(Equation(symbol, equate(add_terms(symbols))))
+            meant = case.tell(Equation(symbol, equate(add_terms(symbols))))
+            first = equation.level == "velocity" and len(symbols) > 1
+            turning = [part for part in parts if first and part.role == "rotation"]
+            yield _tell_base(meant, turning[0], case) if len(turning) == 1 else meant
+
+
+def _tell_base(vector: str, turning: Part, case: Case) -> Text:
+    """A sum with the base point about which its last vector turns."""
+    if turning.term is None:
+        return vector
+    base, body = case.naming.point(turning.base), case.naming.body(turning.term.rate.body)
+    return Message("solution.from-base-point", vector=vector, base=base, body=body)

@@ -29,6 +29,7 @@ from kinegrade.mechanics.vector_equation import Part, VectorEquation
 from kinegrade.problem.quantities.functions import find_motion_calls
 from kinegrade.problem.template.template import Ask
 from kinegrade.worked.case import Case
+from kinegrade.worked.conventions import state_rounding
 from kinegrade.worked.document import Block, Heading
 from kinegrade.worked.formulas.measures import double
 from kinegrade.worked.formulas.symbols import join_letters
@@ -63,9 +64,11 @@ def explain_idea(
     by_normals = {find_pole_body(stage) for _, stage in stages}
     reasons |= dict.fromkeys(_explain_poles(by_normals, case))
     if not any(any(find_motion_calls(ask.quantity)) for ask in asked):
-        reasons |= dict.fromkeys((Message("solution.idea-pose"), Message("solution.rounded")))
+        reasons |= dict.fromkeys((Message("solution.idea-pose"),))
     imposing = (*given, *(step for step, _ in stages))
     yield case.say(_join((_name_task(imposing, asked, case), *reasons)))
+    if Message("solution.idea-pose") in reasons:
+        yield state_rounding(case.language)
 
 
 def _join(sentences: Sequence[Message]) -> Message:

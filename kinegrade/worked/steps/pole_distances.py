@@ -6,6 +6,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import Literal
 
 from kinegrade.language.message import Message
 from kinegrade.mechanics.vector import Vector
@@ -16,7 +17,7 @@ from kinegrade.worked.formulas.atoms import AXES, ONE, ZERO, AxisName, Symbol, a
 from kinegrade.worked.formulas.equation import Equation, Link, drop_repetition, equate
 from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.measures import bearing, length
-from kinegrade.worked.formulas.numbers import measure, state_number
+from kinegrade.worked.formulas.numbers import measure, state_angle, state_number
 from kinegrade.worked.formulas.symbols import join_letters, name_coordinate
 from kinegrade.worked.steps.couplers import Coupler
 from kinegrade.worked.vectors.angle_sums import explain_sums
@@ -33,6 +34,13 @@ from kinegrade.worked.vectors.magnitudes import find_heading
 from kinegrade.worked.vectors.stage import divide_by
 from kinegrade.worked.vectors.summands import PLACES
 
+_RIGHT, _HALF = 90.0, 180.0
+_CORNERS: dict[tuple[Literal["sin", "cos"], int], tuple[float, int]] = {
+    ("cos", 1): (0.0, 1),
+    ("cos", -1): (_HALF, -1),
+    ("sin", 1): (_RIGHT, -1),
+    ("sin", -1): (_RIGHT, 1),
+}  # from a cosine to its angle: where to start, and with which sign the named angle counts
 _DIRECTIONS: dict[AxisName, float] = {"x": 0.0, "y": 90.0}
 
 
@@ -83,10 +91,16 @@ class PoleTriangle:
         yield from map(self.case.say, explain_sums(self._list_cosines(), self.case))
 
     def _name_law(self) -> Message:
-        """By what the distances follow from the angles."""
-        first, second = map(self.case.naming.point, self._ends)
-        pole = self.case.text(self.letter)
-        return Message("solution.pole-triangle", pole=pole, first=first, second=second)
+        """By what the distances follow from the angles, and which these are."""
+        case, base, point = self.case, self.coupler.base, self.coupler.point
+        first, second = map(case.naming.point, (base.point, point.point))
+        arms = self._name_directions(base, point), self._name_directions(point, base)
+        corners = [_name_corner(reach, side) for side, reach, _ in filter(None, arms)]
+        corners += [_name_corner(*(reach for _, reach, _ in filter(None, arms)))]
+        names = ("at_first", "at_second", "at_pole")
+        angles = {name: case.text(angle) for name, angle in zip(names, corners, strict=True)}
+        pole = case.text(self.letter)
+        return Message("solution.pole-triangle", pole=pole, first=first, second=second, **angles)
 
     @property
     def _ends(self) -> tuple[str, str]:
@@ -162,6 +176,21 @@ class PoleTriangle:
             (from_number, self.measure_distance(start), True),
         )
         return equate(*(_add(*one, arm, along) for one in terms))
+
+
+def _name_corner(side: Inclination, other: Inclination) -> Formula:
+    """The angle between two sides of a triangle by named angles, a right one by its degrees."""
+    cosine = find_cosine(side, other)
+    if cosine is None:
+        return state_angle(_RIGHT)
+    start, turned = _CORNERS[cosine.function, cosine.sign]
+    value = start + turned * cosine.value
+    terms = [*([state_angle(start)] if start else []), cosine.angle.signed(turned)]
+    if value < 0:
+        terms = [-one for one in terms]
+    elif value > _HALF:
+        terms = [state_angle(2 * _HALF), *(-one for one in terms)]
+    return add_terms(sorted(terms, key=lambda one: -one.sign))
 
 
 def _add(

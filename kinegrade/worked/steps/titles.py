@@ -13,12 +13,16 @@ from kinegrade.worked.case import Case
 from kinegrade.worked.rates.scalars import state_relation
 from kinegrade.worked.steps.compositions import introduce_composition, introduce_two_frames
 from kinegrade.worked.vectors.stage import Stage
+from kinegrade.worked.vectors.vectors import vanishes
 
 _TOGETHER: Mapping[int, Message] = {
     2: Message("solution.title-two-equations"),
     3: Message("solution.title-three-equations"),
     4: Message("solution.title-four-equations"),
 }
+
+
+_PLAIN = ("solution.equal-motion", "solution.same-acceleration")  # what has no such indices
 
 
 def select_scalars(step: Step, case: Case) -> tuple[Relation, ...]:
@@ -79,6 +83,18 @@ def _find_body(term: Term) -> str:
 
 
 def introduce_equation(equation: VectorEquation, case: Case) -> Message:
+    """The theorem by which the equation holds, and once what the indices of its parts mark."""
+    said = _introduce_theorem(equation, case)
+    marked = any(part.part and not vanishes(part) for part in equation.parts)
+    if not marked or case.findings.parts_explained or said.key in _PLAIN:
+        return said
+    case.findings.parts_explained = True
+    if said.key == "solution.base-equation-acceleration":
+        return said
+    return Message("solution.sentences", first=said, next=Message("solution.normal-and-tangential"))
+
+
+def _introduce_theorem(equation: VectorEquation, case: Case) -> Message:
     """The theorem by which the equation holds."""
     compositions = equation.compositions
     if len(compositions) == 1:
