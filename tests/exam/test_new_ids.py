@@ -118,6 +118,44 @@ def test_a_new_id_that_cannot_be_is_refused_and_nothing_is_written(
     assert contents(exam) == before
 
 
+def test_an_id_that_another_student_had_is_given_to_nobody(exam: Path) -> None:
+    """Files of answers and marks that have it would be taken for those of its new owner."""
+    kinegrade("exchange", exam, "0012", "4711", "--new-id")
+    before, folder = contents(exam), exam.parent
+    (folder / "roster.csv").write_text(ROSTER.replace("0012", "4711"), encoding="utf-8")
+    (folder / "late.csv").write_text("student,name\n0012,Eve\n", encoding="utf-8")
+    (spare,) = (each.paper for each in open_exam(exam).head.spares)
+    (folder / "both.csv").write_text(ROSTER.replace("007", "4711"), encoding="utf-8")
+    files = folder / "bank.toml", folder / "roster.csv", "-o", exam, "--allow-odd-ids"
+    both = folder / "bank.toml", folder / "both.csv", "-o", exam, "--allow-odd-ids"
+    said = (
+        'student "4711" had the id "0012" before, which files of answers and marks may still have'
+    )
+    for refused in (
+        kinegrade("exchange", exam, "007", "0012", "--new-id"),
+        kinegrade("assign", exam, spare, "0012"),
+        kinegrade("generate", *files, "--add", folder / "late.csv"),
+        kinegrade("generate", *both, "--force", "--spare", "1", "--solutions"),
+    ):
+        assert (refused.exit_code, said in refused.stderr) == (2, True), refused.stderr
+        assert "where two ids were interchanged, exchange the papers" in refused.stderr
+    assert contents(exam) == before
+
+
+def test_two_interchanged_ids_are_put_right_by_papers_and_names(exam: Path) -> None:
+    before = open_exam(exam).head.candidates
+    assert kinegrade("exchange", exam, "0012", "007").exit_code == 0
+    for own, other in (("0012", "007"), ("007", "0012")):
+        name = before[other].name
+        named = kinegrade("exchange", exam, own, own, "--new-id", "--name", name)
+        assert named.exit_code == 0, named.stderr
+    after = open_exam(exam).head.candidates
+    for own, other in (("0012", "007"), ("007", "0012")):
+        found = after[own].name, after[own].paper, after[own].formerly
+        assert found == (before[other].name, before[other].paper, ())
+    assert kinegrade("verify", exam, "--all").exit_code == 0
+
+
 def test_a_class_generated_again_knows_the_old_ids_and_that_papers_changed_hands(
     exam: Path,
 ) -> None:

@@ -38,7 +38,13 @@ from kinegrade.exam.generating.hand_work import digest_editable
 from kinegrade.exam.generating.options import GenerateOptions
 from kinegrade.exam.generating.page_counts import Printer, fill_up_papers
 from kinegrade.exam.generating.paper_changes import PaperChanges
-from kinegrade.exam.generating.replaced_exam import ReplacedExam, remember, replaced_exam, settle
+from kinegrade.exam.generating.replaced_exam import (
+    ReplacedExam,
+    remember,
+    replaced_exam,
+    require_own_ids,
+    settle,
+)
 from kinegrade.exam.printing.class_printing import count_processes, print_class
 from kinegrade.exam.printing.head_record import candidate, make_exam_head
 from kinegrade.exam.printing.paper_languages import require_languages
@@ -129,7 +135,10 @@ def generate(
 
 
 def _seat_class(roster: Roster, options: GenerateOptions, old: ReplacedExam | None) -> Roster:
-    """The students in the order of their seats, then the spare papers, with places of files."""
+    """The students in the order of their seats, then the spare papers, with places of files. Raises
+    TableError where a student has the id that another had in the exam that stays.
+    """
+    require_own_ids(None if options.wish.new else old, roster)
     spares, files = old.spares if old else (), options.extras.files
     return add_spare_papers(roster.seated, options.spare, spares, files=files)
 

@@ -102,6 +102,7 @@ def _known_faults(exam: ExamFolder, known: Mapping[str, Student], late: Roster) 
             yield Fault(_place(late, student), what, expected, do)
             continue
         yield from list_neighbours(exam, student, _place(late, student))
+        yield from list_former_owners(exam.former_ids, student.student, _place(late, student))
         if not late.odd_ids:
             where, do = _place(late, student), Message("roster.one-person")
             yield from list_twins(exam, student.student, where, do)
@@ -122,6 +123,15 @@ def list_twins(exam: ExamFolder, student: str, where: str, do: Message) -> Itera
         if make_student_key(student) == twins[0]:
             what = Message("exam.zero-twin", student=Quoted(student), other=Quoted(twins[1]))
             yield Fault(where, what, do=do)
+
+
+def list_former_owners(former_ids: Mapping[str, str], student: str, where: str) -> Iterator[Fault]:
+    """That another student had this id before, which files of answers and marks may still have."""
+    now = {make_student_key(before): owner for before, owner in former_ids.items()}
+    owner = now.get(make_student_key(student))
+    if owner is not None:
+        what = Message("exam.former-id", student=Quoted(student), now=Quoted(owner))
+        yield Fault(where, what, do=Message("exam.id-nobody-had"))
 
 
 def _require_names_kept(earlier: Sequence[Student], late: Roster) -> None:

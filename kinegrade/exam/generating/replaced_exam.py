@@ -16,16 +16,18 @@ from pathlib import Path
 
 from msgspec import json, structs
 
-from kinegrade.errors import ExamError
+from kinegrade.errors import ExamError, TableError
 from kinegrade.exam.folder.contents import ANSWERS, HEAD, POOL, SOLUTIONS
 from kinegrade.exam.folder.exam_folder import ExamFolder, open_exam
 from kinegrade.exam.folder.exam_secret import ExamSecret
 from kinegrade.exam.folder.faults import AS_GENERATED
 from kinegrade.exam.folder.head import read_head
 from kinegrade.exam.folder.records import ExamHead, KeyLine, StatedAnswer
+from kinegrade.exam.generating.grown_class import list_former_owners
 from kinegrade.exam.generating.hand_work import is_answered, refuse_edited, require_nothing_edited
 from kinegrade.exam.generating.options import GenerateOptions
 from kinegrade.exam.generating.paper_changes import PaperChanges, list_otherwise
+from kinegrade.exam.roster.roster import Roster
 from kinegrade.exam.roster.students import read_place
 from kinegrade.language.message import Fault, Message, Quoted
 
@@ -84,6 +86,21 @@ def replaced_exam(folder: Path, *, new_numbers: bool) -> ReplacedExam | None:
             return ReplacedExam(folder, None, None, {}, {})
         faults = (Message("exam.or-replace", problem=each) for each in error.faults)
         raise ExamError(*faults) from error
+
+
+def require_own_ids(old: ReplacedExam | None, roster: Roster) -> None:
+    """Raises TableError where a student has an id that another of the roster had before."""
+    if old is None or old.head is None:
+        return
+    students = {each.student for each in roster.students}
+    former = {before: owner for before, owner in old.head.former_ids.items() if owner in students}
+    faults = [
+        fault
+        for each in roster.students
+        for fault in list_former_owners(former, each.student, f"{roster.file}:{each.line}")
+    ]
+    if faults:
+        raise TableError(*faults)
 
 
 def remember(old: ReplacedExam | None, head: ExamHead) -> ExamHead:

@@ -16,7 +16,7 @@ from kinegrade.exam.folder.exam_folder import ExamFolder, open_exam
 from kinegrade.exam.folder.records import Candidate
 from kinegrade.exam.folder.writing import encode_line
 from kinegrade.exam.generating.adding import write_rest
-from kinegrade.exam.generating.grown_class import find_stem, list_twins
+from kinegrade.exam.generating.grown_class import find_stem, list_former_owners, list_twins
 from kinegrade.exam.generating.grown_folder import copy_exam, open_grown_folder
 from kinegrade.exam.owners.papers_anew import print_anew
 from kinegrade.exam.roster.student_ids import StudentIds
@@ -93,10 +93,13 @@ def make_owner(exam: ExamFolder, spare: Candidate, student: Student) -> Candidat
         expected = Message("exam.students-without")
         do = Message("exam.write-exchange") if key else ""
         raise ExamError(Fault(str(exam.head_file), what, expected, do))
-    late = Message("exam.other-person-late")
-    twins = tuple(list_twins(exam, student.student, str(exam.head_file), late))
-    if twins:
-        raise ExamError(*twins)
+    where, late = str(exam.head_file), Message("exam.other-person-late")
+    others = (
+        *list_twins(exam, student.student, where, late),
+        *list_former_owners(exam.former_ids, student.student, where),
+    )
+    if others:
+        raise ExamError(*others)
     return structs.replace(
         spare,
         student=student.student,
