@@ -16,9 +16,9 @@ that paper. `find_owner` finds whose it is, whatever questions it has; that chan
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, lru_cache
 from itertools import groupby, zip_longest
 from math import prod
 
@@ -81,15 +81,16 @@ class PapersAnswered:
         return [each.at(slice(count) if all_differ else self.different) for each in self.intervals]
 
     @cached_property
-    def _sorted(self) -> list[SortedIntervals]:
-        return [SortedIntervals.of(each) for each in self._students]
+    def _sorted(self) -> Callable[[int], SortedIntervals]:
+        """Those of an ask in the order of their values, put so when they are first asked for."""
+        return lru_cache(maxsize=None)(lambda ask: SortedIntervals.of(self._students[ask]))
 
     @cached_property
     def _cells(self) -> list[PaperCells]:
         """By asks of different questions together: those of one follow from each other."""
         asks = (ask for each in zip_longest(*self.questions) for ask in each if ask is not None)
         whole = [ask for ask in asks if self._students[ask].is_plain]
-        return list_cells(whole, self._students, self._sorted)
+        return list_cells(whole, self._students)
 
     def find_shared(self, paper: Paper, numbers: Numbers, wrong: Flags) -> Sequence[range]:
         """The questions that a student answered as is right on one other paper; `numbers` are the
@@ -132,7 +133,7 @@ class PapersAnswered:
 
     def _have_all(self, numbers: NDArray[np.float64], ask: int) -> Places:
         """The rows of which some paper has the number of this ask, and all others that tell."""
-        rows, papers = self._sorted[ask].pair(numbers[:, ask])
+        rows, papers = self._sorted(ask).pair(numbers[:, ask])
         for other, intervals in enumerate(self._students):
             if other == ask or intervals.period or not len(rows):
                 continue
@@ -164,7 +165,7 @@ class PapersAnswered:
         """
         for ask in amiss:
             if not self._students[ask].period:
-                return self._sorted[ask].list_near(float(numbers[ask]))
+                return self._sorted(ask).list_near(float(numbers[ask]))
         return np.arange(len(self.different))
 
     def _nearby(self, numbers: Numbers, amiss: Sequence[int]) -> Iterator[float]:

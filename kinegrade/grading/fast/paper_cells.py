@@ -1,103 +1,101 @@
 """Papers by where their right answers to a few asks stand among those of all papers, so that for
 thousands of rows it is seen at a glance that no paper has all their numbers.
 
-Each of these asks parts the papers into so many buckets, and a paper stands in one cell of all of
-them. Few cells are taken, and a row looks into the few in which a paper with its numbers would be.
+Each of these asks parts the numbers into buckets, and a paper stands in the cells of all of them
+that its intervals touch: one, as a rule. Few cells are taken, and a row looks into its own.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import NamedTuple
+from math import prod
 
 import numpy as np
+from numpy.typing import NDArray
 
 from kinegrade.exam.folder.columns.runs import list_runs
 from kinegrade.grading.fast.bounds import Flags, Numbers, Places
-from kinegrade.grading.fast.intervals import SAME, Intervals, SortedIntervals, rank_roughly
+from kinegrade.grading.fast.intervals import SAME, Intervals, rank_roughly
 
-_TOGETHER = 4  # asks: papers stand in one cell of so many
+_TOGETHER = 4  # asks: papers stand in the cells of so many
 _CELLS = 50  # for each paper: so few are taken
 _MOST_BUCKETS = 64
-_MOST_LOOKED = 4  # buckets of an ask; a row that has to look into more cannot be told
+_MOST_TOUCHED = 3  # buckets of an ask, by the widest interval
+_RANKS = 2**16
 
 
-class _Buckets(NamedTuple):
-    """The highest ends up to each bucket, and the lowest beginnings from each on."""
+@dataclass(frozen=True, slots=True)
+class _Buckets:
+    """The bucket of each rough rank that a number may have, so many of them, in its order."""
 
-    up_to: Numbers
-    from_on: Numbers
+    of_rank: NDArray[np.uint8]
+    count: int
+
+    def find(self, numbers: Numbers) -> Places:
+        """The buckets of numbers."""
+        found: Places = self.of_rank[rank_roughly(numbers)].astype(np.intp)
+        return found
+
+    def touch(self, intervals: Intervals) -> tuple[Places, Places]:
+        """The first bucket that each interval touches, and how many."""
+        first = self.find(intervals.low - 2 * SAME * np.abs(intervals.low))
+        last = self.find(intervals.high + 2 * SAME * np.abs(intervals.high))
+        return first, last - first + 1
 
 
 @dataclass(frozen=True, slots=True)
 class PaperCells:
-    """The cells that are `taken`, and by ask its buckets, so many of each."""
+    """The cells that are `taken`, and by ask its buckets."""
 
     buckets: dict[int, _Buckets]
-    count: int
     taken: Flags
 
     @classmethod
-    def of(cls, asks: Mapping[int, tuple[Numbers, SortedIntervals]]) -> PaperCells:
-        """The papers with these values and their intervals by asks, none of which has full turns or
-        a paper that does not ask it.
+    def of(cls, asks: Mapping[int, Intervals]) -> PaperCells:
+        """The papers with these intervals by asks, none of which has full turns or a paper that
+        does not ask it.
         """
-        papers = len(next(iter(asks.values()))[0])
+        papers = len(next(iter(asks.values())).value)
         most = round((_CELLS * papers) ** (1 / len(asks)))
-        count = max(1, min(_MOST_BUCKETS, most, papers))
         buckets: dict[int, _Buckets] = {}
-        cells = np.zeros(papers, dtype=np.intp)
-        for ask, (values, order) in asks.items():
-            buckets[ask], stands = _divide(values[order.papers], order, count)
-            cells = cells * count + stands
-        taken = np.zeros(count ** len(asks), dtype=np.bool_)
+        owners, cells = np.arange(papers), np.zeros(papers, dtype=np.intp)
+        for ask, intervals in asks.items():
+            each, first, counts = _divide(intervals, max(1, min(_MOST_BUCKETS, most, papers)))
+            buckets[ask], first, counts = each, first[owners], counts[owners]
+            owners, cells = np.repeat(owners, counts), np.repeat(cells * each.count, counts)
+            cells += list_runs(first, counts)
+        taken = np.zeros(prod(each.count for each in buckets.values()), dtype=np.bool_)
         taken[cells] = True
-        return cls(buckets, count, taken)
+        return cls(buckets, taken)
 
     def may_have(self, numbers: Numbers) -> Flags:
         """False for the rows of numbers of which certainly no paper has all."""
-        open_to: Flags = np.any(np.isnan(numbers[:, [*self.buckets]]), axis=1)
-        rows = np.flatnonzero(~open_to)
-        cells = np.zeros(len(rows), dtype=np.intp)
+        cells = np.zeros(len(numbers), dtype=np.intp)
         for ask, buckets in self.buckets.items():
-            first, counts = _find_band(buckets, numbers[rows, ask])
-            open_to[rows[counts > _MOST_LOOKED]] = True
-            counts[counts > _MOST_LOOKED] = 0
-            rows, cells = np.repeat(rows, counts), np.repeat(cells * self.count, counts)
-            cells += list_runs(first, counts)
-        open_to[rows[self.taken[cells]]] = True
-        return open_to
+            cells = cells * buckets.count + buckets.find(numbers[:, ask])
+        blank: Flags = np.any(np.isnan(numbers[:, [*self.buckets]]), axis=1)
+        return self.taken[cells] | blank
 
 
-def list_cells(
-    asks: Sequence[int], each: Sequence[Intervals], orders: Sequence[SortedIntervals]
-) -> list[PaperCells]:
+def list_cells(asks: Sequence[int], each: Sequence[Intervals]) -> list[PaperCells]:
     """The cells of these asks, as many together as tell papers apart; few rows are right on their
     own paper in all of them.
     """
     begins = range(0, len(asks) - _TOGETHER + 1, _TOGETHER)
     parts = (asks[begin : begin + _TOGETHER] for begin in begins)
-    return [PaperCells.of({ask: (each[ask].value, orders[ask]) for ask in part}) for part in parts]
+    return [PaperCells.of({ask: each[ask] for ask in part}) for part in parts]
 
 
-def _divide(values: Numbers, order: SortedIntervals, count: int) -> tuple[_Buckets, Places]:
-    """The buckets of an ask, with as many papers as equal values allow, and that of each paper."""
-    ranks = rank_roughly(values)
-    begins_run = np.append(True, ranks[1:] != ranks[:-1])
-    first = np.maximum.accumulate(np.where(begins_run, np.arange(len(begins_run)), 0))
-    bucket = first * count // len(first)
-    stands = np.empty(len(bucket), dtype=np.intp)
-    stands[order.papers] = bucket
-    ends = np.searchsorted(bucket, np.arange(count), side="right") - 1
-    begins = np.searchsorted(bucket, np.arange(count), side="left")
-    up_to, from_on = np.append(-np.inf, order.up_to), np.append(order.from_on, np.inf)
-    return _Buckets(up_to[ends + 1], from_on[begins]), stands
-
-
-def _find_band(buckets: _Buckets, answers: Numbers) -> tuple[Places, Places]:
-    """The first bucket with papers on which each answer may be right, and how many follow it."""
-    slack = SAME * np.abs(answers)
-    first = np.searchsorted(buckets.up_to, answers - slack, side="left")
-    last = np.searchsorted(buckets.from_on, answers + slack, side="right")
-    return first, np.maximum(last - first, 0)
+def _divide(intervals: Intervals, most: int) -> tuple[_Buckets, Places, Places]:
+    """The buckets of an ask, with as many papers each as equal values allow, at most so many and so
+    wide that no interval touches many; and which buckets each interval touches.
+    """
+    counted = np.cumsum(np.bincount(rank_roughly(intervals.value), minlength=_RANKS))
+    before = np.append(0, counted[:-1])
+    for count in (most, *(2**power for power in range(most.bit_length() - 1, 0, -1)), 1):
+        buckets = _Buckets((before * count // (counted[-1] + 1)).astype(np.uint8), count)
+        first, counts = buckets.touch(intervals)
+        if counts.max(initial=1) <= _MOST_TOUCHED:
+            break
+    return buckets, first, counts

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from kinegrade.grading.fast.intervals import Intervals, SortedIntervals
+from kinegrade.grading.fast.intervals import Intervals
 from kinegrade.grading.fast.paper_cells import list_cells
 
 ASKS = 9
@@ -26,7 +26,7 @@ def test_no_row_that_a_paper_has_is_ruled_out(papers: int, share: float, digits:
     off = chance.choice([0.0, share, -share, share / 2], size=keys.shape)
     rows = chance.permutation(keys + off * np.abs(keys))[:300]
     rows[chance.random(rows.shape) < 0.05] = np.nan
-    cells = list_cells(range(ASKS), each, [*map(SortedIntervals.of, each)])
+    cells = list_cells(range(ASKS), each)
     assert len(cells) == 2
     assert all(found.may_have(rows).all() for found in cells)
 
@@ -36,9 +36,9 @@ def test_most_rows_that_no_paper_has_are_ruled_out() -> None:
     keys = chance.normal(size=(3000, ASKS)) * 10
     each = [make_intervals(keys[:, ask], 0.01) for ask in range(ASKS)]
     rows = chance.normal(size=(500, ASKS)) * 10
-    first, _ = list_cells(range(ASKS), each, [*map(SortedIntervals.of, each)])
+    first, _ = list_cells(range(ASKS), each)
     assert first.may_have(rows).mean() < 0.2
 
 
 def test_too_few_asks_have_no_cells() -> None:
-    assert list_cells([], [], []) == []
+    assert list_cells([], []) == []
