@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 from pypdf import PdfReader
 
-from kinegrade.press.join import count_pages
+from kinegrade.press.binding.part import count_pages
 from kinegrade.press.latex.press import LatexPress
 from tests.press.accessible import list_failed_rules
 from tests.press.papers import ENGLISH

@@ -21,7 +21,7 @@ from kinegrade.exam.printing.printing import Extras, PressOrder, PrintRun
 from kinegrade.exam.roster.roster import Roster
 from kinegrade.exam.roster.students import Student
 from kinegrade.exam.setting.dealing import deal_exam
-from kinegrade.press.join import count_pages
+from kinegrade.press.binding.part import count_pages
 from kinegrade.press.protocol import Engine, Press
 from kinegrade.press.sheet import Paper, PaperSize
 from kinegrade.problem.template.library.library import find_shipped, list_names

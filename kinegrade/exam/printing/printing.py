@@ -16,7 +16,7 @@ from kinegrade.exam.printing.pages import lay_out_paper
 from kinegrade.exam.setting.setting import SetPaper
 from kinegrade.figure.sketch import Sketcher, sketch
 from kinegrade.language import Language
-from kinegrade.press.join import count_pages
+from kinegrade.press.binding.part import count_pages
 from kinegrade.press.protocol import Engine, Press, Printout
 from kinegrade.press.sheet import KeyPaper, Paper, PaperSize
 from kinegrade.press.typst.press import TypstPress

@@ -18,7 +18,8 @@ from kinegrade.errors import Problem, TypesetError
 from kinegrade.language.gathering import convert_each
 from kinegrade.language.message import Location, Message
 from kinegrade.language.typst_text import write_literal
-from kinegrade.press.join import count_pages, join_pages
+from kinegrade.press.binding.part import count_pages
+from kinegrade.press.join import join_pages
 from kinegrade.press.legible import make_legible, make_owner_legible, make_owners_legible
 from kinegrade.press.places import GALLERY, KEY, locate_paper, locate_question, locate_solutions
 from kinegrade.press.protocol import Press, Printout

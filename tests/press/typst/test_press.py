@@ -17,7 +17,8 @@ from kinegrade.language.math import typst_equation
 from kinegrade.language.math.reading import read_math
 from kinegrade.language.math.tree import Row
 from kinegrade.language.math.typst import write_typst_row
-from kinegrade.press.join import count_pages, join_pages
+from kinegrade.press.binding.part import count_pages
+from kinegrade.press.join import join_pages
 from kinegrade.press.sheet import AnswerRow, Paper, PaperSize, SolutionSheet
 from kinegrade.press.solutions.settings import LOOSE, USUAL
 from kinegrade.press.typst.press import KEY_CHUNK, TypstPress

@@ -1,0 +1,60 @@
+"""PDF files bound one after another, each written as it comes: a volume takes no more memory than
+its largest part, and a few bytes for each object.
+
+Every part keeps its objects, under new numbers; its tree of pages is a branch of the volume's.
+"""
+
+from __future__ import annotations
+
+from typing import BinaryIO
+
+from kinegrade.press.binding.packed import PackedFile
+from kinegrade.press.binding.part import Part
+from kinegrade.press.binding.structure import JoinedStructure
+from kinegrade.press.binding.values import Dictionary, Reference, Value, write_value
+
+
+class Volume:
+    """A PDF that grows by parts, on a stream; same parts, same bytes."""
+
+    def __init__(self, stream: BinaryIO) -> None:
+        self._file = PackedFile(stream)
+        self._catalogue, self._root = self._file.reserve(), Reference(self._file.reserve())
+        self._structure = JoinedStructure(self._file)
+        self._branches: list[Value] = []
+        self._last_box: Value | None = None
+        self.pages = 0
+
+    def add(self, part: Part) -> None:
+        """The pages of a part, with its structure."""
+        first = self._file.reserve(max(part.objects) + 1)
+        renumbering = self._structure.add(part, first)
+        branch = part.catalogue[b"/Pages"]
+        for number, (text, data) in part.objects.items():
+            if number in part.about:
+                continue
+            own = renumbering.write(text)
+            if Reference(number) == branch:
+                own = b"<</Parent %b%b" % (write_value(self._root), own.removeprefix(b"<<"))
+            self._file.put(first + number, own, data)
+        self._branches.append(renumbering.write(write_value(branch)))
+        self.pages += part.count_pages()
+        self._last_box = part.find_last_box()
+
+    def add_blank_page(self) -> None:
+        """A page without anything, as large as the last."""
+        number = self._file.reserve()
+        page: Dictionary = {b"/Type": b"/Page", b"/Parent": self._root, b"/Resources": {}}
+        if self._last_box is not None:
+            page[b"/MediaBox"] = self._last_box
+        self._file.put(number, write_value(page))
+        self._branches.append(Reference(number))
+        self.pages += 1
+
+    def close(self) -> None:
+        """Write what holds all parts together."""
+        pages: Dictionary = {b"/Type": b"/Pages", b"/Count": b"%d" % self.pages}
+        self._file.put(self._root.number, write_value(pages | {b"/Kids": self._branches}))
+        catalogue: Dictionary = {b"/Type": b"/Catalog", b"/Pages": self._root}
+        self._file.put(self._catalogue, write_value(catalogue | self._structure.close()))
+        self._file.close(self._catalogue)
