@@ -77,16 +77,17 @@ class KeptResults:
         translations: Translations,
         *,
         kept: bool,
+        steps: bool,
     ) -> Template:
         """As `read_template` of the library; a shipped one is read once, and so is one that an exam
         keeps of it, or that stands beside a bank.
         """
         given = text, mechanisms, translations
         if not isinstance(mechanisms, partial) or mechanisms.args != (_MECHANISMS,):
-            read = partial(read_template, name, *given, kept=kept)
+            read = partial(read_template, name, *given, kept=kept, steps=steps)
             if (shared := _find_shared(text, mechanisms)) is None:
                 return read()
-            said = name, text, shared, sorted(translations.items()), kept
+            said = name, text, shared, sorted(translations.items()), kept, steps
             return _keep(self.own, sha256(repr(said).encode()).hexdigest(), read)
         key = name, text, tuple(sorted(translations.items())), kept
         if key not in self.templates:

@@ -220,6 +220,9 @@ def test_a_late_student_gets_it_and_its_text_is_corrected(car: Path, tmp_path: P
     assert "Alorrystartswith" in read_pdf(exam / "papers" / "1004.pdf")
     corrected.write_text(text.replace("v*t/2", "v*t/3"), encoding="utf-8")
     assert kinegrade("reprint", exam, "--template", corrected).exit_code != 0
+    corrected.write_text(text.replace("v*t/2", "v*t/2 + t"), encoding="utf-8")
+    wrong = kinegrade("reprint", exam, "--template", corrected, "--accept-changes", "--jobs", "1")
+    assert (wrong.exit_code, "steps.s: " in wrong.stderr) == (2, True), wrong.stderr
 
 
 def test_all_faults_of_a_question_are_told_at_once(tmp_path: Path) -> None:

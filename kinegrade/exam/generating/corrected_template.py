@@ -103,7 +103,7 @@ def correct_template(exam: ExamFolder, file: Path, wishes: CorrectionWishes) -> 
 
 def _read_correction(exam: ExamFolder, file: Path) -> Template:
     """The template of a file, which corrects one of the exam. Raises TemplateError, ExamError."""
-    template = load_template(str(file), kept=_has_steps(exam, file.stem))
+    template = load_template(str(file), steps=_has_steps(exam, file.stem))
     known = [each.template for each in exam.head.questions]
     if template.name not in known:
         what = Message("exam.no-template", template=Quoted(template.name), exam=str(exam.path))

@@ -36,13 +36,15 @@ def list_names(folder: Path) -> list[str]:
     return sorted(path.stem for path in folder.glob("*.toml") if not is_translation(path))
 
 
-def load_template(name: str, folder: Path | None = None, *, kept: bool = False) -> Template:
+def load_template(
+    name: str, folder: Path | None = None, *, kept: bool = False, steps: bool = False
+) -> Template:
     """The template of that name in `folder` (default: the shipped ones), or of a path that ends in
     .toml.
 
     The mechanism that it shares is looked for in the folder `mechanisms` beside it. Raises
     TemplateError when there is no such template, or with all faults of the file; see
-    `read_template` for `kept`.
+    `read_template` for `kept` and `steps`.
     """
     path = (
         Path(name)
@@ -60,6 +62,7 @@ def load_template(name: str, folder: Path | None = None, *, kept: bool = False) 
         partial(_read_mechanism, path.parent / FOLDER),
         read_translations(path, TEMPLATE),
         kept=kept,
+        steps=steps,
     )
 
 

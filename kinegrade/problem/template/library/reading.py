@@ -55,13 +55,15 @@ def read_template(
     translations: Translations = _NO_TRANSLATIONS,
     *,
     kept: bool = False,
+    steps: bool = False,
 ) -> Template:
     """The template of that name. Raises TemplateError with all faults, each with its place.
 
     `name` is the file's name without `.toml`: letters, digits and hyphens. `mechanisms` gives the
     mechanism that the template shares with others, `translations` the texts of the files that
     translate it. A template that is `kept` with an exam is read without a look at dimensions, so
-    that no later rule closes an exam's folder.
+    that no later rule closes an exam's folder; only such a one, or one that corrects it, may have
+    `steps` in place of a mechanism.
     """
     opened = open_template(name, text, mechanisms, translations)
     table = opened.table
@@ -69,7 +71,7 @@ def read_template(
         # Loads the reading of expressions, and most templates have a mechanism
         from kinegrade.problem.template.library.stepwise import read_stepwise  # noqa: PLC0415
 
-        if not kept:
+        if not kept and not steps:
             do = Message("template.steps-into-bank")
             table.fault("steps", Message("template.steps-in-file"), do=do)
         template = read_stepwise(name, table, opened.file, kept=kept)
