@@ -85,19 +85,18 @@ class GradeOptions:
         """The marking whose log goes on, and whose marks by hand are carried over."""
         return self.never_lower if self.since is None else self.since
 
-    @property
-    def log(self) -> Mapping[str, Export]:
+    def log(self, exam: ExamFolder) -> Mapping[str, Export]:
         """What writes the log of changes, where there is one."""
         if self.since is not None:
-            day = date.today().isoformat()
-            return {CHANGES.name: LoggedChange(self.since, self.reason.strip(), day).write}
+            day, now = date.today().isoformat(), exam.former_ids
+            return {CHANGES.name: LoggedChange(self.since, self.reason.strip(), day, now).write}
         rows = () if self.earlier is None else self.earlier.log
         return {CHANGES.name: lambda _: write_log(rows)} if rows else {}
 
     def marking(self, exam: ExamFolder, stood: Standing) -> MarkingWishes:
         """How answers are marked, and written in place of what `stood` there."""
         return MarkingWishes(
-            {moodle.FILE: moodle.export, **self.log},
+            {moodle.FILE: moodle.export, **self.log(exam)},
             self.decimal,
             None if self.policy is None else Path(self.policy),
             self.never_lower,
@@ -167,7 +166,7 @@ def grade(
         *list_written(grades, place, kept=options.never_lower is not None),
         *describe_key(exam),
         *lapsed,
-        *describe_moved(totals, marks.totals.by_student),
+        *describe_moved(totals, marks.totals.by_student, exam.former_ids),
         *describe_points(grades, marks),
         *describe_grades(marks, exam, options.policy),
     ]

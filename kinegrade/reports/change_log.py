@@ -5,7 +5,7 @@ A marking with a reason adds what it changes; every later one keeps what was the
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 from kinegrade.files.csv_writing import neutralise, write_csv_text
@@ -21,12 +21,13 @@ _MARK = "\ufeff"  # by which spreadsheets recognise UTF-8
 @dataclass(frozen=True)
 class LoggedChange:
     """What is added to the log: why the marks differ from the `earlier` ones, and on which day,
-    `2027-05-04`.
+    `2027-05-04`. `now` gives the ids that students have by now.
     """
 
     earlier: MarksFolder
     reason: str
     day: str
+    now: Mapping[str, str]
 
     def write(self, marks: MarksFolder) -> str:
         """The log of a marking: that of the earlier one, and what has changed since."""
@@ -34,7 +35,7 @@ class LoggedChange:
 
     def _list_rows(self, marks: MarksFolder) -> Iterator[Record]:
         """For each student the total, then the answers that are judged differently."""
-        for amounts in list_amounts(compare(self.earlier, marks)):
+        for amounts in list_amounts(compare(self.earlier, marks, self.now)):
             student, name, what, before, after, _, *out_of = amounts
             row = self.day, student, name, what, before, after, *out_of, neutralise(self.reason)
             yield row

@@ -22,6 +22,7 @@ from kinegrade.numbers.amounts import write_amount
 _SUBTRACTED, _GRADE = "subtracted", "grade"  # of a total, in the column of what changes
 _NOTHING = MarkedAnswer("", "", "", "", "", "", "", Fraction(0), Fraction(0), "")
 _Answers = Mapping[tuple[str, str], MarkedAnswer]  # by student and answer column
+_AS_BEFORE: Mapping[str, str] = {}
 Worth = tuple[Fraction, Fraction]  # points, and the maximum
 
 
@@ -134,11 +135,15 @@ class Comparison:
     mean_percent: Fraction
 
 
-def compare(first: MarksFolder, second: MarksFolder) -> Comparison:
-    """Compares two marks folders. Raises TableError."""
-    before, after = first.totals.by_student, second.totals.by_student
-    whole = {*_list_whole(first), *_list_whole(second)}
-    asks = _ask_changes(_answers(first, whole), _answers(second, whole))
+def compare(
+    first: MarksFolder, second: MarksFolder, now: Mapping[str, str] = _AS_BEFORE
+) -> Comparison:
+    """Compares two marks folders; `now` gives the ids that students of the first one have by now.
+    Raises TableError.
+    """
+    had, after = first.totals.by_student, second.totals.by_student
+    before = {now.get(student, student): total for student, total in had.items()}
+    asks = _ask_changes(*_list_answers(first, second, now))
     found = (
         StudentChange(
             student, before.get(student), after.get(student), tuple(asks.get(student, ()))
@@ -157,15 +162,28 @@ def compare(first: MarksFolder, second: MarksFolder) -> Comparison:
 
 
 def describe_moved(
-    before: Sequence[StudentTotal], after: Mapping[str, StudentTotal]
+    before: Sequence[StudentTotal], after: Mapping[str, StudentTotal], now: Mapping[str, str]
 ) -> Iterator[Message]:
     """How many totals went up and down, by their share of the points; nothing where none is
-    compared.
+    compared. `now` gives the ids that students have by now.
     """
-    shares = [(old.share, after[old.student].share) for old in before if old.student in after]
+    same = [(old, after.get(now.get(old.student, old.student))) for old in before]
+    shares = [(old.share, new.share) for old, new in same if new is not None]
     up, down = sum(new > old for old, new in shares), sum(new < old for old, new in shares)
     if shares:
         yield Message("marks.moved-totals", up=up, down=down, unchanged=len(shares) - up - down)
+
+
+def _list_answers(
+    first: MarksFolder, second: MarksFolder, now: Mapping[str, str]
+) -> tuple[_Answers, _Answers]:
+    """The answers of both markings, by the ids that students have by now."""
+    had = {new: old for old, new in now.items() if old in first.totals.by_student}
+    whole = {(now.get(student, student), each) for student, each in _list_whole(first)}
+    whole.update(_list_whole(second))
+    before = _answers(first, {(had.get(student, student), each) for student, each in whole})
+    renamed = {(now.get(student, student), each): said for (student, each), said in before.items()}
+    return renamed, _answers(second, whole)
 
 
 def _answers(marks: MarksFolder, whole: Iterable[tuple[str, str]]) -> _Answers:

@@ -64,6 +64,8 @@ def test_what_was_typed_and_marked_under_the_old_id_goes_on(exam: Path) -> None:
     assert f"manual.csv: {said}" in done.stderr
     totals = {row["student"]: row["total"] for row in table(marks / "grades.csv")}
     assert (totals["4711"], "0012" in totals) == ("5", False)
+    assert f"{len(totals)} unchanged" in done.stderr + done.stdout
+    assert table(marks / "changes.csv") == []
     assert "4711" in kinegrade("explain", exam, marks, "0012").stdout
 
 
