@@ -154,7 +154,7 @@ def drop_headers(table: Table) -> Sequence[Row]:
     [2, 4]
     """
     first = table.header[:1]
-    if isinstance(table.rows, CellGrid) and first[0] not in table.rows.column(0):
+    if isinstance(table.rows, CellGrid) and not table.rows.may_begin_row(first[0]):
         return table.rows
     return tuple(
         [row for row in table.rows if row.cells[:1] != first or not _is_header(row, table.header)]

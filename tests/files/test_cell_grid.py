@@ -29,8 +29,18 @@ def test_a_grid_has_the_rows_that_are_read_one_by_one(lines: list[list[str]], en
     assert not stray
     assert [grid[place] for place in range(-len(grid), 0)] == [*grid]
     assert [*grid.from_row(1)] == [*grid][1:] == [*grid[1:]]
+    for part in (grid, grid.from_row(1)):
+        for row in part:
+            assert part.may_begin_row(row.cells[0])
     for number in (0, 1):
         assert grid.column(number) == [row.cells[number] for row in grid]
+
+
+def test_a_beginning_that_no_row_has_is_told() -> None:
+    grid = read_grid("id,1\n7,id\n", ",", 2, 1)
+    assert grid is not None
+    assert grid.may_begin_row("id")
+    assert not grid.from_row(1).may_begin_row("id")
 
 
 def test_most_files_are_grids_and_others_are_not() -> None:

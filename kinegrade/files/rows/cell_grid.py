@@ -67,6 +67,12 @@ class CellGrid(MadeRows):
             return [letters[begin:end] for begin, end in pieces]
         return [_decode(self.text[begin:end]) for begin, end in pieces]
 
+    def may_begin_row(self, cell: str) -> bool:
+        """False only where certainly no row begins with that cell."""
+        beginning, begin = cell.encode("utf-8", "surrogatepass"), int(self.bounds[0]) + 1
+        behind = self.text.find(_BREAK.encode() + beginning, begin) >= 0
+        return behind or self.text.startswith(beginning, begin)
+
     def tabulate(self, cells: _Places) -> LetterTable | None:
         """The letters of these cells, nothing for one below 0; None where one is long."""
         begins, ends, there = np.zeros_like(cells), np.zeros_like(cells), cells >= 0

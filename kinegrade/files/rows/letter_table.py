@@ -42,7 +42,7 @@ def gather_letters(padded: NDArray[np.uint8], begins: _Places, ends: _Places) ->
     if most > LONGEST:
         return None
     table = sliding_window_view(padded, most)[begins]
-    table[np.arange(most) >= lengths[:, None]] = 0
+    table *= np.arange(most, dtype=np.uint8) < lengths.astype(np.uint8)[:, None]
     return LetterTable(table, lengths)
 
 

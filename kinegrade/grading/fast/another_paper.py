@@ -122,7 +122,8 @@ class PapersAnswered:
             rows = rows[cells.may_have(numbers[rows])]
         if not len(rows):
             return []
-        plain = amiss[rows] & np.array([not each.period for each in self._students])
+        # Any number of a row will do to look for papers by, and few asks to put in order
+        plain = ~np.isnan(numbers[rows]) & np.array([not each.period for each in self._students])
         first = plain.argmax(axis=1)
         told = plain.any(axis=1)
         found = [rows[~told]]

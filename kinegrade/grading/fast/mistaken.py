@@ -65,7 +65,7 @@ class Mistakes:
         likely = np.flatnonzero(led.right | ~led.decided)
         return Leading(
             places[likely],
-            self.led_to.names[near[likely]],
+            self.led_to.names[near[likely]].astype(np.intp),
             self.led_to.known,
             led.certain[likely],
             led.stated[:, likely],

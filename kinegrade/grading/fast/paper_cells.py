@@ -37,12 +37,6 @@ class _Buckets:
         found: Places = self.of_rank[rank_roughly(numbers)].astype(np.intp)
         return found
 
-    def touch(self, intervals: Intervals) -> tuple[Places, Places]:
-        """The first bucket that each interval touches, and how many."""
-        first = self.find(intervals.low - 2 * SAME * np.abs(intervals.low))
-        last = self.find(intervals.high + 2 * SAME * np.abs(intervals.high))
-        return first, last - first + 1
-
 
 @dataclass(frozen=True, slots=True)
 class PaperCells:
@@ -93,9 +87,11 @@ def _divide(intervals: Intervals, most: int) -> tuple[_Buckets, Places, Places]:
     """
     counted = np.cumsum(np.bincount(rank_roughly(intervals.value), minlength=_RANKS))
     before = np.append(0, counted[:-1])
+    lowest = rank_roughly(intervals.low - 2 * SAME * np.abs(intervals.low))
+    highest = rank_roughly(intervals.high + 2 * SAME * np.abs(intervals.high))
     for count in (most, *(2**power for power in range(most.bit_length() - 1, 0, -1)), 1):
-        buckets = _Buckets((before * count // (counted[-1] + 1)).astype(np.uint8), count)
-        first, counts = buckets.touch(intervals)
-        if counts.max(initial=1) <= _MOST_TOUCHED:
+        of_rank = (before * count // (counted[-1] + 1)).astype(np.uint8)
+        first, last = of_rank[lowest].astype(np.intp), of_rank[highest].astype(np.intp)
+        if (last - first).max(initial=0) < _MOST_TOUCHED:
             break
-    return buckets, first, counts
+    return _Buckets(of_rank, count), first, last - first + 1

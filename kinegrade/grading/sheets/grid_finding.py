@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from kinegrade.exam.folder.keys import Sitting
 from kinegrade.exam.roster.student_ids import StudentIds
 from kinegrade.files.answer_file import AnswerFile
@@ -20,7 +22,9 @@ def find_grid_entries(answers: AnswerFile, columns: Columns, exam: Sitting) -> G
     beside = answers.put or answers.lines or answers.submitted or columns.codes
     if not isinstance(rows, CellGrid) or beside or len(asks) < len(columns.asks):
         return None
-    ids = StudentIds(exam.students, exam.codes).all_exact(rows.column(columns.student))
+    ids: Sequence[str | None] = rows.column(columns.student)
+    if (*ids,) != exam.students:  # in most files, which `generate` wrote, they are
+        ids = StudentIds(exam.students, exam.codes).all_exact(rows.column(columns.student))
     places = dict(zip(filter(None, ids), range(len(ids)), strict=False))
     if len(places) < len(ids):
         return None

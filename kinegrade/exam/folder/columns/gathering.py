@@ -33,7 +33,7 @@ class LedTo:
     """
 
     counts: Places
-    names: Places
+    names: NDArray[np.integer]
     values: Numbers
     known: Sequence[str]
     as_written: bool
@@ -136,8 +136,7 @@ def _gather_mistakes(part: KeyPart, places: Places) -> LedTo:
     begins = part.ends[places]
     counts = part.ends[places + 1] - begins
     chosen = list_runs(begins, counts)
-    names = part.names[chosen].astype(np.intp)
-    return LedTo(counts, names, part.wrong[chosen], part.known, as_written=True)
+    return LedTo(counts, part.names[chosen], part.wrong[chosen], part.known, as_written=True)
 
 
 def _find_rows(papers: Sequence[Keys]) -> tuple[KeyPart, Places] | None:
