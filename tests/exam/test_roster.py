@@ -157,6 +157,18 @@ def test_an_id_that_a_spreadsheet_would_run_is_refused(student: str) -> None:
     assert [each.student for each in allowed.students] == ["1", student]
 
 
+@pytest.mark.parametrize("student", ["2026-05-01", "1/5/2026", "01.05.2026"])
+def test_an_id_that_reads_as_a_date_is_refused_unless_it_is_wanted(student: str) -> None:
+    text = f"student,name\n3-4,Ann\n{student},Bob\n"
+    with pytest.raises(TableError) as caught:
+        roster(text)
+    (problem,) = caught.value.problems
+    assert problem.startswith(f'roster.csv:3: student id "{student}" (Bob) reads as a date')
+    assert problem.endswith("enter it again, or add --allow-odd-ids")
+    allowed = parse_roster(text.encode(), "roster.csv", odd_ids=True)
+    assert [each.student for each in allowed.students] == ["3-4", student]
+
+
 def test_ids_that_differ_by_zeros_alone_are_refused_unless_they_are_wanted() -> None:
     text = "student,name\n03100037,Ann\n5,Bob\n3100037,Ann\n"
     with pytest.raises(TableError) as caught:

@@ -24,6 +24,7 @@ _TEXT_FORMULA = re.compile(r'=\s*"([^"]*)"')
 _GUARDS = ("#", "'")
 _FRACTION = re.compile(r"([0-9]+)[.,]0+")
 _SHORTENED = re.compile(r"[0-9](?:[.,][0-9]+)?E\+[0-9]+", re.IGNORECASE)
+_DATE = re.compile(r"[0-9]{4}([-/.])[0-9]{1,2}\1[0-9]{1,2}|[0-9]{1,2}([-/.])[0-9]{1,2}\2[0-9]{4}")
 _LOST = ("files.cell-digits", "files.cell-date")  # remarks on cells that no longer hold the id
 _MOST_ALIKE = 4  # in five ids, at least, that are equally long digits make shorter ones strange
 
@@ -68,6 +69,7 @@ def find_id_faults(
     yield from _find_repeated(table, people)
     if not odd_ids:
         yield from _find_formulas(table, people)
+        yield from _find_dates(table, people)
         yield from _find_twins(table, people)
     for each in people:
         if each.line in lost or _SHORTENED.fullmatch(each.student):
@@ -135,4 +137,11 @@ def _find_formulas(table: Table, people: Sequence[Identity]) -> Iterator[Fault]:
                 name=shorten(each.name),
                 sign=each.student[0],
             )
+            yield Fault(f"{table.file}:{each.line}", what)
+
+
+def _find_dates(table: Table, people: Sequence[Identity]) -> Iterator[Fault]:
+    for each in people:
+        if _DATE.fullmatch(each.student):
+            what = Message("roster.date-id", student=Quoted(each.student), name=shorten(each.name))
             yield Fault(f"{table.file}:{each.line}", what)
