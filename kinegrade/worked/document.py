@@ -16,6 +16,7 @@ from kinegrade.language import Language
 from kinegrade.language.math.tree import Row
 from kinegrade.language.message import Message
 from kinegrade.language.sentence import write_sentence
+from kinegrade.worked.findings import Checked
 
 
 @dataclass(frozen=True)
@@ -93,3 +94,4 @@ class WorkedSolution:
     """The solution of one question, from how each body moves to the last answer."""
 
     blocks: tuple[Block, ...]
+    checked: tuple[Checked, ...] = ()  # what the checks of rates say

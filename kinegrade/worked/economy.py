@@ -89,7 +89,8 @@ class _Page:
         boxed = any(
             isinstance(node, Accent) and node.name == "boxed" for line in lines for node in line
         )
-        said = size == (Number("0"),) or any(_holds(formula, size) for formula in self.said)
+        told = any(_holds(formula, size) for formula in self.said) and not _is_another(lines[0])
+        said = size == (Number("0"),) or told
         return boxed or said or left[0] in self.met
 
 
@@ -102,6 +103,12 @@ def _holds(formula: Row, size: Row) -> bool:
     """Whether a number with its unit stands in a formula."""
     places = range(len(formula) - len(size) + 1)
     return any(formula[place : place + len(size)] == size for place in places)
+
+
+def _is_another(line: Row) -> bool:
+    """Whether an equation says that a coordinate is another one, whose number it repeats."""
+    links = line[line.index(Mark()) + 1 :] if Mark() in line else ()
+    return links[2:3] == (Sign("="),) and _is_coordinate(links[1:2])
 
 
 def _is_coordinate(left: Row) -> bool:

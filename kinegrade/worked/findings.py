@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any, TypeAlias
 
@@ -17,6 +18,10 @@ from kinegrade.worked.formulas.formula import Formula
 Ways: TypeAlias = tuple[tuple[Rate, str, str], ...]  # what distinguishes chains of terms
 Key: TypeAlias = tuple[Level, Ways]
 Pair: TypeAlias = frozenset[frozenset[object]]  # of lines, by their points, or of one and the axes
+# What an equation says of rates: what multiplies each of them, all on one side. The velocity along
+# its circle that a rate gives a point is one by itself where that stands alone
+Unknown: TypeAlias = Rate | tuple[Rate, str]
+Form: TypeAlias = Mapping[Unknown, float]
 Stated: TypeAlias = tuple[Formula, int, float]  # an angle, its sign, its degrees
 
 
@@ -64,6 +69,14 @@ class Seen:
     value: Any
 
 
+@dataclass(frozen=True)
+class Checked:
+    """What a check says of rates, and what the steps of its chapter have said of them before."""
+
+    check: Form
+    steps: tuple[Form, ...]
+
+
 @dataclass
 class Findings:
     """What a solution has found so far, filled in as it is written.
@@ -86,7 +99,7 @@ class Findings:
     move relative to it, of which the composition of motions has been explained; `coincident` the
     primed letters that have been; `parts_explained` whether it has been said what the indices n and
     t mark; `leaning` the lines, one or two, whose angle with an axis or with
-    one another has been told for a projection.
+    one another has been told for a projection; `checked` what the checks say.
     """
 
     facts: dict[Key, Fact] = field(default_factory=dict)
@@ -109,6 +122,7 @@ class Findings:
     leaning: set[Pair] = field(default_factory=set)
     rim_tracks: dict[int, Term] = field(default_factory=dict)
     legs: dict[frozenset[str], tuple[str, str]] = field(default_factory=dict)
+    checked: list[Checked] = field(default_factory=list)
     stated: dict[tuple[str, str], Stated | None] = field(default_factory=dict)
     composed: set[tuple[Level, str, str | None]] = field(default_factory=set)
     coincident: set[str] = field(default_factory=set)

@@ -78,10 +78,10 @@ def _write_level_chapter(
     known = case.held_rates | list_found(imposed)
     if not case.findings.places_alone:
         yield from explain_given(imposed, case, level)
-    stages = find_stages(steps, case, level, known)
+    stages, asked = find_stages(steps, case, level, known), tuple(answers.wanted)
     yield from _write_steps(steps, stages, known, answers)
     yield from answers.follow(None)
-    yield from check_rates(stages, level, case)
+    yield from check_rates(stages, asked, level, case)
 
 
 def _write_steps(

@@ -79,7 +79,8 @@ def write_worked_solution(
     with case.arithmetic.context():
         framed = tuple(boxes.frame(_write_blocks(case, asked, boxes)))
         told = leave_out_unused(framed, case.findings.told)
-        return WorkedSolution((*_note_idle_method(method, asked, case), *number_steps(told, case)))
+        blocks = (*_note_idle_method(method, asked, case), *number_steps(told, case))
+        return WorkedSolution(blocks, tuple(case.findings.checked))
 
 
 def _note_idle_method(method: Method | None, asked: Sequence[Ask], case: Case) -> Iterator[Block]:

@@ -6,7 +6,7 @@ multiplied by the distance, so that no angle is needed.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import combinations
 from typing import Any
 
@@ -17,6 +17,7 @@ from kinegrade.mechanics.vector_equation import Level
 from kinegrade.worked.case import Case
 from kinegrade.worked.checks.check import Check, compare
 from kinegrade.worked.checks.components import Turned, list_component_checks
+from kinegrade.worked.checks.forms import compare_points
 from kinegrade.worked.checks.sides import Side
 from kinegrade.worked.findings import Fact, Piece
 from kinegrade.worked.formulas.atoms import TWO, ZERO, add_terms
@@ -57,7 +58,7 @@ def list_body_checks(level: Level, case: Case) -> Iterator[Check]:
             yield from _check_pair(pair, level, case)
     for pair in pairs:
         omega, alpha = case.motion.omega(pair.body), case.motion.alpha(pair.body)
-        turned = Turned(pair.points, pair.facts, double(omega), double(alpha))
+        turned = Turned(pair.body, pair.points, pair.facts, double(omega), double(alpha))
         yield from list_component_checks(turned, level, case)
 
 
@@ -93,12 +94,15 @@ def _check_pair(pair: _Pair, level: Level, case: Case) -> Iterator[Check]:
         turning = _state_turning(pair, arm, level, case, across=across)
         before, after = (arm.multiply(fact, across=across) for fact in pair.facts)
         if before is not None and after is not None and double(after.value):
-            yield compare(
+            line = arm.vector.turned() if across else arm.vector
+            check = compare(
                 Message(f"solution.check-{way}-{level}", first=first, second=second),
                 after,
                 Side(_add(before.numbers, turning.numbers), before.value + turning.value),
                 _UNITS[level],
+                form=compare_points(pair.body, pair.points, pair.facts, line, case),
             )
+            yield replace(check, points=frozenset(pair.points))
 
 
 @dataclass(frozen=True)

@@ -17,7 +17,9 @@ from kinegrade.mechanics.shapes import Circle
 from kinegrade.mechanics.vector_equation import Level
 from kinegrade.worked.case import Case
 from kinegrade.worked.checks.check import Check, compare
+from kinegrade.worked.checks.forms import subtract
 from kinegrade.worked.checks.sides import Side
+from kinegrade.worked.findings import Form
 from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.measures import double, length
 from kinegrade.worked.formulas.numbers import measure
@@ -51,17 +53,21 @@ def _check_rims(
 ) -> Iterator[Check]:
     """The speed of the gear's rim and that of the circle's, seen from the carrier."""
     rates, sense = case.rates(level), 1 if roll.inside else -1
-    gear, frame = (rates[make_turning(body)] for body in (roll.body, carrier))
-    if not double(gear - frame):
+    turning, frame = (rates[make_turning(body)] for body in (roll.body, carrier))
+    if not double(turning - frame):
         return
+    gear = _Gear(roll.body, roll.circle)
     turned, unit = UNITS[level, True], UNITS[level, False]
     rim = _state_track_radius(roll, track, case).dot(measure(-frame, turned)).signed(sense)
     body, other = map(case.naming.body, (roll.body, carrier))
     yield compare(
         Message(f"solution.rims-{level}", body=body, carrier=other),
-        _state_rim(_Gear(roll.body, roll.circle), carrier, level, case),
+        _state_rim(gear, carrier, level, case),
         Side(rim, -track.radius * frame * sense),
         unit,
+        form=subtract(
+            _form_rim(gear, carrier), {make_turning(carrier): -double(track.radius) * sense}
+        ),
     )
 
 
@@ -133,7 +139,8 @@ def _check_joined(one: _Pair, other: _Pair, level: Level, case: Case) -> Iterato
         carrier=name(one.carrier),
     )
     turned = Side(right.numbers.signed(sense), right.value * sense)
-    yield compare(way, left, turned, UNITS[level, False])
+    form = subtract(_form_rim(one.first, one.carrier), _form_rim(other.first, other.carrier, sense))
+    yield compare(way, left, turned, UNITS[level, False], form=form)
 
 
 def _state_rim(gear: _Gear, carrier: str, level: Level, case: Case) -> Side:
@@ -143,3 +150,9 @@ def _state_rim(gear: _Gear, carrier: str, level: Level, case: Case) -> Side:
     frame = rates[make_turning(carrier)]
     spin = measure(rate, turned) - measure(frame, turned)
     return Side(measure(radius, "m").dot(spin), radius * (rate - frame))
+
+
+def _form_rim(gear: _Gear, carrier: str, sense: int = 1) -> Form:
+    """The same, by what multiplies the rates."""
+    radius = double(gear.circle.radius) * sense
+    return {make_turning(gear.body): radius, make_turning(carrier): -radius}

@@ -2,55 +2,98 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from itertools import chain, islice
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import islice
 
 from kinegrade.mechanics.plan import Step
+from kinegrade.mechanics.rates import Rate
 from kinegrade.mechanics.vector_equation import Level
+from kinegrade.problem.quantities.functions import find_motion_calls
 from kinegrade.problem.template.template import Ask
 from kinegrade.worked.case import Case
 from kinegrade.worked.checks.bodies import list_body_checks, list_new_body_checks
 from kinegrade.worked.checks.carriers import list_carrier_checks
 from kinegrade.worked.checks.check import Check, choose_check
 from kinegrade.worked.checks.constraints import list_constraint_checks
+from kinegrade.worked.checks.forms import is_nothing, is_told, list_rates, list_solved
 from kinegrade.worked.checks.places import list_place_checks
 from kinegrade.worked.checks.poles import list_pole_checks
-from kinegrade.worked.checks.right_angles import list_right_angle_checks
 from kinegrade.worked.checks.theorems import list_theorem_checks
 from kinegrade.worked.checks.tracks import list_track_checks
 from kinegrade.worked.checks.trains import list_train_checks
 from kinegrade.worked.document import Block
+from kinegrade.worked.findings import Checked, Form
+from kinegrade.worked.vectors.needed_rates import find_needs, find_references
 from kinegrade.worked.vectors.stage import Stage
 
 
-def check_rates(stages: Mapping[Step, Stage], level: Level, case: Case) -> Iterator[Block]:
-    """The check of a chapter that goes by another way than its steps: the last step's that has
-    one. No vector equation is projected once more, which would test the arithmetic alone.
+def check_rates(
+    stages: Mapping[Step, Stage], asked: Sequence[Ask], level: Level, case: Case
+) -> Iterator[Block]:
+    """The check of a chapter that goes by another way than its steps, of those that there are the
+    one that takes up most of what is asked; none where all of them say again what a step has.
     """
     if case.findings.places_alone:
-        yield from _say_chosen([list_pole_checks(stages.values(), case)], case)
+        yield from _say_first(list_pole_checks(stages.values(), case), case)
         return
-    last_first = tuple(reversed(tuple(stages.items())))
-    theorems = (list_theorem_checks(step, stage) for step, stage in last_first)
-    tracks = (list_track_checks(step, stage) for step, stage in last_first)
-    kinds = (list_carrier_checks, list_train_checks)
-    laws = (kind(level, case) for kind in kinds)
-    constraints = (
-        chain(list_right_angle_checks(stage), list_constraint_checks(stage))
-        for _, stage in last_first
-    )
-    others = chain(theorems, tracks, laws, constraints, (list_new_body_checks(level, case),))
-    groups = (chain.from_iterable(others), list_body_checks(level, case))
-    yield from _say_chosen(groups, case)
+    solved = [form for item in stages.items() for form in list_solved(*item)]
+    sought = _find_sought(asked, case)
+    groups = (_list_rate_checks(stages, level, case), list_body_checks(level, case))
+    found = (sought.choose(group, solved) for group in groups)
+    for check in islice(filter(None, found), 1):
+        case.findings.checked.append(Checked(check.form, tuple(solved)))
+        yield from check.say(case)
 
 
 def check_places(asked: Sequence[Ask], case: Case) -> Iterator[Block]:
     """The check of answers that positions alone decide."""
-    yield from _say_chosen([list_place_checks(asked, case)], case)
+    yield from _say_first(list_place_checks(asked, case), case)
 
 
-def _say_chosen(groups: Iterable[Iterable[Check]], case: Case) -> Iterator[Block]:
-    """The check of the first group that has one which tells something, if there is one."""
-    found = (check for check in map(choose_check, groups) if check is not None)
-    for check in islice(found, 1):
-        yield from check.say(case)
+def _say_first(checks: Iterable[Check], case: Case) -> Iterator[Block]:
+    """The first short check of places, if there is one."""
+    chosen = choose_check(checks)
+    if chosen is not None:
+        yield from chosen.say(case)
+
+
+def _list_rate_checks(stages: Mapping[Step, Stage], level: Level, case: Case) -> Iterator[Check]:
+    """All checks that a chapter has the numbers for, those of the last step first."""
+    last_first = tuple(reversed(tuple(stages.items())))
+    for step, stage in last_first:
+        yield from list_theorem_checks(step, stage)
+    for step, stage in last_first:
+        yield from list_track_checks(step, stage)
+    yield from list_carrier_checks(level, case)
+    yield from list_train_checks(level, case)
+    for _, stage in last_first:
+        yield from list_constraint_checks(stage)
+    yield from list_new_body_checks(level, case)
+
+
+@dataclass(frozen=True)
+class _Sought:
+    """What is asked for: rates, and the motions of points."""
+
+    rates: Collection[Rate]
+    points: Collection[str]
+
+    def choose(self, checks: Iterable[Check], solved: Collection[Form]) -> Check | None:
+        """The check that serves best, of those that tell something and have not been solved."""
+        others = (one for one in checks if one.is_telling and not is_told(one.form, solved))
+        return max(others, key=self._rank, default=None)
+
+    def _rank(self, check: Check) -> tuple[bool, int, int]:
+        """Not by what has been found of one body alone, with much of what is asked and read at a
+        glance, with all digits.
+        """
+        met = len(list_rates(check.form) & {*self.rates}) + len(check.points & {*self.points})
+        return not is_nothing(check.form), met - (not check.is_short), check.digits
+
+
+def _find_sought(asked: Sequence[Ask], case: Case) -> _Sought:
+    calls = [call for ask in asked for call in find_motion_calls(ask.quantity)]
+    points = {point for call in calls for _, point in find_references(call, case.reader).points}
+    rates = {rate for ask in asked for rate in find_needs(ask.quantity, case.reader).rates}
+    return _Sought(rates, points)

@@ -4,8 +4,8 @@ agree where no slip has been made.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, replace
+from collections.abc import Iterable, Iterator, Set
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 from kinegrade.language.math.tree import Row, list_nodes
@@ -14,11 +14,13 @@ from kinegrade.language.message import Message
 from kinegrade.worked.case import Case
 from kinegrade.worked.checks.sides import Side
 from kinegrade.worked.document import Block
+from kinegrade.worked.findings import Form
 from kinegrade.worked.formulas.atoms import ZERO, list_summands
 from kinegrade.worked.formulas.equation import WIDEST, Equation
 from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.measures import double
 from kinegrade.worked.formulas.notation import PLAIN
+from kinegrade.worked.formulas.numbers import DIGITS
 from kinegrade.worked.vectors.arms import introduce_lengths, name_length
 
 _AT_A_GLANCE = 2 * WIDEST  # letters of both sides
@@ -29,7 +31,8 @@ _CLOSE = 1e-9  # relative: far below a digit that is printed
 @dataclass(frozen=True)
 class Check:
     """By which way, and what either side amounts to; `sums` has the terms of both
-    sides where they stand there by a short name, `arm` two points whose distance is told before.
+    sides where they stand there by a short name, `arm` two points whose distance is told before,
+    `form` what it says of rates, and `points` whose vectors it takes as they have been found.
     """
 
     way: Message
@@ -37,6 +40,9 @@ class Check:
     right: Equation
     sums: tuple[Formula, Formula] | None = None
     arm: tuple[str, str] | None = None
+    form: Form = field(default_factory=dict)
+    points: Set[str] = frozenset()
+    digits: int = DIGITS
 
     @cached_property
     def letters(self) -> float:
@@ -46,7 +52,12 @@ class Check:
     @property
     def is_telling(self) -> bool:
         """Whether the sides are not the same from the start, term by term, and can be read."""
-        return bool(self._list_uncancelled()) and self.letters <= _LONGEST
+        return bool(self._list_uncancelled()) and self.letters <= _LONGEST and not self._is_empty
+
+    @property
+    def _is_empty(self) -> bool:
+        """Whether either side is nothing but zero."""
+        return all(side.left == ZERO and not side.links for side in (self.left, self.right))
 
     def _list_uncancelled(self) -> list[Formula]:
         """What is left where each term goes against the same one on the other side, or beside
@@ -105,7 +116,15 @@ def choose_check(checks: Iterable[Check]) -> Check | None:
     return min(telling, key=lambda check: check.letters, default=None)
 
 
-def compare(way: Message, left: Side, right: Side, unit: str, largest: float = 0.0) -> Check:
+def compare(
+    way: Message,
+    left: Side,
+    right: Side,
+    unit: str,
+    *,
+    form: Form | None = None,
+    largest: float = 0.0,
+) -> Check:
     """The check of two sides in one unit; where only the errors of doubles tell their values apart,
     measured by the larger of the left side and `largest`, both are rounded alike.
     """
@@ -114,4 +133,4 @@ def compare(way: Message, left: Side, right: Side, unit: str, largest: float = 0
     other = replace(right, value=left.value) if same else right
     digits = min(left.digits, other.digits)
     sides = left.work_out(unit, digits), other.work_out(unit, digits)
-    return Check(way, *sides, sums=(left.sum, right.sum))
+    return Check(way, *sides, sums=(left.sum, right.sum), form=form or {}, digits=digits)

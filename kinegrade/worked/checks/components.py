@@ -14,6 +14,7 @@ from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Level
 from kinegrade.worked.case import Case
 from kinegrade.worked.checks.check import Check, compare
+from kinegrade.worked.checks.forms import compare_points
 from kinegrade.worked.checks.sides import Side
 from kinegrade.worked.findings import Fact, Piece
 from kinegrade.worked.formulas.atoms import AXES, OTHER, TWO, ZERO, AxisName, add_terms
@@ -25,6 +26,7 @@ from kinegrade.worked.vectors.inclinations import find_cosine, name_axis
 from kinegrade.worked.vectors.summands import PLACES
 from kinegrade.worked.vectors.vectors import UNITS
 
+_ALONG: dict[AxisName, Vector] = {"x": Vector(1, 0), "y": Vector(0, 1)}
 _DIRECTIONS: dict[AxisName, float] = {"x": 0.0, "y": 90.0}
 
 
@@ -32,6 +34,7 @@ _DIRECTIONS: dict[AxisName, float] = {"x": 0.0, "y": 90.0}
 class Turned:
     """Two points of a body, with the vectors found of them and the body's rates."""
 
+    body: str
     points: tuple[str, str]
     facts: tuple[Fact, Fact]
     omega: float
@@ -57,7 +60,9 @@ def list_component_checks(turned: Turned, level: Level, case: Case) -> Iterator[
             first=case.naming.point(start),
             second=case.naming.point(end),
         )
-        yield compare(way, left, Side(add_terms(shares), left.value), UNITS[level, False])
+        form = compare_points(turned.body, turned.points, turned.facts, _ALONG[axis], case)
+        right = Side(add_terms(shares), left.value)
+        yield compare(way, left, right, UNITS[level, False], form=form)
 
 
 def _list_shares(fact: Fact, axis: AxisName, case: Case) -> Sequence[Formula | None]:

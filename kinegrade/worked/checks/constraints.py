@@ -23,7 +23,6 @@ from kinegrade.worked.checks.arms import find_normal_from, point_from_base
 from kinegrade.worked.checks.check import Check
 from kinegrade.worked.checks.multiplied import Multiplied, TermSide
 from kinegrade.worked.checks.relative_shares import find_speed
-from kinegrade.worked.checks.right_angles import is_own, turns_slot
 from kinegrade.worked.checks.shares import Shares
 from kinegrade.worked.formulas.atoms import AXES, TWO, AxisName
 from kinegrade.worked.formulas.measures import double, find_sign, is_zero, length
@@ -72,7 +71,7 @@ class _Differentiated(Multiplied):
             for turn, slide in pairwise(before):
                 if other and 0 in map(double, slide.vector):
                     continue
-                own = self._state_turning(turn, slide) if turns_slot(turn, slide) else None
+                own = self._state_turning(turn, slide) if _turns_slot(turn, slide) else None
                 if own is not None:
                     by = point_from_base(turn, self.case).turned()
                     rest = tuple(one for one in before if one not in (turn, slide))
@@ -84,7 +83,7 @@ class _Differentiated(Multiplied):
         """The distance of the axis of a body from a line of it along which a point slides."""
         for before, other in (self.chains, self.chains[::-1]):
             for turn, slide in pairwise(before):
-                if not is_own(turn, slide) or not double(turn.vector.cross(slide.vector)):
+                if not _is_own(turn, slide) or not double(turn.vector.cross(slide.vector)):
                     continue
                 by, ends = self._find_normal(turn, slide)
                 if by is not None:
@@ -226,6 +225,16 @@ class _Differentiated(Multiplied):
         named = name_length(*ends, self.case) == letters
         first, second = map(self.case.naming.point, reversed(ends) if named else ends)
         return first, second
+
+
+def _turns_slot(turn: Term, slide: Term) -> bool:
+    """Whether a point slides along a line through the axis of the body that turns."""
+    return _is_own(turn, slide) and not double(turn.vector.cross(slide.vector))
+
+
+def _is_own(turn: Term, slide: Term) -> bool:
+    """Whether a point slides along a line of the body that turns."""
+    return turn.kind == "rotation" and slide.kind == "sliding" and slide.frame == turn.rate.body
 
 
 def _keeps_distance(term: Term) -> bool:

@@ -12,6 +12,7 @@ from kinegrade.mechanics.vector_equation import VectorEquation
 from kinegrade.worked.case import Case
 from kinegrade.worked.checks.amounts import Amount, Multiplier, add_letters, add_numbers
 from kinegrade.worked.checks.check import Check, compare
+from kinegrade.worked.checks.forms import multiply_relation
 from kinegrade.worked.checks.shares import Shares
 from kinegrade.worked.checks.sides import Side
 from kinegrade.worked.formulas.atoms import AXES, ZERO, VectorSymbol, add_terms
@@ -70,7 +71,9 @@ class Multiplied:
             left, right = (replace(side, short=None) for side in (left, right))
         terms = (*one.terms, *other.terms, *other.without)
         largest = size(by.vector) * max(size(self.shares.find_vector(term)) for term in terms)
-        yield compare(way, left, right, by.name_unit(self.equation.level), largest)
+        form = multiply_relation(self.equation.relation, by.vector)
+        unit = by.name_unit(self.equation.level)
+        yield compare(way, left, right, unit, form=form, largest=largest)
 
     def _state(self, side: TermSide, by: Multiplier) -> Side | None:
         added, taken = (self._list_shares(terms, by) for terms in (side.terms, side.without))

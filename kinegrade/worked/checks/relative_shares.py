@@ -15,8 +15,14 @@ from kinegrade.worked.case import Case
 from kinegrade.worked.checks.amounts import UNIT, Amount, Multiplier, gather
 from kinegrade.worked.checks.arms import point_from, point_from_base
 from kinegrade.worked.formulas.atoms import TWO
-from kinegrade.worked.formulas.measures import double, find_sign, length
+from kinegrade.worked.formulas.measures import bearing, double, find_sign, length
 from kinegrade.worked.formulas.numbers import measure
+from kinegrade.worked.vectors.inclinations import (
+    find_cosine,
+    is_line_found,
+    name_axis,
+    name_direction,
+)
 from kinegrade.worked.vectors.known_vectors import find_positive_sense
 from kinegrade.worked.vectors.magnitudes import find_track_ends
 from kinegrade.worked.vectors.relatives import find_relative, index_relative
@@ -67,12 +73,16 @@ class _Relative:
         positive = find_positive_sense(term, case, level)
         if not double(case.rates(level)[term.rate]) or not double(self.by.vector.dot(positive)):
             return []
-        part = next((one for one in self.equation.parts if _is_of(one, term)), None)
+        part = self._find_part()
         if part is None or case.findings.spares(term.rate, level):
             return None
         sense = find_sign(part.value.dot(positive))
         number = measure(length(part.value, case.arithmetic) * sense, UNITS[level, False])
         return self._times(Amount(name_part(self.equation, part, case), number), positive)
+
+    def _find_part(self) -> Part | None:
+        """The relative motion along the path, as it stands in the equation."""
+        return next((one for one in self.equation.parts if _is_of(one, self.term)), None)
 
     def find_normal(self) -> list[Amount] | None:
         """The normal acceleration on a circle, v_r^2/r towards its centre."""
@@ -111,11 +121,21 @@ class _Relative:
             return [size.times(self.by.length).signed(find_sign(along))]
         path = self._find_line()
         if path is None or path.length is None:
-            return None
+            return self._turn(size, direction)
         line = path.turned() if double(path.vector.cross(direction)) else path
         sign = find_sign(line.vector.dot(direction))
         rate = size.over(path.length)
         return [one.signed(sign) for one in gather(rate, tuple(self.by.dot(line.pair)))]
+
+    def _turn(self, size: Amount, direction: Vector) -> list[Amount] | None:
+        """The same along an axis by an angle of the path that is known."""
+        part = self._find_part()
+        heading = name_direction(bearing(direction), part, self.case) if part else None
+        along = name_axis(bearing(self.by.vector)) if self.by.is_unit else None
+        cosine = find_cosine(heading, along) if heading and along else None
+        if cosine is None or not is_line_found(cosine.value, self.case):
+            return None
+        return [size.times(Amount(cosine.state(False), cosine.state(True))).signed(cosine.sign)]
 
     def _find_line(self) -> Multiplier | None:
         """The path between two points, or the radius of the circle."""

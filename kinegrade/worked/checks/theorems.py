@@ -10,6 +10,7 @@ from kinegrade.mechanics.plan import Step
 from kinegrade.mechanics.relations import add_vectors
 from kinegrade.mechanics.vector import Vector
 from kinegrade.worked.checks.check import Check, compare
+from kinegrade.worked.checks.forms import multiply_relation
 from kinegrade.worked.checks.sides import Side
 from kinegrade.worked.formulas.atoms import AxisName, add_terms
 from kinegrade.worked.formulas.formula import Formula
@@ -17,7 +18,7 @@ from kinegrade.worked.formulas.measures import bearing, size
 from kinegrade.worked.formulas.numbers import measure
 from kinegrade.worked.steps.couplers import Coupler, choose_method, find_coupler
 from kinegrade.worked.vectors.facts import make_key
-from kinegrade.worked.vectors.inclinations import is_direction_told
+from kinegrade.worked.vectors.inclinations import is_direction_told, is_line_found
 from kinegrade.worked.vectors.magnitudes import find_heading
 from kinegrade.worked.vectors.projection import Projection, Share
 from kinegrade.worked.vectors.stage import Stage, find_share_cosine
@@ -56,7 +57,8 @@ def _check_on(projection: Projection, way: Message, step: Step, stage: Stage) ->
         for side in (projection.left, projection.right)
     )
     largest = max(size(share.part.value) for share in shares)
-    yield compare(way, left, right, UNITS[stage.level, False], largest)
+    form = multiply_relation(projection.equation.relation, projection.direction)
+    yield compare(way, left, right, UNITS[stage.level, False], form=form, largest=largest)
 
 
 def _can_be_told(projection: Projection, share: Share, stage: Stage) -> bool:
@@ -64,8 +66,9 @@ def _can_be_told(projection: Projection, share: Share, stage: Stage) -> bool:
     along_axis = not share.angle and projection.axis in _AXES
     if along_axis or _find_component(projection, share, stage) is not None:
         return True
-    named = not share.angle or find_share_cosine(projection, share, stage.case) is not None
-    return named and is_direction_told(share.part, stage.case)
+    cosine = find_share_cosine(projection, share, stage.case) if share.angle else None
+    found = cosine is not None and is_line_found(cosine.value, stage.case)
+    return (found or not share.angle) and is_direction_told(share.part, stage.case)
 
 
 def _find_component(projection: Projection, share: Share, stage: Stage) -> Formula | None:

@@ -1,5 +1,5 @@
 """Checks of wheels about fixed axes: a train of several is one step from its first wheel to its
-last; of two gears one rolls on the other, seen from that.
+last.
 """
 
 from __future__ import annotations
@@ -11,12 +11,12 @@ from functools import reduce
 from kinegrade.language.message import Message
 from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.rates import make_turning
-from kinegrade.mechanics.shares import RIGHT
 from kinegrade.mechanics.vector_equation import Level
 from kinegrade.numbers.number import Number
 from kinegrade.worked.case import Case
 from kinegrade.worked.checks.check import Check, compare
 from kinegrade.worked.checks.sides import Side
+from kinegrade.worked.findings import Form
 from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.measures import double
 from kinegrade.worked.formulas.numbers import measure
@@ -24,30 +24,23 @@ from kinegrade.worked.vectors.vectors import UNITS
 
 
 def list_train_checks(level: Level, case: Case) -> Iterator[Check]:
-    """The check of a train of three wheels or more, then those of gears in mesh, unless nothing
-    turns at this level.
-    """
+    """The check of a train of three wheels or more, unless nothing turns at this level."""
     links = tuple(_list_links(case))
     train = _find_train(links)
     if len(train) > 1 and double(case.rates(level)[make_turning(train[-1].driven)]):
         yield _check_train(train, level, case)
-    for link in reversed(links):
-        if link.touches and double(case.rates(level)[make_turning(link.driven)]):
-            yield _check_mesh(link, level, case)
 
 
 @dataclass(frozen=True)
 class _Link:
-    """A wheel that drives another one, about their centres, with the radii of both; `sense` is -1
-    where they turn in opposite senses.
+    """A wheel that drives another one, with the radii of both; `sense` is -1 where they turn in
+    opposite senses.
     """
 
     driver: str
-    centre: str
     driven: str
     radii: tuple[Number, Number]
     sense: int
-    touches: bool
 
 
 def _list_links(case: Case) -> Iterator[_Link]:
@@ -56,8 +49,7 @@ def _list_links(case: Case) -> Iterator[_Link]:
         rims = relation.source.find_rims() if relation.source else None
         if rims is not None and rims.carrier == GROUND:
             radii, sense = (rims.circle.radius, rims.on.radius), -1 if rims.is_opposite else 1
-            touches = bool(rims.list_arms(RIGHT))  # a belt has none
-            yield _Link(rims.body, rims.circle.centre, rims.of, radii, sense, touches)
+            yield _Link(rims.body, rims.of, radii, sense)
 
 
 def _find_train(links: Sequence[_Link]) -> tuple[_Link, ...]:
@@ -81,27 +73,8 @@ def _check_train(train: Sequence[_Link], level: Level, case: Case) -> Check:
     for link in train:
         ratio = ratio * link.radii[0] / link.radii[1] * link.sense
     numbers = (above / below).dot(measure(start, unit)).signed(1 if double(ratio) > 0 else -1)
+    form: Form = {make_turning(ends[1]): 1.0, make_turning(ends[0]): -double(ratio)}
     way = Message(f"solution.train-{level}", first=first, last=last)
-    return compare(way, Side(measure(end, unit), end), Side(numbers, ratio * start), unit)
-
-
-def _check_mesh(link: _Link, level: Level, case: Case) -> Check:
-    """The speed of the driver's centre seen from the driven gear: about the other centre, and as
-    the driver rolls on that gear, within it where the driver is the smaller one of two that turn
-    alike.
-    """
-    spin, frame = (case.rates(level)[make_turning(body)] for body in (link.driver, link.driven))
-    small, large = sorted(link.radii, key=double)
-    within = -1 if link.sense > 0 and small == link.radii[0] else 1
-    arm = measure(large, "m") + measure(small, "m").signed(-link.sense)
-    relative = measure(spin, UNITS[level, True]) - measure(frame, UNITS[level, True])
-    rolled = measure(link.radii[0], "m").dot(relative).signed(within)
-    way = Message(
-        f"solution.rolling-seen-{level}",
-        centre=case.naming.point(link.centre),
-        first=case.naming.body(link.driver),
-        second=case.naming.body(link.driven),
+    return compare(
+        way, Side(measure(end, unit), end), Side(numbers, ratio * start), unit, form=form
     )
-    about = Side(arm.dot(measure(-frame, UNITS[level, True])), (link.sense * small - large) * frame)
-    by_rolling = Side(rolled, within * link.radii[0] * (spin - frame))
-    return compare(way, about, by_rolling, UNITS[level, False])

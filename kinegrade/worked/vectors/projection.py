@@ -72,11 +72,15 @@ class Projection:
             if abs(angle - 90) > 1e-7:
                 yield Share(part, 1 if angle < 90 else -1, tidy(min(angle, 180 - angle)))
 
+    @property
+    def direction(self) -> Vector:
+        """The unit vector of the axis."""
+        return Vector(cos(radians(self.axis)), sin(radians(self.axis)))
+
     def row(self) -> dict[Rate, float]:
         """The coefficients of the unknown rates with everything on the left side."""
-        axis = Vector(cos(radians(self.axis)), sin(radians(self.axis)))
         return {
-            rate: axis.dot(_make_floats(self.equation.coefficient(rate)))
+            rate: self.direction.dot(_make_floats(self.equation.coefficient(rate)))
             for rate in self.equation.unknowns
         }
 

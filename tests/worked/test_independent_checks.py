@@ -1,0 +1,129 @@
+"""The check at the end of a chapter goes by another way than its steps: what it says of rates is no
+multiple of one equation that they have solved, and a slip that this equation lets pass shows.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+
+import pytest
+
+from kinegrade.language import ENGLISH
+from kinegrade.mechanics.rates import Rate
+from kinegrade.problem.solution import Solution
+from kinegrade.problem.solving import solve_template
+from kinegrade.problem.template.library.library import find_template_names, load_template
+from kinegrade.worked.document import WorkedSolution
+from kinegrade.worked.findings import Form
+from kinegrade.worked.solution import write_worked_solution
+from tests.worked.draws import drawn
+from tests.worked.test_checks import find_checks
+
+# Templates whose published instance has no check, as no second equation has what is asked: a law
+# of gears, a composition of which one projection is solved. To be shrunk, never to grow
+WITHOUT = frozenset(
+    (
+        "bent-rod-tangent-disc",
+        "bent-rod-two-sleeves",
+        "flat-faced-follower-eccentric-circle",
+        "guide-tube-rod-fixed-centrode",
+        "guided-rack-and-gear",
+        "hoist-with-gears",
+        "toggle-press",
+    )
+)
+FINE = 10**9  # parts of a ratio
+
+
+def write(solution: Solution) -> WorkedSolution:
+    """The solution of what an exam asks."""
+    return write_worked_solution(solution, solution.template.asked(), ENGLISH)
+
+
+def tidy(form: Form) -> dict[Rate, float]:
+    """What multiplies each rate; a velocity along a circle as the rate that gives it."""
+    sums: dict[Rate, float] = {}
+    for unknown, one in form.items():
+        rate = unknown if isinstance(unknown, Rate) else unknown[0]
+        sums[rate] = sums.get(rate, 0.0) + one
+    return sums
+
+
+def are_multiples(first: Mapping[object, float], second: Mapping[object, float]) -> bool:
+    """Whether all products of two coefficients, taken crosswise, are the same."""
+    every = {*first, *second}
+    size = max(map(abs, first.values()), default=0) * max(map(abs, second.values()), default=0)
+    return bool(size) and all(
+        abs(first.get(one, 0) * second.get(other, 0) - first.get(other, 0) * second.get(one, 0))
+        < 1e-9 * size
+        for one in every
+        for other in every
+    )
+
+
+@pytest.mark.sampled(12, first=1)
+@pytest.mark.parametrize("name", find_template_names())
+def test_no_check_says_what_one_step_has_said(name: str) -> None:
+    for solution in drawn(name):
+        told = write(solution)
+        assert len(told.checked) <= len(find_checks(told.blocks)) <= 2
+        for checked in told.checked:
+            assert not any(are_multiples(checked.check, one) for one in checked.steps)
+
+
+@pytest.mark.sampled(12, first=1)
+@pytest.mark.parametrize("name", find_template_names())
+def test_every_solution_has_a_check_but_those_listed(name: str) -> None:
+    assert bool(find_checks(write(drawn(name)[0]).blocks)) == (name not in WITHOUT)
+
+
+def list_slips(solution: Solution, held: Form, sought: set[Rate]) -> Iterator[Mapping[Rate, float]]:
+    """Wrong rates that one equation lets pass: two of them off, so that it holds again."""
+    rates, form = solution.motion.rates, tidy(held)
+    bound = sorted((rate for rate in form if abs(form[rate]) > 1e-9 and rate in sought), key=str)
+    free = next((rate for rate in sorted(sought, key=str) if rate not in bound), None)
+    if free is not None:
+        yield {**rates, free: rates[free] * 11 / 10}
+    elif len(bound) > 1:
+        one, other, *_ = bound
+        turned = rates[one] * round(FINE * form[one] / form[other]) / FINE
+        yield {**rates, one: rates[one] * 11 / 10, other: rates[other] - turned / 10}
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        "slider-crank",
+        "watt-linkage",
+        "pole-four-bar-coupler",
+        "slotted-link-on-cylinder",
+        "slotted-rocker-and-slider-two-drivers",
+        "rotary-engine",
+    ],
+)
+def test_a_slip_that_one_step_lets_pass_shows(name: str) -> None:
+    solution = drawn(name)[0]
+    (checked, *_) = write(solution).checked
+    steps = [tidy(one) for one in checked.steps]
+    sought = {rate for rate in tidy(checked.check) if any(one.get(rate) for one in steps)}
+    for step in steps:
+        for wrong in list_slips(solution, step, sought):
+            slipped = replace(solution, motion=replace(solution.motion, rates=wrong))
+            check = find_checks(write(slipped).blocks)[0]
+            assert not check.agrees
+
+
+@pytest.mark.parametrize("name", ["hoist-with-gears", "flat-faced-follower-eccentric-circle"])
+def test_one_equation_for_one_unknown_is_not_said_twice(name: str) -> None:
+    """Two gears in mesh say one thing, seen from the ground or from one of them; so does the height
+    of a follower, by angles or by coordinates.
+    """
+    assert write(drawn(name)[0]).checked == ()
+
+
+def test_what_is_asked_of_points_is_checked() -> None:
+    """The speed of D, found from the base point A, goes by B too."""
+    solution = solve_template(load_template("elliptic-trammel-end-driven"), {})
+    check = find_checks(write(solution).blocks)[0]
+    assert check.way.startswith("the base point $B$ for the velocity of $D$")
