@@ -4,7 +4,7 @@ answer as soon as all that it needs is found.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence, Set
 from dataclasses import dataclass
 
 from kinegrade.language.message import Message
@@ -14,6 +14,7 @@ from kinegrade.mechanics.vector_equation import Level
 from kinegrade.problem.template.template import Ask
 from kinegrade.worked.answers.answers import explain_answer
 from kinegrade.worked.answers.boxes import AnswerBoxes
+from kinegrade.worked.answers.point_vectors import list_asked_velocities
 from kinegrade.worked.case import Case
 from kinegrade.worked.checks.chapters import check_rates
 from kinegrade.worked.document import Block, Heading, TermTable
@@ -57,15 +58,21 @@ class _Answers:
     wanted: list[Ask]
     boxes: AnswerBoxes
 
-    def follow(self, known: Collection[Rate] | None) -> Iterator[Block]:
+    def list_due(self, known: Set[Rate] | None) -> tuple[Ask, ...]:
         """Those that follow from the rates known, or all that are left."""
-        case = self.boxes.case
-        for ask in tuple(self.wanted):
-            needed = find_needs(ask.quantity, case.reader).rates
-            if known is None or needed <= set(known):
-                self.wanted.remove(ask)
-                yield from explain_answer(ask, case)
-                yield from self.boxes.state_missing((ask,))
+        reader = self.boxes.case.reader
+        return tuple(
+            ask
+            for ask in self.wanted
+            if known is None or find_needs(ask.quantity, reader).rates <= known
+        )
+
+    def follow(self, known: Set[Rate] | None) -> Iterator[Block]:
+        """Those that follow from the rates known, or all that are left, each with its way."""
+        for ask in self.list_due(known):
+            self.wanted.remove(ask)
+            yield from explain_answer(ask, self.boxes.case)
+            yield from self.boxes.state_missing((ask,))
 
 
 def _write_level_chapter(
@@ -90,9 +97,9 @@ def _write_steps(
     """The steps that find something, each with the answers that follow from what is known then."""
     known, scale = set(given), find_common_scale(stages.values())
     for step in steps:
-        if step in stages:
-            yield from _write_step(step, stages[step], scale)
         known |= set(step.unknowns)
+        if step in stages:
+            yield from _write_step(step, stages[step], scale, answers.list_due(known))
         yield from answers.follow(known)
 
 
@@ -119,9 +126,11 @@ def _find_level(ask: Ask, case: Case) -> Level:
     return "acceleration" if changes else "velocity"
 
 
-def _write_step(step: Step, stage: Stage, scale: float | None) -> Iterator[Block]:
-    """One step under its title: the equations, their results, the pictures to that scale; nothing
-    where an earlier answer has told all of it.
+def _write_step(
+    step: Step, stage: Stage, scale: float | None, due: Iterable[Ask]
+) -> Iterator[Block]:
+    """One step under its title: the equations, their results, the pictures to that scale, with the
+    velocities of the answers that are due then; nothing where an earlier answer has told all of it.
     """
     wheel = find_two_tracks(step, stage)
     if wheel is not None:
@@ -135,7 +144,8 @@ def _write_step(step: Step, stage: Stage, scale: float | None) -> Iterator[Block
     blocks = by_method or tuple(explain_step(step, stage))
     if blocks:
         yield _head(stage, title)
-        yield from _place_pictures(blocks, draw_stage(stage, scale))
+        asked = tuple(list_asked_velocities(due, stage.case))
+        yield from _place_pictures(blocks, draw_stage(stage, scale, asked))
     for equation in stage.equations:
         note_equation(equation, stage.case)
 

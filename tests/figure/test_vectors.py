@@ -27,7 +27,7 @@ from kinegrade.figure.vectors.plain_mechanism import PICTURE
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import Turning
 from kinegrade.problem.template.library.library import find_template_names, load_template
-from tests.figure.clear import faults, heads, symbols
+from tests.figure.clear import faults, heads, lines, symbols
 from tests.figure.mechanisms import slider_crank
 from tests.problem.draws import draw_filter, drawn
 
@@ -84,6 +84,16 @@ def test_what_is_zero_or_too_short_is_left_out() -> None:
 
 def test_without_vectors_the_bare_mechanism_is_drawn() -> None:
     assert symbols(draw_with_vectors(MECHANISM, HINTS, [])) == ["A", "B", "O"]
+
+
+def test_an_arrow_that_would_end_at_the_point_of_another_is_shorter() -> None:
+    mechanism, hints = slider_crank(0.2, 2.75, 60)
+    crank = mechanism.points["A"] - mechanism.points["O"]
+    scene = draw_with_vectors(mechanism, hints, [PointArrow("v_A", mechanism.points["A"], -crank)])
+    assert hypot(*crank) * scene.scale == pytest.approx(LONGEST, abs=1.5)
+    ((tip, *_),) = (head.corners for head in heads(scene))
+    start, _ = min(lines(scene, FIRM), key=lambda line: hypot(*(line[1] - tip)))
+    assert hypot(*(tip - start)) == pytest.approx(0.75 * LONGEST)
 
 
 def test_many_arrows_at_one_point_are_longer_and_all_named() -> None:

@@ -8,6 +8,7 @@ from itertools import pairwise
 
 import pytest
 
+from kinegrade.figure.scene import THIN, Strokes
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.library.library import find_template_names, load_template
 from kinegrade.worked.case import write_row
@@ -109,3 +110,19 @@ def test_corners_of_two_frames_have_letters_of_their_own_and_are_explained_where
         assert letters & {label.symbol for label in polygon.scene.labels} == wanted
         told = "".join(block.text for block in blocks if isinstance(block, Prose))
         assert ("$m''$ denotes" in told) == ("m''" in wanted)
+
+
+def test_a_velocity_that_is_asked_is_in_the_picture_of_its_step() -> None:
+    (velocities,) = list_drawings(stated("watt-linkage"), "velocities")
+    assert "v_{P}" in {label.symbol for label in velocities.scene.labels}
+
+
+def test_a_velocity_in_a_slot_has_a_thin_line_to_its_symbol_outside() -> None:
+    values = {"l": "0.6", "theta": "35", "psi": "115", "omega": "-2", "v_B": "0.4"}
+    blocks = stated("slotted-rocker-and-slider-two-drivers", **values)
+    (velocities,) = list_drawings(blocks, "velocities")
+    (label,) = (one for one in velocities.scene.labels if one.symbol == r"v_{\mathrm{r}}")
+    strokes = (part for part in velocities.scene.primitives if isinstance(part, Strokes))
+    ends = [line[0] - label.centre for part in strokes if part.pen == THIN for line in part.lines]
+    beside = (label.width / 2 + 0.5, label.height / 2 + 0.5)
+    assert any(abs(end.x) < beside[0] and abs(end.y) < beside[1] for end in ends)

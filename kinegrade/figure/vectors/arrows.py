@@ -135,11 +135,11 @@ def rate_nearness_to_lines(
     if not others:
         return np.zeros(len(spots))
     half = np.array(measure_symbol(symbol)) / 2
-    mine, theirs = (_measure_distances(spots, half, lines) for lines in ([line], others))
+    mine, theirs = (measure_distances(spots, half, lines) for lines in ([line], others))
     return np.asarray(theirs < mine + _NEARER, dtype=float)
 
 
-def _measure_distances(spots: Floats, half: Floats, lines: Sequence[Segment]) -> Floats:
+def measure_distances(spots: Floats, half: Floats, lines: Sequence[Segment]) -> Floats:
     """The distances from boxes about the spots to the nearest of the lines, each line sampled as a
     row of points.
     """

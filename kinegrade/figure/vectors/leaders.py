@@ -12,7 +12,7 @@ from kinegrade.figure.placing.obstacles import COST_FIRM, Obstacles, Segment
 from kinegrade.figure.placing.place import Wish, is_covered
 from kinegrade.figure.plane import length
 from kinegrade.figure.scene import THIN, Label, Strokes
-from kinegrade.figure.vectors.arrows import VectorArrow
+from kinegrade.figure.vectors.arrows import VectorArrow, measure_distances
 from kinegrade.mechanics.vector import Vector
 
 _WAYS = np.arange(0.0, 2 * np.pi, np.pi / 12)  # directions from an arrow
@@ -20,19 +20,20 @@ _OFF = np.arange(4.5, 15.0, 0.9)  # millimetres from there to the middle of a sy
 _SHARES = (0.5, 0.3, 0.7)  # of an arrow, where a line may meet it
 # Millimetres, and of a short arrow: a line that meets an arrow nearer to another might be of either
 _APART, _APART_SHARE = (0.7, 0.2)
-# What a line may cross: nothing, or one other arrow
-NOTHING, ONE_ARROW = (0.0, COST_FIRM)
+_FAR = 2.2  # millimetres of paper from an arrow to its symbol, from which on it may be another's
+# What a line may cross: nothing, one other arrow, or the walls of a slot in which the arrow lies
+NOTHING, ONE_ARROW, WALLS = (0.0, COST_FIRM, 4 * COST_FIRM)
 
 
 def write_symbol(
-    layout: Layout, arrow: VectorArrow, arrows: Sequence[VectorArrow], crossed: float
+    layout: Layout, arrow: VectorArrow, arrows: Sequence[VectorArrow], crossed: float, wish: Wish
 ) -> Layout:
-    """The layout with the symbol of an arrow beside it; where other arrows leave it no place of
-    its own there, at the nearest free place, with a thin line to the arrow that crosses no more
-    than `crossed`.
+    """The layout with the symbol of an arrow where it wishes to be; where other things leave it no
+    place of its own there, or one that is far from the arrow, at the nearest free place, with a
+    thin line to the arrow that crosses no more than `crossed`.
     """
-    beside = layout.written((arrow.wish_beside(arrows),))
-    if beside.crowded == layout.crowded:
+    beside = layout.written((wish,))
+    if beside.crowded == layout.crowded and _measure_gap(beside.labels[-1], arrow) < _FAR:
         return beside
     for foot in _find_feet(arrow, [other for other in arrows if other is not arrow]):
         for label, line in _list_leaders(arrow.symbol, foot):
@@ -41,6 +42,12 @@ def write_symbol(
                 leader = Strokes(((line[0], foot),), THIN)
                 return layout.written((spot,)).drawn((leader,))
     return beside
+
+
+def _measure_gap(label: Label, arrow: VectorArrow) -> float:
+    """Millimetres of paper between a symbol and its arrow."""
+    half = np.array((label.width, label.height)) / 2
+    return float(measure_distances(np.array([label.centre]), half, [arrow.line])[0])
 
 
 def _find_feet(arrow: VectorArrow, others: Sequence[VectorArrow]) -> Iterator[Vector]:

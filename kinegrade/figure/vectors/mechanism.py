@@ -19,6 +19,7 @@ from kinegrade.figure.placing.place import Wish
 from kinegrade.figure.plane import length
 from kinegrade.figure.scene import Primitive, Scene
 from kinegrade.figure.vectors.arrows import VectorArrow, put_side_by_side
+from kinegrade.figure.vectors.leaders import WALLS, write_symbol
 from kinegrade.figure.vectors.plain_mechanism import (
     LARGE,
     PICTURE,
@@ -35,6 +36,7 @@ _FEW = 3
 _SHORTEST = 1.2  # millimetres: a shorter arrow would not be visible and is left out
 _LEAST_SCALE = 0.6  # of the scale without arrows: a smaller mechanism is not told apart
 _TOO_SMALL = 2  # as bad as so many crowded symbols
+_AT_POINT = 1.5  # millimetres from a point within which an arrow seems to be the point's
 # Millimetres between arrows on one line
 _OFFSETS = (1.5, -1.5, 3.0, -3.0, 4.5)
 
@@ -59,7 +61,7 @@ class _Size:
     share: float
 
 
-_SIZES = (_Size(PICTURE, 1.0), _Size(LARGE, 1.0), _Size(LARGE, 0.75))
+_SIZES = (_Size(PICTURE, 1.0), _Size(PICTURE, 0.75), _Size(LARGE, 1.0), _Size(LARGE, 0.75))
 
 
 def draw_with_vectors(
@@ -81,7 +83,7 @@ def draw_with_vectors(
     plain = BareMechanism.of(mechanism, hints, (arrow.at for arrow in arrows))
     bare = plain.first_scale()
     span = plain.span
-    scenes: list[Scene] = []
+    rated: list[tuple[int, Scene]] = []
     for size in _SIZES:
         stage_at = cache(partial(_Stage.of, plain, arrows, size.share))
         fitting = find_fitting_scale(_foresee(stage_at), bare, span, size.room)
@@ -90,17 +92,18 @@ def draw_with_vectors(
         for symbols_first in (False, True):
             compose = _compose(stage_at, turnings, symbols_first=symbols_first)
             scene = fit_scene(compose, fitting, span, size.room)
-            if not _rate_faults(scene, bare):
+            rated.append((_rate_faults(scene, stage_at(scene.scale), bare), scene))
+            if not rated[-1][0]:
                 return scene
-            scenes.append(scene)
-    return min(scenes, key=lambda scene: _rate_faults(scene, bare))
+    return min(rated, key=lambda one: one[0])[1]
 
 
-def _rate_faults(scene: Scene, bare: float) -> int:
-    """How many symbols are crowded; more where the mechanism is too small, whose scale without
-    arrows is `bare`.
+def _rate_faults(scene: Scene, stage: _Stage, bare: float) -> int:
+    """How many symbols are crowded, and arrows lead to the points of others; more where the
+    mechanism is too small, whose scale without arrows is `bare`.
     """
-    return len(scene.crowded) + _TOO_SMALL * (scene.scale < _LEAST_SCALE * bare)
+    small = _TOO_SMALL * (scene.scale < _LEAST_SCALE * bare)
+    return len(scene.crowded) + stage.count_misleading() + small
 
 
 def place_arrows(
@@ -141,7 +144,7 @@ def add_symbols(layout: Layout, arrows: Sequence[VectorArrow]) -> Layout:
     from.
     """
     for arrow in sorted(arrows, key=lambda arrow: length(arrow.end - arrow.start)):
-        layout = layout.written((arrow.wish_at_tip(arrows),))
+        layout = write_symbol(layout, arrow, arrows, WALLS, arrow.wish_at_tip(arrows))
     return layout
 
 
@@ -153,6 +156,13 @@ def _compose(
     stage_at: Callable[[float], _Stage], turnings: Sequence[Turning], *, symbols_first: bool
 ) -> Callable[[float], Layout]:
     return lambda scale: stage_at(scale).write(turnings, symbols_first=symbols_first)
+
+
+def _passes(arrow: VectorArrow, at: Vector) -> bool:
+    """Whether an arrow is drawn over a point or ends near it."""
+    start, tip = arrow.line
+    share = (at - start).dot(tip - start) / length(tip - start) ** 2
+    return length(start + (tip - start) * min(max(share, 0.0), 1.0) - at) < _AT_POINT
 
 
 @dataclass(frozen=True)
@@ -185,6 +195,16 @@ class _Stage:
         symbols = (arrow.foresee_symbol() for arrow in self.arrows)
         letters = (letter.label_at(0) for letter in self.letters)
         return (*self.drawing.primitives, *lines, *symbols, *letters)
+
+    def count_misleading(self) -> int:
+        """How many arrows lead to a point of the mechanism, or past it, and so may be read as its
+        velocity.
+        """
+        points = self.paper.points.values()
+        return sum(
+            any(_passes(arrow, at) for at in points if length(at - arrow.start) > _AT_POINT)
+            for arrow in self.arrows
+        )
 
     def write(self, turnings: Sequence[Turning], *, symbols_first: bool) -> Layout:
         """The mechanism and its arrows, then the labels with the fewest possible places first:

@@ -161,7 +161,7 @@ def _write_symbols(bare: Layout, arrows: Sequence[VectorArrow], crossed: float) 
     for _ in range(_TRIES):
         layout = bare
         for arrow in order:
-            layout = write_symbol(layout, arrow, arrows, crossed)
+            layout = write_symbol(layout, arrow, arrows, crossed, arrow.wish_beside(arrows))
         if len(layout.crowded) == len(bare.crowded) or layout.crowded == crowded:
             break
         crowded = layout.crowded

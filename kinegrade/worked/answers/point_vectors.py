@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Generator
+from collections.abc import Generator, Iterable, Iterator
 from dataclasses import replace
 from typing import TypeAlias
 
 from kinegrade.errors import ExpressionError
-from kinegrade.expressions.tree import Expression
+from kinegrade.expressions.tree import Expression, Name
+from kinegrade.figure.vectors.mechanism import PointArrow
 from kinegrade.language.math.tree import Sign
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Level
+from kinegrade.problem.quantities.functions import find_motion_calls
+from kinegrade.problem.quantities.motion_functions import MOTION_FUNCTIONS
+from kinegrade.problem.template.template import Ask
 from kinegrade.worked.case import Case
 from kinegrade.worked.document import Block
 from kinegrade.worked.findings import Fact
@@ -38,6 +42,22 @@ def explain_point_vector(point: str, body: str, level: Level, case: Case) -> Fou
     yield from find_point(chain, _name_vector(point, body, level, case), case, level)
     nothing = Fact(name_point_vector(point, level, case), Vector(0, 0), False)
     return case.findings.facts.get(make_key(chain, level), nothing)
+
+
+def list_asked_velocities(asked: Iterable[Ask], case: Case) -> Iterator[PointArrow]:
+    """The velocities of points that answers are about, as arrows that are sought."""
+    for ask in asked:
+        for call in find_motion_calls(ask.quantity):
+            function = MOTION_FUNCTIONS[call.function]
+            if (function.derivation, function.level) == ("point", "velocity"):
+                point, *bodies = (one.name for one in call.arguments if isinstance(one, Name))
+                body = bodies[0] if bodies else case.reader.owner(point, None)
+                yield PointArrow(
+                    case.text(_name_vector(point, body, "velocity", case)),
+                    case.motion.points[point].map(float),
+                    case.motion.velocity(point, body).map(float),
+                    False,
+                )
 
 
 def _name_vector(point: str, body: str, level: Level, case: Case) -> VectorSymbol:

@@ -7,6 +7,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from typing import assert_never
 
+from kinegrade.figure.plane import length
 from kinegrade.figure.vectors.mechanism import PointArrow, draw_with_vectors
 from kinegrade.figure.vectors.pole_construction import Pole, draw_pole_construction
 from kinegrade.language.math.tree import Text, list_nodes
@@ -29,11 +30,17 @@ from kinegrade.worked.steps.rigid import find_rigid_triangle
 from kinegrade.worked.vectors.stage import Stage
 from kinegrade.worked.vectors.vectors import name_part
 
+# Times the longest velocity of a step: beside one that is asked and longer, those would be dots
+_LONGER = 2.0
 
-def draw_stage(stage: Stage, scale: float | None = None) -> Iterator[Pictures]:
-    """The pictures of a step: the mechanism with its velocities and the polygon to that scale, the
-    polygon alone of accelerations, whose table and polygon leave a sketch nothing to say, or the
-    construction of a pole unless it is at infinity; none where no vectors are added.
+
+def draw_stage(
+    stage: Stage, scale: float | None = None, asked: Sequence[PointArrow] = ()
+) -> Iterator[Pictures]:
+    """The pictures of a step: the mechanism with its velocities, those `asked` among them, and the
+    polygon to that scale, the polygon alone of accelerations, whose table and polygon leave a
+    sketch nothing to say, or the construction of a pole unless it is at infinity; none where no
+    vectors are added.
     """
     coupler = find_coupler(stage)
     if coupler is not None and choose_method(coupler, stage.case) == "pole":
@@ -46,16 +53,18 @@ def draw_stage(stage: Stage, scale: float | None = None) -> Iterator[Pictures]:
         polygons = [draw_equation(equation, stage, scale) for equation in added]
         match stage.level:
             case "velocity":
-                yield Pictures((_draw_velocities(stage.equations, stage), *polygons))
+                yield Pictures((_draw_velocities(stage.equations, stage, asked), *polygons))
             case "acceleration":
                 yield Pictures(tuple(polygons))
             case _:
                 assert_never(stage.level)
 
 
-def _draw_velocities(equations: Sequence[VectorEquation], stage: Stage) -> Picture:
-    """The mechanism with all velocities of the step at their points, those too short for it named
-    below, and the rotations that are worked out.
+def _draw_velocities(
+    equations: Sequence[VectorEquation], stage: Stage, asked: Iterable[PointArrow]
+) -> Picture:
+    """The mechanism with all velocities of the step at their points and those that are asked, those
+    too short for it named below, and the rotations that are worked out.
     """
     case = stage.case
     mechanism = case.motion.frames.mechanism.map(float)
@@ -64,6 +73,11 @@ def _draw_velocities(equations: Sequence[VectorEquation], stage: Stage) -> Pictu
         for equation in equations
         for arrow in _find_point_arrows(equation.parts, equation, case)
     }
+    longest = max(length(arrow.value) for arrow in arrows.values())
+    for one in asked:
+        drawn = any(_are_same(one, other) for other in arrows.values())
+        if is_seen(one.value) and not drawn and length(one.value) < _LONGER * longest:
+            arrows[one.symbol, one.at] = one
     rates = dict.fromkeys(
         rate for equation in equations for rate in equation.unknowns if not stage.leaves_out(rate)
     )
@@ -75,6 +89,11 @@ def _draw_velocities(equations: Sequence[VectorEquation], stage: Stage) -> Pictu
     )
     symbols = [arrow.symbol for arrow in arrows.values()]
     return describe(scene, Message("solution.picture-velocities"), symbols, case)
+
+
+def _are_same(one: PointArrow, other: PointArrow) -> bool:
+    """Whether two velocities are drawn as one: v_a of a composition is that of its point."""
+    return not is_seen(one.at - other.at) and not is_seen(one.value - other.value)
 
 
 def _find_point_arrows(
