@@ -27,8 +27,9 @@ from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.grading.grade import grade
 
 STUDENTS = 20_000
-ODD_SHARE = 0.1  # of the answers in the mixed class: commas, units, roots, blanks, words
-PLAIN_PROMISE, MIXED_PROMISE = 3.4, 0.55
+# Of the answers: commas, units, roots, blanks, words
+FEW_ODD_SHARE, ODD_SHARE = 0.01, 0.1
+PLAIN_PROMISE, FEW_PROMISE, MIXED_PROMISE = 3.4, 2, 0.6
 GRADE = "grade EXAM answers.csv -o MARKS"
 #: What is promised of whole commands; `grade` has exports and checks of what it has written.
 COMMANDS = {
@@ -47,11 +48,14 @@ def figures() -> Iterator[Figure]:
     class.
     """
     with TemporaryDirectory() as name:
-        plain, mixed, double = (Path(name) / part for part in ("plain", "mixed", "double"))
+        parts = "plain", "few", "mixed", "double"
+        plain, few, mixed, double = (Path(name) / part for part in parts)
         write_class(plain, STUDENTS, 0.0)
+        write_class(few, STUDENTS, FEW_ODD_SHARE)
         write_class(mixed, STUDENTS, ODD_SHARE)
         write_class(double, 2 * STUDENTS, ODD_SHARE)
         yield speed(plain, "plain numbers", PLAIN_PROMISE)
+        yield speed(few, "1 % not plain", FEW_PROMISE)
         yield speed(mixed, "10 % not plain", MIXED_PROMISE)
         peer = loop(plain)
         for words, promise in COMMANDS.items():

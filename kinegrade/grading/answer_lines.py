@@ -6,6 +6,7 @@ Called by `grade`. A response longer than a thousand characters is cut.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from typing import assert_never
 
 import numpy as np
 
@@ -19,7 +20,7 @@ from kinegrade.grading.marks import MarkedBlock
 from kinegrade.grading.reason_columns import add_reasons
 from kinegrade.grading.sheets.pool import list_put_rows
 from kinegrade.grading.typed.answers import Reading
-from kinegrade.grading.typed.plain_cells import PlainCells
+from kinegrade.grading.typed.parted_cells import PartedCells
 from kinegrade.language.catalogue import Catalogue, open_catalogue
 from kinegrade.marks_folder.writing import MarksWriter
 from kinegrade.numbers.amounts import write_amount
@@ -56,15 +57,12 @@ def _write_lines(block: MarkedBlock, words: Catalogue) -> bytes:
     lines.add(students, np.repeat(np.arange(len(rows)), len(asks)))
     named = [encode(_join(ask.question, ask.ask, "")) for ask in asks]
     lines.add(named, np.tile(np.arange(len(asks)), len(rows)))
-    if isinstance(cells.typed, PlainCells):
-        lines.add_plain(cells.typed.letters.texts)
-    else:
-        lines.add(_encode_cells(cells.typed, cells, _show_response))
+    _add_cells(lines, cells.typed, cells, _show_response)
     lines.add([b","], np.zeros(lines.count, dtype=np.intp))
     if cells.are_plain:
         lines.add_again(_TYPED)
     else:
-        lines.add(_encode_cells(cells.read_as, cells, lambda reading: reading.read_as))
+        _add_cells(lines, cells.read_as, cells, lambda reading: reading.read_as)
     lines.add(*_list_verdicts(block))
     add_reasons(lines, block.judged, words)
     return lines.write(_list_held(block))
@@ -102,12 +100,31 @@ def _list_verdicts(block: MarkedBlock) -> tuple[list[bytes], Places]:
     return texts, ways
 
 
+def _add_cells(
+    lines: LineColumns,
+    texts: Sequence[str],
+    cells: TypedCells,
+    text_of: Callable[[Reading], str],
+) -> None:
+    """Adds a column of cells made safe for a CSV file; plain numbers, which most cells are, are
+    safe as they stand.
+    """
+    match texts:
+        case PartedCells(plain=plain, others=others):
+            safe = {place: encode(text) for place, text in others.items()}
+            for place, reading in cells.readings.items():
+                safe[place] = encode(write_csv_cell(text_of(reading)))
+            lines.add_plain(plain.letters.texts, safe)
+        case Sequence():
+            lines.add(_encode_cells(texts, cells, text_of))
+        case _:
+            assert_never(texts)
+
+
 def _encode_cells(
     texts: Sequence[str], cells: TypedCells, text_of: Callable[[Reading], str]
 ) -> list[bytes]:
-    """A column of cells made safe for a CSV file; plain numbers, which most cells are, are safe as
-    they stand.
-    """
+    """A column of cells that are held one by one."""
     column = list(texts)
     for place in cells.readings:
         column[place] = ""

@@ -70,8 +70,9 @@ def test_rows_are_packed_into_a_grid_as_they_are(rows: list[Row]) -> None:
 def test_letters_side_by_side_are_the_texts(texts: list[str]) -> None:
     letters = tabulate_letters(texts)
     odd = any("\n" in text or "\0" in text for text in texts)
-    long = any(len(text.encode("utf-8", "surrogatepass")) > 20 for text in texts)
-    assert (letters is None) == (odd or long)
+    assert (letters is None) == odd
     if letters is not None:
+        long = [len(text.encode("utf-8", "surrogatepass")) > 20 for text in texts]
         shown = [text.decode("utf-8", "surrogatepass") for text in letters.texts.tolist()]
-        assert shown == texts
+        assert shown == ["" if left else text for left, text in zip(long, texts, strict=True)]
+        assert letters.longer.tolist() == [place for place, left in enumerate(long) if left]

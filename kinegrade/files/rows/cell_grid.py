@@ -73,8 +73,13 @@ class CellGrid(MadeRows):
         behind = self.text.find(_BREAK.encode() + beginning, begin) >= 0
         return behind or self.text.startswith(beginning, begin)
 
-    def tabulate(self, cells: _Places) -> LetterTable | None:
-        """The letters of these cells, nothing for one below 0; None where one is long."""
+    def cell(self, number: int) -> str:
+        """A cell, counted row after row."""
+        begin, end = self.bounds[number : number + 2].tolist()
+        return _decode(self.text[begin + 1 : end])
+
+    def tabulate(self, cells: _Places) -> LetterTable:
+        """The letters of these cells, nothing for one below 0."""
         begins, ends, there = np.zeros_like(cells), np.zeros_like(cells), cells >= 0
         begins[there], ends[there] = self.bounds[cells[there]] + 1, self.bounds[cells[there] + 1]
         return gather_letters(self._letters, begins, ends)

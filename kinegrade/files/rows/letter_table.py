@@ -17,11 +17,12 @@ _Places = NDArray[np.intp]
 @dataclass(frozen=True, slots=True, eq=False)
 class LetterTable:
     """A line with the letters of each text, as bytes, and zeros behind them; `lengths` says how
-    many there are.
+    many there are. Of texts that are `longer` than LONGEST, there are none.
     """
 
     table: NDArray[np.uint8]
     lengths: _Places
+    longer: _Places
 
     @property
     def texts(self) -> NDArray[np.bytes_]:
@@ -35,19 +36,19 @@ def pad_letters(text: bytes) -> NDArray[np.uint8]:
     return np.frombuffer(text + bytes(LONGEST), dtype=np.uint8)
 
 
-def gather_letters(padded: NDArray[np.uint8], begins: _Places, ends: _Places) -> LetterTable | None:
-    """The letters between these places of a padded text; None where they are more than LONGEST."""
+def gather_letters(padded: NDArray[np.uint8], begins: _Places, ends: _Places) -> LetterTable:
+    """The letters between these places of a padded text."""
     lengths = ends - begins
+    longer = np.flatnonzero(lengths > LONGEST)
+    lengths[longer] = 0
     most = int(lengths.max(initial=1))
-    if most > LONGEST:
-        return None
     table = sliding_window_view(padded, most)[begins]
     table *= np.arange(most, dtype=np.uint8) < lengths.astype(np.uint8)[:, None]
-    return LetterTable(table, lengths)
+    return LetterTable(table, lengths, longer)
 
 
 def tabulate_letters(texts: Sequence[str]) -> LetterTable | None:
-    """The letters of texts; None where one has more than LONGEST, a line break or a zero."""
+    """The letters of texts; None where one has a line break or a zero."""
     together = "\n".join([*texts, ""]).encode("utf-8", "surrogatepass")
     letters = pad_letters(together)
     ends = np.flatnonzero(letters == _BREAK)

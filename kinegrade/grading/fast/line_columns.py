@@ -8,9 +8,10 @@ long, or holds a letter with a meaning here, is put in its place at the end.
 from __future__ import annotations
 
 from bisect import bisect_left
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import chain
+from types import MappingProxyType
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,6 +20,7 @@ Texts = NDArray[np.bytes_]
 _Places = NDArray[np.intp]
 
 _NOTHING, _LATER = b"\0", b"\1"
+_NONE: Mapping[int, bytes] = MappingProxyType({})
 _LONGEST = 32  # letters in a column; a longer text would make all lines as long
 # Lines put together at once: few enough for a processor's cache, enough to cost little each
 _TOGETHER = 1000
@@ -52,12 +54,21 @@ class LineColumns:
         column = np.array(short, dtype=np.bytes_)
         self.columns.append(column if which is None else column.take(which))
 
-    def add_plain(self, texts: Texts) -> None:
-        """A column of texts without letters that have a meaning here."""
+    def add_plain(self, texts: Texts, others: Mapping[int, bytes] = _NONE) -> None:
+        """A column of texts without letters that have a meaning here, and by line others in place
+        of some, with any letters.
+        """
         if texts.itemsize > _LONGEST:
-            self.add(texts.tolist())
-        else:
-            self.columns.append(texts)
+            listed = texts.tolist()
+            for line, text in others.items():
+                listed[line] = text
+            self.add(listed)
+            return
+        column = texts.copy() if others else texts
+        for line, text in others.items():
+            column[line] = _LATER
+            self.later.append((line, len(self.columns), text))
+        self.columns.append(column)
 
     def add_again(self, column: int) -> None:
         """The same column once more."""

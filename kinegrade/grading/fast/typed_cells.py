@@ -8,25 +8,24 @@ is in the file.
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from itertools import chain
+from itertools import chain, groupby
 from math import isfinite, nan
 
-import msgspec
 import numpy as np
 
 from kinegrade.exam.folder.keys import Ask
 from kinegrade.grading.fast.bounds import Flags, Numbers
 from kinegrade.grading.typed.answers import PLAIN, Reading, read
 from kinegrade.grading.typed.cell_block import CellBlock
-from kinegrade.grading.typed.decimal_style import FileStyle
+from kinegrade.grading.typed.decimal_style import FileStyle, join_evidence, show_evidence
 from kinegrade.grading.typed.number_text import DecimalStyle
+from kinegrade.grading.typed.parted_cells import PartedCells
 from kinegrade.numbers.decimals import FEW_DIGITS
 
 _PLAIN = re.compile(PLAIN)
-_PLAIN_LINES = re.compile(f"(?:(?:{PLAIN})?\n)*+")
 
 
 @dataclass(frozen=True, slots=True)
@@ -71,85 +70,80 @@ class CellReader:
 
     def cells(self, block: CellBlock) -> TypedCells:
         """All cells of these rows."""
-        plain = block.plain if _takes_plain_numbers(self.styles.style) else None
-        if plain is not None:
-            decimals = plain.letters.lengths <= FEW_DIGITS
-            return TypedCells(self, plain, plain.values, decimals, plain, {}, {})
-        return self._row_by_row(block.rows, [*chain.from_iterable(block.rows)])
+        parted = block.parted if _takes_plain_numbers(self.styles.style) else None
+        if parted is None:
+            return self._row_by_row(block.rows, [*chain.from_iterable(block.rows)])
+        decimals = parted.plain.letters.lengths <= FEW_DIGITS
+        if not parted.others:
+            return TypedCells(self, parted, parted.plain.values, decimals, parted, {}, {})
+        return self._among_plain(parted, decimals)
+
+    def _among_plain(self, parted: PartedCells, decimals: Flags) -> TypedCells:
+        """Cells of which some are not plain: those alone are read, each by the style of its row,
+        and all of a row in whose style plain numbers are not what they seem.
+        """
+        width, values = len(self.asks), parted.plain.values.copy()
+        points: Flags = np.any(parted.plain.find_decimals().reshape(-1, width), axis=1)
+        typed, read_as = dict[int, str](), dict[int, str]()
+        readings: dict[int, Reading] = {}
+        styles: dict[int, DecimalStyle] = {}
+        for row, places in groupby(parted.others, lambda place: place // width):
+            listed: Iterable[int] = [*places]
+            shown = [show_evidence(parted.others[place]) for place in listed]
+            style = self.styles.of_evidence(join_evidence(shown, point=bool(points[row])))
+            styles[row] = style
+            if not _takes_plain_numbers(style):
+                every = range(row * width, (row + 1) * width)
+                listed = [place for place in every if parted[place]]
+            for place in listed:
+                typed[place] = parted[place]
+                value, read_as[place], reading = self._read(place, typed[place], style)
+                values[place], decimals[place] = value, len(typed[place]) <= FEW_DIGITS
+                if reading is not None:
+                    readings[place] = reading
+                    decimals[place] = _is_decimal(value, reading)
+        plain = parted.plain
+        texts, digits = PartedCells(plain, typed), PartedCells(plain, read_as)
+        return TypedCells(self, texts, values, decimals, digits, readings, styles)
 
     def _row_by_row(self, rows: Sequence[Sequence[str]], typed: Sequence[str]) -> TypedCells:
-        usual = _takes_plain_numbers(self.styles.style)
+        """Cells that are read one by one."""
         values: list[float] = []
         read_as: list[str] = []
         readings: dict[int, Reading] = {}
         styles: dict[int, DecimalStyle] = {}
         for number, row in enumerate(rows):
-            if usual and _are_plain(row):
-                values += _read_plain(row).tolist()
-                read_as += _drop_signs(row)
-                continue
             styles[number] = self.styles.of_row(row)
-            for place, (value, digits, reading) in enumerate(
-                self._cell_by_cell(row, styles[number]), len(values)
-            ):
+            for place, cell in enumerate(row, len(values)):
+                value, digits, reading = self._read(place, cell, styles[number])
                 values.append(value)
                 read_as.append(digits)
                 if reading is not None:
                     readings[place] = reading
-        decimals = _are_short(typed)
+        decimals = np.array([*map(len, typed)], dtype=np.intp) <= FEW_DIGITS
         for place, reading in readings.items():
-            value = values[place]
-            decimals[place] = isfinite(value) and Fraction(repr(value)) == reading.value
+            decimals[place] = _is_decimal(values[place], reading)
         return TypedCells(self, typed, np.array(values), decimals, read_as, readings, styles)
 
-    def _cell_by_cell(
-        self, row: Sequence[str], style: DecimalStyle
-    ) -> list[tuple[float, str, Reading | None]]:
-        plain = _takes_plain_numbers(style)
-        found: list[tuple[float, str, Reading | None]] = []
-        for cell, ask in zip(row, self.asks, strict=True):
-            if not cell:
-                found.append((nan, "", None))
-            elif plain and _PLAIN.fullmatch(cell):
-                found.append((float(cell), cell.removeprefix("+"), None))
-            else:
-                reading = read(cell, ask.unit, style, ask.convention, ask.sign)
-                known = reading.value is not None and not reading.error
-                found.append(
-                    (float(reading.value or 0) if known else nan, reading.read_as, reading)
-                )
-        return found
+    def _read(
+        self, place: int, cell: str, style: DecimalStyle
+    ) -> tuple[float, str, Reading | None]:
+        """The value of a cell, NaN where it is not known exactly, what it is read as, and how it is
+        read where it is neither plain nor empty.
+        """
+        if not cell:
+            return nan, "", None
+        if _takes_plain_numbers(style) and _PLAIN.fullmatch(cell):
+            return float(cell), cell.removeprefix("+"), None
+        ask = self.asks[place % len(self.asks)]
+        reading = read(cell, ask.unit, style, ask.convention, ask.sign)
+        known = reading.value is not None and not reading.error
+        return float(reading.value or 0) if known else nan, reading.read_as, reading
 
 
-def _are_plain(cells: Sequence[str]) -> bool:
-    """Whether all cells are plain or empty."""
-    lines = "\n".join([*cells, ""])
-    return lines.count("\n") == len(cells) and _PLAIN_LINES.fullmatch(lines) is not None
-
-
-def _are_short(cells: Sequence[str]) -> Flags:
-    """Which plain or empty cells have few digits."""
-    return np.array([*map(len, cells)], dtype=np.intp) <= FEW_DIGITS
-
-
-def _drop_signs(cells: Sequence[str]) -> Sequence[str]:
-    return [cell.removeprefix("+") for cell in cells] if "+" in "".join(cells) else cells
-
-
-def _read_plain(cells: Sequence[str]) -> Numbers:
-    """The values of plain or empty cells; written as in JSON, as most are, they are read several
-    times faster.
-    """
-    filled = [*filter(None, cells)]
-    try:
-        read = msgspec.convert(filled, list[float], strict=False)
-    except msgspec.ValidationError:
-        read = [*map(float, filled)]
-    if len(filled) == len(cells):
-        return np.array(read, dtype=np.float64)
-    values = np.full(len(cells), nan)
-    values[[bool(cell) for cell in cells]] = read
-    return values
+def _is_decimal(value: float, reading: Reading) -> bool:
+    """Whether the double that was read is next to a decimal of few digits."""
+    return isfinite(value) and Fraction(repr(value)) == reading.value
 
 
 def _takes_plain_numbers(style: DecimalStyle) -> bool:

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from kinegrade.files.rows.cell_grid import CellGrid
 from kinegrade.grading.sheets.entries import Entries
 from kinegrade.grading.sheets.entry import Entry
-from kinegrade.grading.typed.plain_cells import PlainCells
+from kinegrade.grading.typed.parted_cells import PartedCells
 
 _NONE = -1  # in place of the row of a student who has none
 _FEW, _MANY = 250, 4000  # rows in a block: more take less time, and more memory
@@ -91,11 +91,14 @@ class GridBlock(Entries):
         return [entry.responses for entry in self]
 
     @cached_property
-    def plain(self) -> PlainCells | None:
-        """All their cells, where each is a plain number or blank."""
-        cells = self.places[:, None] * self.grid.cells.width + np.array(self.grid.columns)
-        letters = self.grid.cells.tabulate(cells.ravel())
-        return None if letters is None else PlainCells.of_letters(letters)
+    def parted(self) -> PartedCells:
+        """All their cells."""
+        of_rows = self.places[:, None] * self.grid.cells.width + np.array(self.grid.columns)
+        cells = of_rows.ravel()
+        letters = self.grid.cells.tabulate(cells)
+        return PartedCells.of_letters(
+            letters, lambda place: self.grid.cells.cell(int(cells[place]))
+        )
 
 
 def choose_block(rows: int) -> int:

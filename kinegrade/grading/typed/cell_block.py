@@ -8,7 +8,7 @@ from functools import cached_property
 from itertools import chain
 from typing import Protocol
 
-from kinegrade.grading.typed.plain_cells import PlainCells
+from kinegrade.grading.typed.parted_cells import PartedCells
 
 
 class CellBlock(Protocol):
@@ -23,8 +23,8 @@ class CellBlock(Protocol):
         """The cells row by row."""
 
     @property
-    def plain(self) -> PlainCells | None:
-        """All cells, where each is a plain number or blank."""
+    def parted(self) -> PartedCells | None:
+        """All cells, as many in each row; None where they are left to be read row by row."""
 
 
 @dataclass(frozen=True)
@@ -39,8 +39,8 @@ class ListedCells:
         return len(self.rows[0]) if self.rows else 0
 
     @cached_property
-    def plain(self) -> PlainCells | None:
-        """All cells, where each is a plain number or blank."""
-        if any(len(row) != self.width for row in self.rows):
+    def parted(self) -> PartedCells | None:
+        """All cells, as many in each row; None where they are left to be read row by row."""
+        if not self.width or any(len(row) != self.width for row in self.rows):
             return None
-        return PlainCells.of([*chain.from_iterable(self.rows)])
+        return PartedCells.of([*chain.from_iterable(self.rows)])

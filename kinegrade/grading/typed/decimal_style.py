@@ -15,6 +15,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from itertools import islice
 from typing import Literal, assert_never
 
@@ -23,6 +24,7 @@ import numpy as np
 from kinegrade.grading.typed.cell_block import CellBlock, ListedCells
 from kinegrade.grading.typed.keyboard import fold
 from kinegrade.grading.typed.number_text import DecimalStyle, MarkUse, read_mantissa
+from kinegrade.grading.typed.parted_cells import PartedCells
 from kinegrade.language.message import Message, Text
 
 Mark = Literal["comma", "point"]
@@ -32,12 +34,8 @@ _NUMBER = re.compile(r"[.,]?[0-9]")
 _USUAL = re.compile(
     r"[+-]?(?:(?P<decimal>0\.[0-9]+|[0-9]+\.(?:[0-9]{1,2}|[0-9]{4,}))|[0-9]{1,3}(?:\.[0-9]{3})?|)"
 )
-_USUAL_LINES = re.compile(
-    r"(?:[+-]?(?:0\.[0-9]{1,99}|[0-9]{1,99}\.(?:[0-9]{1,2}|[0-9]{4,99})"
-    r"|[0-9]{1,3}(?:\.[0-9]{3})?|)\n)*+"
-)
-_DECIMAL_LINE = re.compile(r"^[+-]?(?:0\.|[0-9]+\.(?:[0-9]{1,2}|[0-9]{4,})$)", re.MULTILINE)
 _PAPERS = DecimalStyle()
+_ALIKE = str.maketrans(dict.fromkeys("3456789", "2"))
 _CERTAIN = ""  # a reading that needs no remark
 
 
@@ -49,9 +47,6 @@ class Evidence:
 
     decimal: frozenset[str] = frozenset()
     groups: frozenset[str] = frozenset()
-
-
-_NOTHING, _POINT = Evidence(), Evidence(decimal=frozenset("."))
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,9 +68,12 @@ class FileStyle:
 
     def of_row(self, cells: Sequence[str]) -> DecimalStyle:
         """The style of one student's answers: as declared, else as they show, else the file's."""
+        return self.style if self.declared else self.of_evidence(gather_evidence(cells))
+
+    def of_evidence(self, row: Evidence) -> DecimalStyle:
+        """The same by what the answers of one student show."""
         if self.declared:
             return self.style
-        row = gather_evidence(cells)
         if not row.decimal and not row.groups:
             return self.style
         comma, comma_reason = self._comma(row)
@@ -106,9 +104,6 @@ def gather_evidence(cells: Sequence[str]) -> Evidence:
     >>> gather_evidence(["1,234", "0.5"]).decimal
     frozenset({'.'})
     """
-    lines = "\n".join([*cells, ""])
-    if _USUAL_LINES.fullmatch(lines):  # most rows of most files
-        return _POINT if _DECIMAL_LINE.search(lines) else _NOTHING
     decimal, groups = set[str | None](), set[str | None]()
     for cell in cells:
         if len(cell) > _LONGEST_EVIDENCE:
@@ -121,6 +116,25 @@ def gather_evidence(cells: Sequence[str]) -> Evidence:
         elif usual["decimal"]:
             decimal.add(".")
     return Evidence(frozenset(filter(None, decimal)), frozenset(filter(None, groups)))
+
+
+def show_evidence(cell: str) -> Evidence:
+    """What one cell shows; whether a digit is 2 or 9 makes no difference."""
+    return _show_evidence(cell.translate(_ALIKE))
+
+
+def join_evidence(cells: Iterable[Evidence], *, point: bool) -> Evidence:
+    """What cells show together, and whether plain numbers beside them show a decimal point."""
+    decimal, groups = set[str]("." if point else ()), set[str]()
+    for each in cells:
+        decimal |= each.decimal
+        groups |= each.groups
+    return Evidence(frozenset(decimal), frozenset(groups))
+
+
+@lru_cache(maxsize=4096)
+def _show_evidence(cell: str) -> Evidence:
+    return gather_evidence([cell])
 
 
 def _find_marks(cell: str) -> tuple[str | None, str | None]:
@@ -148,7 +162,11 @@ def find_common_style(blocks: Iterable[CellBlock]) -> FileStyle:
     """The style of a file from its rows of answers in blocks."""
     counted = np.zeros(3, dtype=np.intp)
     for block in blocks:
-        counted += _count_plain(block) or _count_any(block.rows)
+        parted = block.parted
+        if parted is None:
+            counted += _count_any(block.rows)
+        else:
+            counted += _count_parted(parted, block.width)
     commas, points, count = counted.tolist()
     comma, reason = _judge_comma(commas, points, count)
     doubt = Message("marking.point-by-rule") if commas and not points else ""
@@ -162,17 +180,20 @@ def _count_any(rows: Sequence[Sequence[str]]) -> tuple[int, int, int]:
     return commas, points, len(found)
 
 
-def _count_plain(block: CellBlock) -> tuple[int, int, int] | None:
-    """The same of rows of plain numbers, which most are, several times faster; None for others."""
-    plain, width = block.plain, block.width
-    decimals = None if plain is None or not width else plain.find_decimals()
-    if plain is None or decimals is None:
-        return None
-    show, filled = (
-        int(cells.reshape(-1, width).any(axis=1).sum())
-        for cells in (decimals, ~np.isnan(plain.values))
+def _count_parted(cells: PartedCells, width: int) -> tuple[int, int, int]:
+    """The same of the cells of rows so wide, several times faster."""
+    plain = cells.plain
+    filled, points = (
+        np.logical_or.reduce(found.reshape(-1, width), axis=1).tolist()
+        for found in (~np.isnan(plain.values), plain.find_decimals())
     )
-    return 0, show, filled
+    commas = [False] * len(points)
+    for place, text in cells.others.items():
+        row, shown = place // width, show_evidence(text)
+        filled[row] = True
+        points[row] |= "." in shown.decimal
+        commas[row] |= "," in shown.decimal
+    return sum(commas), sum(points), sum(filled)
 
 
 def _read_declared_style(mark: Mark) -> DecimalStyle:

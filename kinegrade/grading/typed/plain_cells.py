@@ -11,7 +11,7 @@ from typing import overload
 import numpy as np
 from numpy.typing import NDArray
 
-from kinegrade.files.rows.letter_table import LONGEST, LetterTable, tabulate_letters
+from kinegrade.files.rows.letter_table import LONGEST, LetterTable
 from kinegrade.numbers.decimals import FEW_DIGITS
 
 _BLANK, _MINUS, _POINT, _ZERO = b"\0-.0"
@@ -37,19 +37,20 @@ class PlainCells(Sequence[str]):
     values: _Numbers
 
     @classmethod
-    def of(cls, cells: Sequence[str]) -> PlainCells | None:
-        """These cells; None where one is anything else."""
-        letters = tabulate_letters(cells)
-        return None if letters is None else cls.of_letters(letters)
-
-    @classmethod
-    def of_letters(cls, letters: LetterTable) -> PlainCells | None:
-        """The cells with these letters; None where one is anything else."""
+    def part(cls, letters: LetterTable) -> tuple[PlainCells, _Places]:
+        """The cells with these letters, and the places of those that are anything else, where they
+        are blank.
+        """
         columns = np.ascontiguousarray(letters.table.T)
         digits = columns - _ZERO  # below zero they begin again from the highest
         are_digits = digits < 10
-        if not _are_numbers(columns, are_digits):
-            return None
+        are_others = ~_are_numbers(columns, are_digits)
+        are_others[letters.longer] = True
+        others = np.flatnonzero(are_others)
+        if len(others):
+            for table in (letters.table.T, columns, are_digits):
+                table[:, others] = 0
+            letters.lengths[others] = 0
         count = len(letters.lengths)
         has_point, places = np.zeros(count, dtype=np.bool_), np.zeros(count, dtype=np.uint8)
         whole = np.zeros(count)
@@ -57,10 +58,7 @@ class PlainCells(Sequence[str]):
             whole *= _SCALES[is_digit.view(np.uint8)]
             whole += digit * is_digit
             places += is_digit & has_point
-            is_point = column == _POINT
-            if (is_point & has_point).any():
-                return None
-            has_point |= is_point
+            has_point |= column == _POINT
         # Both are whole numbers that doubles hold, so that the quotient is rightly rounded
         behind = places.astype(np.intp)
         values = np.copysign(whole / _TENS[behind], np.where(columns[0] == _MINUS, -1.0, 1.0))
@@ -68,7 +66,7 @@ class PlainCells(Sequence[str]):
         found = cls(letters, has_point, behind, values)
         for place in np.flatnonzero(letters.lengths > FEW_DIGITS).tolist():
             values[place] = float(found[place])
-        return found
+        return found, others
 
     def __len__(self) -> int:
         return len(self.values)
@@ -87,33 +85,27 @@ class PlainCells(Sequence[str]):
     def __iter__(self) -> Iterator[str]:
         return iter(self[:])
 
-    def find_decimals(self) -> _Flags | None:
+    def find_decimals(self) -> _Flags:
         """Which cells have a point that certainly stands before decimals: it does not where three
-        digits stand behind it, and before it one to three that are not a lone zero. None where a
-        cell of another form has to be looked at.
+        digits stand behind it, and before it one to three that are not a lone zero.
         """
         table, lengths = self.letters.table, self.letters.lengths
         signs = table[:, 0] == _MINUS
         before = lengths - self.behind - 1 - signs
-        of_three = self.has_point & (self.behind == 3)
-        if (of_three & (before > 3)).any():
-            return None
         first = table[np.arange(len(table)), signs.astype(np.intp) % table.shape[1]]
         alone = (before == 1) & (first == _ZERO)
-        found: _Flags = self.has_point & (~of_three | alone)
+        found: _Flags = self.has_point & ((self.behind != 3) | (before > 3) | alone)
         return found
 
 
-def _are_numbers(columns: NDArray[np.uint8], is_digit: _Flags) -> bool:
-    """Whether signs stand before digits alone, and points between digits; `columns` have a letter
-    of each cell.
+def _are_numbers(columns: NDArray[np.uint8], is_digit: _Flags) -> _Flags:
+    """Of which cells a sign stands before digits alone, and one point at most, between digits;
+    `columns` have a letter of each cell.
     """
     is_sign, is_point = columns == _MINUS, columns == _POINT
-    between = is_digit[:-2] & is_digit[2:]
-    return bool(
-        (is_digit | is_sign | is_point | (columns == _BLANK)).all()
-        and not is_sign[1:].any()
-        and not (is_sign[0] & ~is_digit[1 % len(columns)]).any()
-        and not (is_point[0].any() or is_point[-1].any())
-        and not (is_point[1:-1] & ~between).any()
-    )
+    found: _Flags = (is_digit | is_sign | is_point | (columns == _BLANK)).all(axis=0)
+    found &= ~is_sign[1:].any(axis=0) & ~(is_sign[0] & ~is_digit[1 % len(columns)])
+    found &= ~(is_point[0] | is_point[-1])
+    found &= ~(is_point[1:-1] & ~(is_digit[:-2] & is_digit[2:])).any(axis=0)
+    found &= is_point.sum(axis=0, dtype=np.uint8) < 2
+    return found

@@ -53,3 +53,12 @@ def test_plain_texts_are_of_any_length(width: int) -> None:
     lines.add_plain(np.array([b"x" * width, b""]))
     lines.add([b",", b";"])
     assert lines.write(np.arange(2)) == b"x" * width + b",;"
+
+
+@pytest.mark.parametrize("width", [3, 33])
+def test_others_stand_in_place_of_plain_texts(width: int) -> None:
+    lines = LineColumns(3)
+    lines.add_plain(np.array([b"x" * width, b"", b"7"]), {1: b'"\0, "', 2: b"y" * 40})
+    lines.add_again(0)
+    whole = b"x" * (2 * width) + b'"\0, "' * 2 + b"y" * 80
+    assert lines.write(np.arange(3)) == whole
