@@ -19,7 +19,10 @@ from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.faults import decoding, name_paper
 from kinegrade.exam.folder.numbers import require_double
 from kinegrade.exam.folder.records import KeyLine, StatedAnswer
+from kinegrade.grading.policy.policy import AS_PRINTED, Policy
+from kinegrade.grading.policy.reading import read_kept_policy
 from kinegrade.language.message import Fault, Message, Quoted
+from kinegrade.marks_folder.folder import MarksFolder
 from kinegrade.marks_folder.rows import Put
 from kinegrade.numbers.tolerance import Tolerance
 from kinegrade.reports.predictions import Predictions, find_predictions
@@ -27,9 +30,9 @@ from kinegrade.reports.predictions import Predictions, find_predictions
 
 @dataclass(frozen=True)
 class RightAnswer:
-    """A right answer: `exact` is an expression where there is one; `rule` is the tolerance on the
-    paper, `coarse` how far off an answer may be that is rounded too coarsely, 0 where that is not
-    known.
+    """A right answer: `exact` is an expression where there is one; `rule` is the tolerance by which
+    it was marked, `coarse` how far off an answer may be that is rounded too coarsely, 0 where that
+    is not known.
     """
 
     value: Fraction
@@ -55,6 +58,7 @@ class StatedAnswers(Mapping[str, RightAnswer]):
     student: str
     stated: Mapping[str, StatedAnswer]
     rounding: Mapping[str, float]
+    policy: Policy
     known: dict[str, RightAnswer] = field(default_factory=dict)
 
     def __getitem__(self, column: str) -> RightAnswer:
@@ -66,7 +70,9 @@ class StatedAnswers(Mapping[str, RightAnswer]):
         stated = self.stated[column]
         with decoding(self.key, name_paper(self.student)):
             try:
-                return _read_right_answer(stated, self.rounding.get(column, 0.0))
+                rule = self.policy.ruling(column).rule(read_rule(stated.tolerance))
+                value, coarse = find_exact_value(stated), self.rounding.get(column, 0.0)
+                return RightAnswer(value, stated.exact, stated.unit, rule, coarse)
             except FieldError as fault:
                 problem = Message("marks.of-answer", ask=column, fault=fault.faults[0])
                 raise FieldError(problem) from fault
@@ -81,14 +87,18 @@ class StatedAnswers(Mapping[str, RightAnswer]):
         return len(self.stated)
 
     @classmethod
-    def of(cls, key: Path, line: KeyLine, rounding: Mapping[str, float]) -> StatedAnswers:
-        """Those of a line; `rounding` is what may be off by rounding too coarsely, by column."""
+    def of(
+        cls, key: Path, line: KeyLine, rounding: Mapping[str, float], policy: Policy
+    ) -> StatedAnswers:
+        """Those of a line, by the tolerances of a policy; `rounding` is what may be off by rounding
+        too coarsely, by column.
+        """
         stated = {
             f"{question.question}.{name}": answer
             for question in line.questions
             for name, answer in question.asks.items()
         }
-        return cls(key, line.student, stated, rounding)
+        return cls(key, line.student, stated, rounding, policy)
 
 
 @dataclass(frozen=True)
@@ -110,16 +120,23 @@ class PaperRecords:
     """The papers of an exam, each read when it is needed.
 
     `put` says which answers were marked by lines other than the student's, where questions came
-    from a pool.
+    from a pool; `policy` by which tolerances.
     """
 
     exam: ExamFolder
     put: Put = field(default_factory=dict)
+    policy: Policy = AS_PRINTED
+
+    @classmethod
+    def of_marks(cls, exam: ExamFolder, marks: MarksFolder) -> PaperRecords:
+        """Those by which a class was marked. Raises PolicyError."""
+        return cls(exam, marks.put, read_kept_policy(marks.path, exam))
 
     def paper(self, student: str) -> PaperRecord:
         """The paper of a student. Raises ExamError where the exam has no paper for that student."""
         line, predictions = self.exam.line_of(student), self._predictions
-        answers = StatedAnswers.of(self.exam.key, line, predictions.rounding.get(student, {}))
+        rounding = predictions.rounding.get(student, {})
+        answers = StatedAnswers.of(self.exam.key, line, rounding, self.policy)
         with decoding(self.exam.key, name_paper(student)):
             parameters = dict(_read_parameters(line))
         difficulties = predictions.difficulties.get(student, {})
@@ -167,11 +184,6 @@ class PaperRecords:
             }
             difficulties[question] = other.difficulties.get(question, nan) if alone else nan
         return PaperRecord(paper.printed, answers, parameters, difficulties)
-
-
-def _read_right_answer(stated: StatedAnswer, coarse: float) -> RightAnswer:
-    rule = read_rule(stated.tolerance)
-    return RightAnswer(find_exact_value(stated), stated.exact, stated.unit, rule, coarse)
 
 
 def _read_parameters(line: KeyLine) -> Iterator[tuple[tuple[str, str], float]]:

@@ -222,6 +222,23 @@ def test_a_close_answer_is_told_by_how_much_it_is_off(tmp_path: Path) -> None:
     assert sheet.guesses
 
 
+@pytest.mark.parametrize(
+    ("share", "shown", "remark"),
+    [("0.005", "±0.0086", "0.5 % is allowed"), ("0.015", "±0.025", "1.5 % is allowed")],
+)
+def test_what_is_allowed_is_what_the_class_was_marked_by(
+    tmp_path: Path, share: str, shown: str, remark: str
+) -> None:
+    """Not what the paper allows, where a policy says otherwise."""
+    exam, marks = mark_class(tmp_path, {"7": ("1.76", "0", "-0.125")})
+    policy = f"tolerance = {{ relative = {share} }}\n"
+    (marks / "policy.toml").write_text(policy, encoding="utf-8")
+    ((_, sheet),) = make_feedback_sheets(MarksFolder(marks), open_exam(exam), WORDING, "en")
+    row = sheet.questions[0].rows[0]
+    assert row.allowed == f"{shown}\u202fm/s"
+    assert remark in row.remark
+
+
 def test_right_answers_get_no_remarks(tmp_path: Path) -> None:
     (sheet,) = sheets(tmp_path, RIGHT)
     assert not any(

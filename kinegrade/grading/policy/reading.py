@@ -27,6 +27,7 @@ from kinegrade.grading.policy import keys
 from kinegrade.grading.policy.accepted_reading import AcceptedReader
 from kinegrade.grading.policy.policy import FULL_CREDIT, NO_ROOM, Attempts, Policy, Ruling, Void
 from kinegrade.language.message import Message, Quoted, Text, list_all
+from kinegrade.marks_folder.layout import POLICY
 from kinegrade.stated_marking import (
     HONEST,
     StatedCredit,
@@ -66,6 +67,14 @@ def read_policy(path: Path, exam: ExamFolder) -> Policy:
     text = read_text(path, _POLICY_FILE)
     table = toml_table(str(path), text, _POLICY_FILE)
     return _Reader(exam).policy(table, text, _read_stated(exam))
+
+
+def read_kept_policy(marks: Path, exam: ExamFolder) -> Policy:
+    """The policy by which the class was marked whose marks stand in a folder. Raises
+    PolicyError.
+    """
+    kept = marks / POLICY
+    return read_policy(kept, exam) if kept.exists() else stated_policy(exam)
 
 
 def stated_policy(exam: ExamFolder) -> Policy:

@@ -140,7 +140,8 @@ def tally(marks: MarksFolder, exam: ExamFolder) -> ClassTally:
     """Counts a marks folder, with the exam folder it was made from. Raises TableError,
     ExamError.
     """
-    papers, totals, count = PaperRecords(exam, marks.put), marks.totals.by_student, _Count()
+    papers, totals = PaperRecords.of_marks(exam, marks), marks.totals.by_student
+    count = _Count()
     orders = marks.printed if exam.head.choices else {}
     for student, answers in marks.answers_by_student():
         columns = tuple(answer.column for answer in answers)

@@ -22,14 +22,12 @@ from kinegrade.grading.judging.carried_on import CarriedOn, find_carried_on
 from kinegrade.grading.judging.follow import Decided, Follows
 from kinegrade.grading.judging.judge import Verdict
 from kinegrade.grading.policy.policy import Policy
-from kinegrade.grading.policy.reading import read_policy, stated_policy
 from kinegrade.grading.same_key import require_same_key
 from kinegrade.grading.typed.answers import Reading
 from kinegrade.language.message import Fault, Message, Quoted
 from kinegrade.marks_folder.cells import Record
 from kinegrade.marks_folder.folder import MarksFolder
 from kinegrade.marks_folder.hand_marks import HandMark
-from kinegrade.marks_folder.layout import POLICY
 from kinegrade.marks_folder.open_questions import OpenQuestion
 from kinegrade.marks_folder.rows import MarkedAnswer, StudentTotal
 from kinegrade.numbers.written import read_number
@@ -84,9 +82,8 @@ def explain_marks(
     if answers is None or total is None:
         what = Message("explain.not-marked", student=Quoted(candidate.student))
         raise ExamError(Fault(str(marks.path), what, do=Message("marks.name-exam")))
-    paper = PaperRecords(exam, marks.put).marked(
-        candidate.student, (answer.column for answer in answers)
-    )
+    papers = PaperRecords.of_marks(exam, marks)
+    paper = papers.marked(candidate.student, (answer.column for answer in answers))
     numbers = dict(zip(paper.printed, number_printed(paper.printed), strict=True))
     wanted = _Wanted.read(which, numbers)
     chosen = [each for each in answers if wanted.has(each.question, each.ask)]
@@ -96,7 +93,7 @@ def explain_marks(
         raise _refuse(which, candidate.student, answers)
     questions = {each.question for each in chosen}
     whole = [each for each in answers if each.question in questions]
-    explained = _Explaining(exam, marks, _read_policy(exam, marks)).explain(whole)
+    explained = _Explaining(exam, marks, papers.policy).explain(whole)
     asked = tuple(each for each in explained if each.marked in chosen)
     log = tuple(each for each in marks.log if each[1] == candidate.student)
     return Explanation(candidate, total, marks.open, paper, numbers, log, asked, by_hand)
@@ -142,12 +139,6 @@ def _refuse(which: str, student: str, answers: Sequence[MarkedAnswer]) -> ExamEr
     what = Message("explain.not-asked", student=Quoted(student), which=Quoted(which))
     do = suggest(which, [each.column for each in answers])
     return ExamError(Fault("", what, Message("explain.which"), do))
-
-
-def _read_policy(exam: ExamFolder, marks: MarksFolder) -> Policy:
-    """The policy by which the class was marked. Raises PolicyError."""
-    kept = marks.path / POLICY
-    return read_policy(kept, exam) if kept.exists() else stated_policy(exam)
 
 
 @dataclass(frozen=True)

@@ -56,10 +56,10 @@ def make_feedback_sheets(
     own: Mapping[Language, Wording] = _NO_OTHERS,
 ) -> Iterator[tuple[Candidate, FeedbackSheet]]:
     """The sheets in the order of the roster, each with its student: in the language of the
-    student's paper where `own` has its words. Raises TableError, ExamError.
+    student's paper where `own` has its words. Raises TableError, ExamError, PolicyError.
     """
     head, totals = exam.head, marks.totals.by_student
-    papers = PaperRecords(exam, marks.put)
+    papers = PaperRecords.of_marks(exam, marks)
     worded = {language: wording, **own}
     by_hand = (each.question for each in head.by_hand)
     left_out = frozenset(filter(marks.leaves_out, by_hand))

@@ -162,8 +162,6 @@ def _describe_slip(power: int) -> Message:
 def _describe_nearness(answer: MarkedAnswer, right: RightAnswer) -> Message:
     size = abs(right.value)
     difference = write_percent(abs(read_number(answer.read_as) - right.value) / size)
-    if answer.by_policy:
-        return Message("feedback.close-by-policy", difference=difference)
     allowed = write_percent(right.allowed / size)
     return Message("feedback.close", difference=difference, allowed=allowed)
 
