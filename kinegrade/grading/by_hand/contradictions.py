@@ -11,7 +11,8 @@ from kinegrade.numbers.amounts import write_amount
 
 def find_contradictions(rows: Iterable[HandRow]) -> Iterator[Fault]:
     """Two marks of one student for the same thing with different points, and a mark for a question
-    as a whole beside one for a part of it.
+    as a whole beside one for a part of it: whether a policy lets them count or not, as one of them
+    would be lost among those that are kept.
     """
     seen: dict[tuple[str, str], HandRow] = {}
     parts: dict[tuple[str, str], HandRow] = {}

@@ -94,7 +94,7 @@ def gather_hand_marks(sources: HandSources, markable: Markable) -> Gathered:
     kept = _Rows.join(carried).without(rows)
     faults = [
         *chain.from_iterable(file.faults for file in (*given, *carried)),
-        *find_contradictions([*kept.counted, *rows.counted]),
+        *find_contradictions([*kept.all, *rows.all]),
         *_find_beside(sources.given, given, {*kept.points, *rows.points}),
         *_find_lost(sources.filled, filled, [*kept.all, *rows.all]),
     ]

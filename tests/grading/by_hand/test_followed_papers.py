@@ -67,6 +67,19 @@ def test_marks_by_code_and_by_id_that_meet_are_told(folder: Path) -> None:
     ]
 
 
+def test_marks_that_meet_while_their_question_is_dropped_are_told(folder: Path) -> None:
+    policy = folder / "policy.toml"
+    policy.write_text('[questions.q2]\nvoid = "drop"\n', encoding="utf-8")
+    options = "--own-papers", "--policy", policy
+    for rows in (f"ADA,q2,2,\n{SOFYA},q2,1,\n", f"{SOFYA},q2,1,\nADA,q2,2,\n"):
+        give_by_code(folder, rows)
+        assert grade(folder, *options).exit_code == 0
+        exchange(folder)
+        (said,) = faults(grade(folder, *options), folder)
+        assert f'student "{SOFYA}" has ' in said
+        exchange(folder)
+
+
 def test_a_mark_by_the_code_of_a_paper_that_is_nobodys_now_is_refused(tmp_path: Path) -> None:
     assert set_exam(tmp_path, CRANK + THEORY, "--spare", "1", "--no-papers").exit_code == 0
     mark_right(tmp_path)

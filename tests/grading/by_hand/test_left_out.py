@@ -71,6 +71,23 @@ def test_whoever_answered_only_what_is_dropped_handed_in(folder: Path) -> None:
     assert status[SOFYA] == "marked"
 
 
+def test_two_marks_for_what_is_dropped_are_told_as_for_what_counts(folder: Path) -> None:
+    before = (folder / "MARKS" / "grades.csv").read_bytes()
+    rows = f"{ADA},q2,2,one\n{ADA},q2,1,other\n{ADA},q1,0,\n{ADA},q1,3,\n{SOFYA},q1,2,\n"
+    rows += f"{SOFYA},q1.v_B,1,\n"
+    text = DROPPED + '[questions.q1]\nvoid = "drop"\n'
+    for options in ((), by_policy(folder, text)):
+        assert sorted(faults(give(folder, rows, *options), folder)) == [
+            f'by-hand.csv:3: student "{ADA}" has 1 points for q2 here and 2 at by-hand.csv:2 '
+            "- keep one of them",
+            f'by-hand.csv:5: student "{ADA}" has 3 points for q1 here and 0 at by-hand.csv:4 '
+            "- keep one of them",
+            f'by-hand.csv:7: student "{SOFYA}" has points for q1.v_B and, at by-hand.csv:6, for '
+            "the whole question - keep one of them",
+        ]
+    assert (folder / "MARKS" / "grades.csv").read_bytes() == before
+
+
 def test_feedback_says_that_the_question_was_taken_out(folder: Path) -> None:
     grade(folder, *by_policy(folder, DROPPED))
     place = "-o", folder / "FEEDBACK", "--format", "html"
