@@ -7,6 +7,7 @@ from __future__ import annotations
 import pytest
 
 from kinegrade.figure.scene import Scene
+from kinegrade.figure.vectors.polygon import draw_polygon
 from kinegrade.language.math.tree import LineBreak, Mark, Row, list_nodes
 from kinegrade.press.sheet import WorkedQuestion
 from kinegrade.press.solutions.chains import Placed, chain_blocks, join_sentences
@@ -267,13 +268,27 @@ def test_a_compact_paragraph_is_no_part_of_the_one_before() -> None:
     ]
 
 
-def test_an_equation_too_wide_for_the_page_is_folded_and_none_beside_a_drawing() -> None:
+def test_an_equation_is_folded_where_nothing_else_would_stand_beside_a_drawing() -> None:
     wide = read_display([r"x &= \frac{" + " + ".join(["a_{BA}"] * 40) + "}{b}"])
-    alone, row, below = course(wide, pictures(1), wide)
+    alone, row = course(wide, pictures(1), wide)
     assert isinstance(row, DrawingRow)
-    assert row.beside == ()
-    assert isinstance(alone, Setting)
-    assert alone.body == below.body
-    assert isinstance(alone.body, EquationGroups)
-    assert fits(alone)
-    assert LineBreak() in list_nodes(alone.body.groups[0].rows[0])
+    for setting in (alone, *row.beside):
+        assert isinstance(setting, Setting)
+        assert isinstance(setting.body, EquationGroups)
+        assert fits(setting)
+        assert LineBreak() in list_nodes(setting.body.groups[0].rows[0])
+    first, *_ = course(pictures(1), LONG_SAID, Heading("2. The rod", 2), SAID, wide)
+    assert isinstance(first, DrawingRow)
+    assert not any(isinstance(setting.body, EquationGroups) for setting in first.beside)
+
+
+def test_a_caption_is_narrow_where_only_so_an_equation_has_room_beside_the_drawing() -> None:
+    slim = Pictures((Picture(draw_polygon([], []), "velocity polygon"),))
+    for terms, narrow in ((16, False), (18, True)):
+        equation = read_display([r"x &= \frac{" + " + ".join(["a"] * terms) + "}{b}"])
+        (row,) = course(slim, equation)
+        assert isinstance(row, DrawingRow)
+        assert row.drawings[0].narrow == narrow
+        (setting,) = row.beside
+        assert isinstance(setting.body, EquationGroups)
+        assert LineBreak() not in list_nodes(setting.body.groups[0].rows[0])

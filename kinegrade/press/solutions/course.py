@@ -193,9 +193,21 @@ def _choose_row(
     drawings: tuple[Drawing, ...], chains: Sequence[Chain], page: Column
 ) -> tuple[DrawingRow, int]:
     """The first row of drawings one by one or side by side, whichever takes least of the page, and
-    how many of the chains stand beside it.
+    how many of the chains stand beside it. Where none would, captions are narrow, then equations
+    are folded.
     """
-    choices = [_fill(rows, chains, page) for rows in _list_rows(drawings, page)]
+    narrow = tuple(replace(drawing, narrow=True) for drawing in drawings)
+    for shown, folds in ((drawings, False), (narrow, False), (narrow, True)):
+        row, taken = _choose_lowest(shown, chains, page, folds=folds)
+        if taken:
+            return row, taken
+    return _choose_lowest(drawings, chains, page, folds=False)
+
+
+def _choose_lowest(
+    drawings: tuple[Drawing, ...], chains: Sequence[Chain], page: Column, *, folds: bool
+) -> tuple[DrawingRow, int]:
+    choices = [_fill(rows, chains, page, folds=folds) for rows in _list_rows(drawings, page)]
     most = max(sum(taken for _, taken in choice) for choice in choices)
 
     def find_height(choice: Sequence[tuple[DrawingRow, int]]) -> float:
@@ -219,21 +231,24 @@ def _list_rows(
 
 
 def _fill(
-    rows: Sequence[tuple[Drawing, ...]], chains: Sequence[Chain], page: Column
+    rows: Sequence[tuple[Drawing, ...]], chains: Sequence[Chain], page: Column, *, folds: bool
 ) -> list[tuple[DrawingRow, int]]:
     """Each row with the next chains beside it, and how many they are."""
     filled: list[tuple[DrawingRow, int]] = []
     for drawings in rows:
         taken = sum(taken for _, taken in filled)
-        filled.append(_fill_row(DrawingRow(drawings, (), page.spread), chains[taken:], page))
+        row = DrawingRow(drawings, (), page.spread)
+        filled.append(_fill_row(row, chains[taken:], page, folds=folds))
     return filled
 
 
-def _fill_row(row: DrawingRow, chains: Sequence[Chain], page: Column) -> tuple[DrawingRow, int]:
+def _fill_row(
+    row: DrawingRow, chains: Sequence[Chain], page: Column, *, folds: bool
+) -> tuple[DrawingRow, int]:
     """A row with chains beside it, as long as that takes less of the page than to set them below,
     and how many they are.
     """
-    column = replace(page, width=page.width - row.width - GAP, folds=False)
+    column = replace(page, width=page.width - row.width - GAP, folds=folds)
     chains = chains if column.width >= _NARROWEST else ()
     for taken, chain in enumerate(chains):
         if not column.has_width_for(chain):

@@ -10,28 +10,35 @@ from kinegrade.figure.scene import Scene
 from kinegrade.press.solutions.settings import USUAL, Setting, Spread, add_heights
 
 GAP = 6.0  # millimetres between a drawing and what stands beside it
-_CAPTION_WIDTH = 42.0  # millimetres that a caption has at least
-_CAPTION = 9.5  # millimetres that a caption takes with its distance
+# Millimetres that a caption has at least, of three lines where it is narrow, and takes below a
+# drawing with its distance
+_CAPTION_WIDTH, _NARROW_WIDTH = 42.0, 28.0
+_CAPTION, _HIGHER = 9.5, 4.0
 _AROUND = 4.0  # millimetres above and below a row with drawings
 
 
 @dataclass(frozen=True)
 class Drawing:
-    """A picture with its caption, or the question's figure, which has none."""
+    """A picture with its caption, or the question's figure, which has none; `narrow` where the
+    caption leaves text more room beside it.
+    """
 
     scene: Scene
     caption: str | None
     title: str  # prose: what it shows, for those who do not see it
+    narrow: bool = False
 
     @property
     def width(self) -> float:
         """Millimetres that the drawing takes with its caption."""
-        return self.scene.width if self.caption is None else max(self.scene.width, _CAPTION_WIDTH)
+        caption = _NARROW_WIDTH if self.narrow else _CAPTION_WIDTH
+        return self.scene.width if self.caption is None else max(self.scene.width, caption)
 
     @property
     def height(self) -> float:
         """Millimetres that the drawing takes with its caption."""
-        return self.scene.height + (0.0 if self.caption is None else _CAPTION)
+        caption = _CAPTION + _HIGHER * (self.scene.width < _CAPTION_WIDTH and self.narrow)
+        return self.scene.height + (0.0 if self.caption is None else caption)
 
 
 @dataclass(frozen=True)
