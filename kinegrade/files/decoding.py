@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from kinegrade.errors import TableError
 from kinegrade.language.message import Fault, Message, Text
 
+_LATIN = frozenset(map(chr, range(0xC0, 0x250)))  # letters with accents
 _CONTROL_SHARE = 4  # a file of which more than a quarter is control characters is not text
 _CONTROLS = bytes(set(range(32)) - set(b"\t\n\r\f")) + b"\x7f"
 _MARKS = (
@@ -128,9 +129,10 @@ def name_encoding(encoding: str) -> Text:
 
 
 def _is_chinese(text: str) -> bool:
-    """Whether most characters beyond ASCII are the common ones of GB 2312; a Western text gives
-    rare ones.
+    """Whether most characters beyond ASCII are the common ones of GB 2312, or Latin letters; a
+    Western text in another encoding gives rare ones.
     """
     beyond = [character for character in text if not character.isascii()]
-    common = "".join(beyond).encode("gb2312", "ignore").decode("gb2312")
-    return 2 * len(common) > len(beyond)
+    others = [character for character in beyond if character not in _LATIN]
+    common = "".join(others).encode("gb2312", "ignore").decode("gb2312")
+    return 2 * (len(beyond) - len(others) + len(common)) > len(beyond)

@@ -226,6 +226,12 @@ def test_a_workbook_that_was_typed_into_has_the_codes_before(exam: Path) -> None
     assert "answers.xlsx stays as it was typed; the codes in its column paper are" in done.stderr
 
 
+def test_a_workbook_that_was_typed_into_has_the_ids_before(exam: Path) -> None:
+    (exam / "answers.xlsx").write_bytes((exam / "answers.xlsx").read_bytes() + b"typed")
+    done = kinegrade("exchange", exam, "0012", "4711", "--new-id")
+    assert "answers.xlsx stays as it was typed; rows with ids of before count" in done.stderr
+
+
 def test_the_own_version_and_one_that_nobody_has_are_refused(versions: Path) -> None:
     first = open_exam(versions).head.students[0]
     own = kinegrade("exchange", versions, first.version, first.student)

@@ -65,6 +65,14 @@ def test_a_western_file_is_not_taken_for_chinese() -> None:
     assert [row.cell(1) for row in table.rows] == ["Müller", "Zoë"]
 
 
+def test_a_chinese_file_with_many_western_names_is_read() -> None:
+    names = ["Müller", "Zoë Núñez", "Łukasz Żółć", "王伟", "Große", "Björk Guðmundsdóttir"]
+    text = "".join(f"{number},{name}\n" for number, name in enumerate(names))
+    table = parse_table(f"student,name\n{text}".encode("gb18030"), "a.csv")
+    assert table.encoding == "GB18030"
+    assert [row.cell(1) for row in table.rows] == names
+
+
 def test_bytes_of_no_encoding_are_written_out_and_the_rest_is_kept() -> None:
     table = parse_table(b"student,name\n007,Zo\x81\xff\n008,Ann\n", "a.csv")
     assert [row.cells for row in table.rows] == [("007", r"Zo\x81\xff"), ("008", "Ann")]

@@ -160,6 +160,21 @@ def _grown_head(
     )
 
 
+def _describe_kept_workbook(exam: ExamFolder, head: ExamHead) -> Message:
+    """What is to be said of a workbook that stays as it was typed: that it has no row for those who
+    are new, or that it has the ids or codes that students had before.
+    """
+    file = str(exam.path / ANSWER_WORKBOOK)
+    changed = [each for each in head.students if each.student not in exam.head.candidates]
+    new = [each for each in changed if not exam.head.candidates.keys() & set(each.formerly)]
+    if new:
+        students = list_plainly([Quoted(each.student) for each in new])
+        return Message("exam.workbook-stays", file=file, students=students)
+    if changed:
+        return Message("exam.workbook-has-old-ids", file=file)
+    return Message("exam.workbook-has-old-codes", file=file)
+
+
 def write_rest(
     exam: ExamFolder,
     folder: Path,
@@ -180,11 +195,7 @@ def write_rest(
     if ANSWER_WORKBOOK in lost:
         shutil.copy2(exam.path / ANSWER_WORKBOOK, folder / ANSWER_WORKBOOK)
         lost.remove(ANSWER_WORKBOOK)
-        new = [Quoted(each) for each in head.candidates if each not in exam.head.candidates]
-        where, students = str(exam.path / ANSWER_WORKBOOK), list_plainly(new)
-        said = (Message("exam.workbook-stays", file=where, students=students),)
-        if not new:
-            said = (Message("exam.workbook-has-old-codes", file=where),)
+        said = (_describe_kept_workbook(exam, head),)
     if lost:
         raise refuse_edited(exam.path, lost)
     write_head(head, digest_grown(exam, folder), folder)
