@@ -85,7 +85,7 @@ def _write_name(
     spot = np.array([placed.label.centre])
     lost = around.rate(wish.symbol, spot) + around.find_outside(spot)
     if leaders and (placed.faulty or lost[0] > 0):
-        led = layout.marked([around.rate_leader(leader) for leader in leaders])
+        led = layout.marked(around.rate_leaders(leaders))
         if led.costs[-1] < _DEAR:
             return led
     return layout.written((wish,))
@@ -117,11 +117,14 @@ class _Surroundings(Struct, frozen=True):
         outside = np.hypot(*(spots - np.array(self.own.at)).T) > self.own.radius
         return np.asarray(outside, dtype=float)
 
-    def rate_leader(self, leader: Leader) -> Leader:
-        """The leader with its demerit here."""
-        [taken] = self.rate(leader.symbol, leader.wish().spots[:1])
-        in_angle = lies_in_angle(leader.line(), list_arcs(self.layout.marks))
-        return replace(leader, worse=_TAKEN * (taken + in_angle))
+    def rate_leaders(self, leaders: Sequence[Leader]) -> list[Leader]:
+        """The leaders of one name, each with its demerit here."""
+        ends = np.concatenate([leader.wish().spots[:1] for leader in leaders])
+        arcs = tuple(list_arcs(self.layout.marks))
+        return [
+            replace(leader, worse=_TAKEN * (taken + lies_in_angle(leader.line(), arcs)))
+            for leader, taken in zip(leaders, self.rate(leaders[0].symbol, ends), strict=True)
+        ]
 
 
 def _find_beside(wish: Wish, layout: Layout) -> Floats:

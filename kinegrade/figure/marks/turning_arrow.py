@@ -71,15 +71,16 @@ class Company(Struct, frozen=True):
 
     def rate(self, bow: Bow) -> float:
         """The demerit of an arrow in this company."""
+        middle = bow.centre + polar(bow.start + bow.sweep / 2, bow.radius)
         return (
             sum(_rate_arc(bow, arc) for arc in self.arcs)
             + sum(_rate_twin(bow, twin) for twin in self.twins)
             + sum(max(0.0, _FOREIGN - abs(bow.radius - radius)) for radius in self.rims)
             + sum(_ON_LINE for angle in self.lines if _measure_gap(bow, angle) < _BESIDE_LINE)
-            + sum(_ASTRAY for disc in self.discs if _stands_in(bow, disc))
-            + sum(_BEYOND_BAR for bar in self.bars if _stands_beyond(bow, bar))
-            + _AT_BAR * any(_stands_at(bow, bar) for bar in self.bars)
-            + (_AT_OTHER if self.pins and _stands_at_any(bow, self.pins) else 0.0)
+            + sum(_ASTRAY for disc in self.discs if length(middle - disc.at) < disc.radius)
+            + sum(_BEYOND_BAR for bar in self.bars if parts(*bar, bow.centre, middle))
+            + _AT_BAR * any(_stands_at(bow, middle, bar) for bar in self.bars)
+            + (_AT_OTHER if self.pins and _stands_at_any(bow, middle, self.pins) else 0.0)
         )
 
 
@@ -142,32 +143,19 @@ def _rate_arc(bow: Bow, arc: Bow) -> float:
     return _STACKED * nested + _MERGED * alike
 
 
-def _stands_beyond(bow: Bow, bar: Segment) -> bool:
-    """Whether a bar passes between an arrow and its pivot, as if that turned."""
-    middle = bow.centre + polar(bow.start + bow.sweep / 2, bow.radius)
-    return parts(*bar, bow.centre, middle)
-
-
-def _stands_at(bow: Bow, bar: Segment) -> bool:
+def _stands_at(bow: Bow, middle: Vector, bar: Segment) -> bool:
     """Whether an arrow is much nearer to a bar, which does not lead to its pivot, than to that."""
-    middle = bow.centre + polar(bow.start + bow.sweep / 2, bow.radius)
     away = length(middle - nearest_of(middle, *bar))
     return (
         away < _MUCH * bow.radius and length(bow.centre - nearest_of(bow.centre, *bar)) > _AT_PIVOT
     )
 
 
-def _stands_in(bow: Bow, disc: Rim) -> bool:
-    """Whether an arrow stands in the disc of another body, as if that turned."""
-    middle = bow.centre + polar(bow.start + bow.sweep / 2, bow.radius)
-    return length(middle - disc.at) < disc.radius
-
-
-def _stands_at_any(bow: Bow, pins: Sequence[Vector]) -> bool:
+def _stands_at_any(bow: Bow, middle: Vector, pins: Sequence[Vector]) -> bool:
     """Whether an arrow is nearer to one of some pins than to its own pivot, as if it turned about
     that.
     """
-    x, y = bow.centre + polar(bow.start + bow.sweep / 2, bow.radius)
+    x, y = middle
     return any(hypot(pin.x - x, pin.y - y) < bow.radius - _NEARER for pin in pins)
 
 

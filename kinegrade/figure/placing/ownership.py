@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from functools import lru_cache
 from math import ceil, pi
 
 import numpy as np
@@ -46,7 +47,7 @@ class Claims(Struct, frozen=True):
         given by places along that.
         """
         worse = np.zeros(len(spots))
-        places = np.array([*own, *self.pins, *self.lines])
+        places = np.concatenate((np.array(own), _place_others(self.pins, self.lines)))
         half = np.array(measure_symbol(symbol)) / 2
         gaps = np.maximum(np.abs(spots[:, None] - places) - half, 0.0)
         away = np.hypot(gaps[..., 0], gaps[..., 1])
@@ -69,6 +70,12 @@ class Claims(Struct, frozen=True):
 
 
 UNCLAIMED = Claims()
+
+
+@lru_cache(maxsize=64)
+def _place_others(pins: tuple[Vector, ...], lines: tuple[Vector, ...]) -> Floats:
+    """The pins, then the places along lines, which are the same for every way to draw a mark."""
+    return np.array([*pins, *lines]).reshape(-1, 2)
 
 
 def list_places(lines: Iterable[Segment], about: Vector, within: float) -> Iterator[Vector]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from functools import lru_cache
 from math import hypot, inf, pi
 
 import numpy as np
@@ -161,13 +162,19 @@ def list_spots_around(
     """Spots for a symbol around a point, in sixteen directions, nearest first, towards `away`
     first.
     """
+    return np.asarray(np.array(anchor) + _list_steps_around(symbol, gap, away))
+
+
+@lru_cache(maxsize=1024)
+def _list_steps_around(symbol: str, gap: float, away: Vector | None) -> Floats:
+    """The steps to those spots from any point."""
     half = np.array(measure_symbol(symbol)) / 2
     toward = _TOWARD
     if away is not None:
         toward = _TOWARD[np.argsort(-(_TOWARD @ np.array(away)).round(6), kind="stable")]
     reach = (half / np.maximum(np.abs(toward), 1e-9)).min(axis=1)
     steps = toward * (gap + _RINGS[:, None] + reach)[:, :, None]
-    return np.asarray(np.array(anchor) + steps.reshape(-1, 2))
+    return np.asarray(steps.reshape(-1, 2))
 
 
 def list_close_spots(symbol: str, anchor: Vector, farthest: float) -> Floats:

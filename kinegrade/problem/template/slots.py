@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Iterator, Mapping
+from functools import lru_cache
 from itertools import pairwise
 from typing import Literal, assert_never, get_args
 
@@ -79,6 +80,7 @@ class SlotFault(Struct, frozen=True):
     name: str = ""
 
 
+@lru_cache(maxsize=1024)
 def split_slots(text: str) -> tuple[str | Slot, ...]:
     """A text in pieces, in order; braces that hold anything but a name stay as they are.
 
