@@ -106,6 +106,14 @@ def test_the_report_explains_losses_by_what_was_put(exam: Path, tmp_path: Path) 
     assert re.findall(r">([0-9]+)<", row)[0] == "4"
 
 
+def test_explain_names_the_paper_whose_numbers_were_put(exam: Path, tmp_path: Path) -> None:
+    marks = graded(exam, tmp_path, {})
+    told = kinegrade("explain", exam, marks, "S1", "q1.v_x").stdout
+    assert "q1 came from a pool, with numbers of another paper" in told
+    assert f"kinegrade paper --solution {exam} S2 -o S2-solution.pdf" in told
+    assert "Paper: " not in told
+
+
 def test_numbers_of_several_variants_are_no_numbers_of_one_question(
     exam: Path, tmp_path: Path
 ) -> None:

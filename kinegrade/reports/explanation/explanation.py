@@ -40,13 +40,15 @@ class ExplainedAnswer:
     """One answer as it was marked: `key` is the right answer with the rule that judged it, which is
     the paper's or, where they differ, the policy's.
 
-    `carried` is what would be right for a student who carried on from own wrong answers.
+    `carried` is what would be right for a student who carried on from own wrong answers. `source`
+    is whose paper has these numbers: another's where the question came from a pool.
     """
 
     marked: MarkedAnswer
     key: Key
     by_policy: bool
     carried: CarriedOn | None
+    source: str
 
 
 @dataclass(frozen=True)
@@ -155,8 +157,12 @@ class _Explaining:
             decided = [self._decide(each, asks[each.column]) for each in marked]
             carried = self._carry_on(marked[0], decided)
             for each, known in zip(marked, decided, strict=True):
-                key = known.ruling.key(known.key)
-                yield ExplainedAnswer(each, key, key.rule != known.key.rule, carried.get(each.ask))
+                key, source = (
+                    known.ruling.key(known.key),
+                    self._find_source(each.student, each.column),
+                )
+                by_policy = key.rule != known.key.rule
+                yield ExplainedAnswer(each, key, by_policy, carried.get(each.ask), source)
 
     def _decide(self, answer: MarkedAnswer, ask: Ask) -> Decided:
         """An answer as it was read."""
@@ -173,18 +179,19 @@ class _Explaining:
         """The key by which it was marked: that of the student's paper, or of the one from which the
         question came.
         """
-        source = self.marks.put.get(answer.student, {}).get(answer.column, answer.student)
+        source = self._find_source(answer.student, ask.column)
         line = self.exam.line_of(source)
         with decoding(self.exam.key, name_paper(source)):
             keys = read_exact_keys(self.exam.asks, line, self.exam.head.choices)
         return keys[self.exam.asks.index(ask)]
 
+    def _find_source(self, student: str, column: str) -> str:
+        """Whose paper has the numbers by which an answer was marked."""
+        return self.marks.put.get(student, {}).get(column, student)
+
     def _carry_on(self, first: MarkedAnswer, decided: Sequence[Decided]) -> Mapping[str, CarriedOn]:
         """What would follow in a question; nothing where its asks come from several papers."""
-        sources = {
-            self.marks.put.get(first.student, {}).get(each.ask.column, first.student)
-            for each in decided
-        }
+        sources = {self._find_source(first.student, each.ask.column) for each in decided}
         if len(sources) > 1 or all(each.is_right for each in decided):
             return {}
         follow_through = FollowThrough(self.exam)

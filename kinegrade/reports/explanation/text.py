@@ -142,8 +142,21 @@ class ExplanationWriter:
         return f"{right.exact} {decimal}" if right.exact and decimal.startswith("≈") else decimal
 
     def _places(self, exam: ExamFolder) -> Iterator[str]:
-        """Where the paper and its worked solution are, or the command that makes them."""
+        """Where the paper and its worked solution are, or the command that makes them; of questions
+        from a pool how to print what was asked there.
+        """
         who = self.explanation.candidate
+        pooled = {
+            each.marked.question: each.source
+            for each in self.explanation.answers
+            if each.source != who.student
+        }
+        if pooled:
+            for question, source in pooled.items():
+                file = quote(f"{exam.head.file_stems.get(source, source)}-solution.pdf")
+                arguments = " ".join((quote(str(exam.path)), quote(source), "-o", file))
+                yield self.words.text("explain.pooled", question=question, arguments=arguments)
+            return
         stem = exam.head.file_stems[who.student]
         again = quote(str(exam.path)), quote(who.student), "-o"
         paper = exam.path / (who.file or f"{PAPERS}/{stem}.pdf")
