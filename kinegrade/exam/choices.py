@@ -7,6 +7,7 @@ by its line of the key.
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Sequence
+from math import gcd
 
 import msgspec
 
@@ -20,16 +21,19 @@ class Choice(msgspec.Struct, frozen=True):
     given: int
 
     def choose(self, secret: str, place: int) -> tuple[str, ...]:
-        """Those of the paper at a place of the class: of as many places one after another as there
-        are alternatives, each is given to equally many.
+        """Those of the paper at a place of the class: to as many places one after another as there
+        are alternatives each is given equally often, and to any others from there on once more to
+        some than to others, at most.
         """
         count = len(self.questions)
+        evenly = count // gcd(count, self.given)  # so many papers hold each equally often
         round_number, turn = divmod(place, count)
         ranked = sorted(
             self.questions,
             key=lambda name: address(secret, "alternative", str(round_number), name),
         )
-        return tuple(ranked[(turn + step) % count] for step in range(self.given))
+        first = turn * self.given + turn // evenly  # then with other neighbours
+        return tuple(ranked[(first + step) % count] for step in range(self.given))
 
 
 def fits_paper(held: Sequence[str], questions: Collection[str], choices: Iterable[Choice]) -> bool:
