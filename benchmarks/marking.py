@@ -37,7 +37,10 @@ COMMANDS = {
     "report EXAM MARKS -o report.html": 1 / 9,
     "sharing EXAM MARKS -o sharing.csv": 1 / 4,
 }
-SMALL, SMALL_GROWTH_PROMISE = (300, 3000), 1.2  # students; the most that ten times as many may take
+SMALL, SMALL_GROWTH_PROMISE = (
+    (300, 3000),
+    1.15,
+)  # students; the most that ten times as many may take
 RUNS = 3  # the best counts: the first pays for imports and caches
 WITH_COMPLAINTS = 1  # the command's exit status where answers could not be read
 GROWTH_PROMISE = 1.5  # the most that twice the class may take of memory

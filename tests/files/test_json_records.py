@@ -30,6 +30,14 @@ def test_a_list_as_it_is_written_is_read_in_one_step_and_leaves_the_rest() -> No
     assert read_json(found.rest) == {"format": 2, "students": []}
 
 
+def test_blanks_between_make_no_difference() -> None:
+    compact = json.dumps(json.loads(WRITTEN), ensure_ascii=False, separators=(",", ":"))
+    found = read_records(compact, "students", Student)
+    assert found is not None
+    assert found == read_records(WRITTEN, "students", Student)._replace(rest=found.rest)  # type: ignore[union-attr]
+    assert read_json(found.rest) == {"format": 2, "students": []}
+
+
 @pytest.mark.parametrize(
     ("part", "other"),
     [

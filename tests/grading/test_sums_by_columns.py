@@ -78,7 +78,7 @@ def both_ways(content: bytes, block: int) -> tuple[object, object]:
     """What is found by columns in blocks of so many bytes, and record by record."""
     with TemporaryDirectory() as name:
         (Path(name) / ANSWERS.name).write_bytes(content)
-        with patch.object(columns, "_BLOCK", block):
+        with patch.object(columns, "_FEW", block):
             by_columns = outcome(Path(name))
         with patch.object(reading, "read_students", refuse):
             return by_columns, outcome(Path(name))

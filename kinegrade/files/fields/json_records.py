@@ -1,8 +1,9 @@
 """The records of one long list in a JSON text, read in a fraction of the time and the memory that
 the tables of other content take.
 
-A list is read so where it stands byte for byte as it would be written from these records: then no
-record has a key that is not known, or one twice. Any other list is left to those who name faults.
+A list is read so where, but for blanks, it stands byte for byte as it would be written from these
+records: then no record has a key that is not known, or one twice. Any other list is left to those
+who name faults.
 """
 
 from __future__ import annotations
@@ -13,6 +14,7 @@ import msgspec
 
 _Record = TypeVar("_Record", bound=msgspec.Struct)
 _EMPTY = b"[]"
+_NO_BLANKS = -1  # of `msgspec.json.format`
 
 
 class TextRecords(NamedTuple, Generic[_Record]):
@@ -23,8 +25,8 @@ class TextRecords(NamedTuple, Generic[_Record]):
 
 
 def read_records(text: str, key: str, kind: type[_Record]) -> TextRecords[_Record] | None:
-    r"""The records of the list that stands under a key of the whole, laid out for people; None
-    where there is none, or anything in it is written otherwise.
+    r"""The records of the list that stands under a key of the whole; None where there is none, or
+    anything in it is written otherwise.
 
     >>> class Student(msgspec.Struct):
     ...     name: str
@@ -39,9 +41,9 @@ def read_records(text: str, key: str, kind: type[_Record]) -> TextRecords[_Recor
         records = msgspec.json.decode(listed, type=tuple[kind, ...])  # type: ignore[valid-type]
     except (msgspec.MsgspecError, UnicodeEncodeError, RecursionError):
         return None
-    written = msgspec.json.format(msgspec.json.encode({key: records}), indent=1)
-    named = msgspec.json.encode(key) + b": "
-    before, _, behind = content.partition(named + listed)
-    if not records or named + listed not in written or named + listed in behind:
+    as_written = msgspec.json.format(listed, indent=_NO_BLANKS) == msgspec.json.encode(records)
+    begin = content.find(listed)
+    if not records or not as_written or content.find(listed, begin + 1) >= 0:
         return None
-    return TextRecords((before + named + _EMPTY + behind).decode("utf-8"), records)
+    rest = content[:begin] + _EMPTY + content[begin + len(listed) :]
+    return TextRecords(rest.decode("utf-8"), records)

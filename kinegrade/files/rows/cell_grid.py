@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinegrade.files.cell_text import trim
-from kinegrade.files.rows.letter_table import LetterTable, gather_letters, pad_letters
+from kinegrade.files.rows.letter_table import LetterTable, gather_letters, pad_text
 from kinegrade.files.rows.made_rows import MadeRows
 from kinegrade.files.rows.row import Row
 
@@ -30,6 +30,7 @@ class CellGrid(MadeRows):
     """Rows of so many cells, made as they are asked for, and the `lines` on which they stand.
 
     Cells are counted row after row: one begins behind a place of the `bounds` and ends at the next.
+    Behind the last there are as many zeros in the text as letters are looked at from any place on.
     """
 
     text: bytes
@@ -86,7 +87,7 @@ class CellGrid(MadeRows):
 
     @cached_property
     def _letters(self) -> NDArray[np.uint8]:
-        return pad_letters(self.text)
+        return np.frombuffer(self.text, dtype=np.uint8)
 
 
 def read_grid(text: str, separator: str, width: int, line: int) -> CellGrid | None:
@@ -135,7 +136,9 @@ def _divide(text: str, separator: str, width: int, lines: _Places) -> CellGrid |
     is_break = letters[ends].reshape(-1, width) == ord(_BREAK)
     if is_break[:, :-1].any() or not is_break[:, -1].all():
         return None
-    return CellGrid(content, separator, width, np.append(-1, ends), lines)
+    bounds = np.append(-1, ends)
+    del letters, ends, is_break
+    return CellGrid(pad_text(content), separator, width, bounds, lines)
 
 
 def _decode(text: bytes) -> str:

@@ -31,9 +31,9 @@ class LetterTable:
         return texts
 
 
-def pad_letters(text: bytes) -> NDArray[np.uint8]:
-    """The letters of a text, with as many behind it as are looked at from any place on."""
-    return np.frombuffer(text + bytes(LONGEST), dtype=np.uint8)
+def pad_text(text: bytes) -> bytes:
+    """A text with as many zeros behind it as letters are looked at from any place on."""
+    return text + bytes(LONGEST)
 
 
 def gather_letters(padded: NDArray[np.uint8], begins: _Places, ends: _Places) -> LetterTable:
@@ -50,7 +50,7 @@ def gather_letters(padded: NDArray[np.uint8], begins: _Places, ends: _Places) ->
 def tabulate_letters(texts: Sequence[str]) -> LetterTable | None:
     """The letters of texts; None where one has a line break or a zero."""
     together = "\n".join([*texts, ""]).encode("utf-8", "surrogatepass")
-    letters = pad_letters(together)
+    letters = np.frombuffer(pad_text(together), dtype=np.uint8)
     ends = np.flatnonzero(letters == _BREAK)
     if len(ends) != len(texts) or b"\0" in together:
         return None

@@ -16,9 +16,9 @@ that paper. `find_owner` finds whose it is, whatever questions it has; that chan
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from functools import cached_property, lru_cache
+from functools import cached_property
 from itertools import groupby, zip_longest
 from math import prod
 
@@ -81,9 +81,15 @@ class PapersAnswered:
         return [each.at(slice(count) if all_differ else self.different) for each in self.intervals]
 
     @cached_property
-    def _sorted(self) -> Callable[[int], SortedIntervals]:
-        """Those of an ask in the order of their values, put so when they are first asked for."""
-        return lru_cache(maxsize=None)(lambda ask: SortedIntervals.of(self._students[ask]))
+    def _sorted(self) -> dict[int, SortedIntervals]:
+        """Those of each ask that were put in the order of their values."""
+        return {}
+
+    def _sort(self, ask: int) -> SortedIntervals:
+        """Those of an ask in that order, put so when they are first asked for."""
+        if ask not in self._sorted:
+            self._sorted[ask] = SortedIntervals.of(self._students[ask])
+        return self._sorted[ask]
 
     @cached_property
     def _cells(self) -> list[PaperCells]:
@@ -134,7 +140,7 @@ class PapersAnswered:
 
     def _have_all(self, numbers: NDArray[np.float64], ask: int) -> Places:
         """The rows of which some paper has the number of this ask, and all others that tell."""
-        rows, papers = self._sorted(ask).pair(numbers[:, ask])
+        rows, papers = self._sort(ask).pair(numbers[:, ask])
         for other, intervals in enumerate(self._students):
             if other == ask or intervals.period or not len(rows):
                 continue
@@ -166,7 +172,7 @@ class PapersAnswered:
         """
         for ask in amiss:
             if not self._students[ask].period:
-                return self._sorted(ask).list_near(float(numbers[ask]))
+                return self._sort(ask).list_near(float(numbers[ask]))
         return np.arange(len(self.different))
 
     def _nearby(self, numbers: Numbers, amiss: Sequence[int]) -> Iterator[float]:

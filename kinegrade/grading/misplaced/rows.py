@@ -165,7 +165,7 @@ class MisplacedRows:
     def _find_owners(self, rows: Places, papers: Places) -> Iterator[_Elsewhere]:
         """The same, of these rows on these papers."""
         given = self.answers.given[rows][:, self.asks].sum(axis=1)
-        counts = np.zeros((len(rows), len(papers)), dtype=np.intp)
+        counts = np.zeros((len(rows), len(papers)), dtype=np.uint16)
         for ask in self.asks:
             fits = self.intervals[ask].at(papers).list_fits(self.answers.numbers[rows, ask])
             counts[fits] += 1

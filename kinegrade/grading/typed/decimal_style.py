@@ -134,7 +134,13 @@ def join_evidence(cells: Iterable[Evidence], *, point: bool) -> Evidence:
 
 @lru_cache(maxsize=4096)
 def _show_evidence(cell: str) -> Evidence:
-    return gather_evidence([cell])
+    return _share(gather_evidence([cell]))
+
+
+@lru_cache(maxsize=64)
+def _share(shown: Evidence) -> Evidence:
+    """The same object for all cells that show the same."""
+    return shown
 
 
 def _find_marks(cell: str) -> tuple[str | None, str | None]:

@@ -10,6 +10,7 @@ from __future__ import annotations
 from codecs import BOM_UTF8
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
+from functools import lru_cache
 from itertools import pairwise
 from pathlib import Path
 
@@ -25,7 +26,8 @@ from kinegrade.marks_folder.rows import QuestionSums, StudentSums
 _Places = NDArray[np.intp]
 _Letters = NDArray[np.uint8]
 
-_BLOCK = 2**18  # bytes
+_FEW, _MANY = 2**17, 2**18  # bytes in a block: more take less time, and more memory
+_LARGE = 2**24  # bytes; such a file is that of a class that takes that memory anyway
 _ALL = slice(None)
 _LONGEST = 64  # bytes of a cell that is compared: a longer one would make all as long
 _BEHIND = b"\0" * _LONGEST
@@ -53,10 +55,11 @@ def read_students(path: Path, add_up: AddUp) -> Iterator[StudentSums]:
     cannot be read.
     """
     adding, line, left = _Adding(add_up), 1, b""
+    size = _FEW if path.stat().st_size < _LARGE else _MANY
     with path.open("rb") as stream:
         if stream.readline(len(BOM_UTF8 + _HEADER)).removeprefix(BOM_UTF8) != _HEADER:
             raise OddTextError
-        while text := stream.read(_BLOCK):
+        while text := stream.read(size):
             block = _Block.of(left + text)
             begins = block.find_students()
             # The lines of the last student may go on in the next block
@@ -206,8 +209,14 @@ class _Adding:
             yield shared[key]
 
     def _add_up(self, columns: Sequence[Sequence[bytes]]) -> _Sums:
-        questions, *amounts = (tuple(cell.decode() for cell in each) for each in columns)
+        questions, *amounts = (tuple(map(_decode, each)) for each in columns)
         points, out_of = (self.of_cells(questions, each) for each in amounts)
         if points is None or out_of is None:
             raise OddTextError
         return points, out_of
+
+
+@lru_cache(maxsize=1024)
+def _decode(cell: bytes) -> str:
+    """A question or an amount; few of them differ, and are held once."""
+    return cell.decode()

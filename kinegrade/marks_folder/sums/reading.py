@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections import defaultdict
+from collections import Counter, defaultdict
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence, Set
 from fractions import Fraction
 from functools import lru_cache
@@ -100,8 +100,14 @@ def _add_up(questions: tuple[str, ...], cells: tuple[str, ...]) -> QuestionSums 
         if amount is None:
             return None
         listed[question].append(amount)
-    counts = {question: len(amounts) for question, amounts in listed.items()}
-    return QuestionSums({name: add_amounts(each) for name, each in listed.items()}, counts)
+    added = {name: add_amounts(each) for name, each in listed.items()}
+    return QuestionSums(added, _count(questions))
+
+
+@lru_cache(maxsize=256)  # most papers ask the same
+def _count(questions: tuple[str, ...]) -> Mapping[str, int]:
+    """How many lines each question has."""
+    return Counter(questions)
 
 
 def _find_damaged(lines: Iterable[_Line], path: Path) -> Iterator[Fault]:
