@@ -6,10 +6,20 @@ from collections.abc import Collection, Iterator
 from dataclasses import replace
 from typing import assert_never
 
-from kinegrade.expressions.tree import Call, Expression, Name, Number, Operation, list_parts
+from kinegrade.expressions.tree import (
+    Call,
+    Expression,
+    Name,
+    Number,
+    Operation,
+    find_names,
+    list_parts,
+)
 from kinegrade.language.message import Message
 from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.relations import Term
+from kinegrade.mechanics.vector_equation import Level
+from kinegrade.problem.quantities.functions import find_motion_calls
 from kinegrade.problem.quantities.motion_functions import MOTION_FUNCTIONS
 from kinegrade.worked.case import Case
 from kinegrade.worked.document import Block
@@ -44,23 +54,48 @@ def find_contact(body: str, case: Case) -> str | None:
     )
 
 
-def needs_components(point: str, case: Case) -> bool:
-    """Whether an answer needs more of a point's velocity than its magnitude."""
+def needs_components(point: str, case: Case, level: Level) -> bool:
+    """Whether an answer needs more of a point's velocity, or acceleration, than its magnitude or
+    what it has along a line through the point or across it.
+    """
     asks = (case.template.asks[name].quantity for name in case.solution.answers)
-    return any(_uses_components(ask, point) for ask in asks)
+    return any(_uses_components(ask, point, level) for ask in asks)
 
 
-def _uses_components(tree: Expression, point: str) -> bool:
-    """Whether an expression holds the velocity of a point other than as a magnitude."""
+def _uses_components(tree: Expression, point: str, level: Level) -> bool:
+    """Whether an expression holds the vector of a point other than so."""
     match tree:
-        case Call(function="magnitude", arguments=(Call(function="velocity"),)):
+        case Call(function="magnitude", arguments=(Call(function=inner),)) if _is_point(inner):
+            return False
+        case Call(function="along", arguments=(Call(function=inner), direction)) if _is_point(
+            inner
+        ) and point in find_names(direction):
             return False
         case Call(function=name, arguments=(Name(named), *_)) if name in MOTION_FUNCTIONS:
-            return named == point and MOTION_FUNCTIONS[name].level == "velocity"
+            return named == point and _is_point(name) and MOTION_FUNCTIONS[name].level == level
         case Call() | Operation() | Number() | Name():
-            return any(_uses_components(part, point) for part in list_parts(tree))
+            return any(_uses_components(part, point, level) for part in list_parts(tree))
         case _:
             assert_never(tree)
+
+
+def enters_composition(point: str, case: Case) -> bool:
+    """Whether an answer is about the motion of a point relative to a moving body."""
+    calls = (
+        call
+        for name in case.solution.answers
+        for call in find_motion_calls(case.template.asks[name].quantity)
+    )
+    return any(
+        MOTION_FUNCTIONS[call.function].derivation in ("relative", "coriolis")
+        and call.arguments[0] == Name(point)
+        for call in calls
+    )
+
+
+def _is_point(function: str) -> bool:
+    """Whether a function gives the velocity or acceleration of a point."""
+    return function in MOTION_FUNCTIONS and MOTION_FUNCTIONS[function].derivation == "point"
 
 
 def introduce_contacts(case: Case, used: Collection[str]) -> Iterator[Block]:

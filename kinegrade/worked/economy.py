@@ -1,5 +1,5 @@
 """A finished solution without the coordinates that nothing takes up: of a pole, of a point that a
-triangle or a length has placed.
+triangle or a length has placed; nor a component along an axis that is not asked for.
 """
 
 from __future__ import annotations
@@ -24,12 +24,13 @@ from kinegrade.worked.document import Block, Display, Heading, Pictures, Prose, 
 from kinegrade.worked.positions.parts import find_symbols
 
 _COORDINATES = (Letter("x"), Letter("y"))
+_VECTORS = (Letter("v"), Letter("a"))
 
 
 def leave_out_unused(blocks: Sequence[Block], told: Sequence[Row]) -> tuple[Block, ...]:
-    """The blocks without coordinates that are neither zero nor answers, and that neither a formula
-    further down nor one of sentences, `told`, takes up by letter or by number; an equation or a
-    sentence that led to these alone is left out with them.
+    """The blocks without coordinates, and components of vectors along an axis, that are neither
+    zero nor answers, and that neither a formula further down nor one of sentences, `told`, takes up
+    by letter or by number; an equation or a sentence that led to these alone is left out with them.
     """
     page = _Page(find_symbols(told), [], set())
     kept = list[Block]()
@@ -78,7 +79,7 @@ class _Page:
         return tuple(reversed((*kept, *going_on)))
 
     def _keeps(self, left: Row, lines: Sequence[Row]) -> bool:
-        if _is_coordinate(left):
+        if _is_coordinate(left) or _is_component(left):
             return self._needs(left, lines)
         return not self.dropped & find_symbols([left])  # else nobody solves it
 
@@ -114,3 +115,12 @@ def _is_another(line: Row) -> bool:
 def _is_coordinate(left: Row) -> bool:
     only = left[0]
     return len(left) == 1 and isinstance(only, Scripts) and only.base in _COORDINATES
+
+
+def _is_component(left: Row) -> bool:
+    """Whether a line is about one component of a vector along an axis."""
+    only = left[0]
+    if len(left) > 1 or not isinstance(only, Scripts) or only.base not in _VECTORS:
+        return False
+    *_, comma, axis = (None, None, *(only.lower or ()))
+    return comma == Sign(",") and axis in _COORDINATES

@@ -10,6 +10,7 @@ from kinegrade.problem.template.library.library import find_shipped, load_templa
 from kinegrade.problem.template.library.reading import read_template
 from kinegrade.worked.positions.algebra import ZERO
 from kinegrade.worked.positions.right_angles import make_unit, split_right_angles, turn_back
+from kinegrade.worked.solution import write_worked_solution
 from tests.worked.draws import kept, told
 from tests.worked.telling import lines
 
@@ -169,3 +170,42 @@ def test_the_second_leg_of_an_isosceles_triangle_has_the_angle_of_the_first() ->
     assert "isosceles with its apex at $M$, so $BM$ too makes the angle $\\theta$" in page
     assert r"v_{M}\sin 2\theta &= v_{B}\cos\theta" in page
     assert r"\psi" not in page
+
+
+def test_a_point_of_a_rod_has_components_along_its_arm_and_across_it() -> None:
+    """They were along x and y, with the coordinates of the point, which nothing else needs."""
+    page = _page("watt-linkage")
+    assert "along $BP$ and across it" in page
+    assert r"v_{B}\cos(\psi_{BC} - \varphi)" in page
+    assert "v_{P,x}" not in page
+    assert "x_{P} &=" not in page
+
+
+def test_a_pin_that_slides_in_a_slot_normal_to_its_arm_leaves_one_component_in_each_equation() -> (
+    None
+):
+    page = _page("rolling-wheel-pin-slotted-rocker")
+    assert r"v_{\mathrm{e}} &= v_{B,OB}" in page.replace("-v", "v")
+    assert r"a_{B,BO} &=" in page
+    assert "a_{B,x}" not in page
+
+
+def test_components_along_an_arm_are_those_that_a_question_asks_for() -> None:
+    asked = ("v_O", "v_B", "a_O", "a_B_n", "a_B")
+    solution = solve_template(load_template("wheel-on-circular-track"), {"beta": "30"}, asked)
+    page = "\n".join(lines(write_worked_solution(solution, asked, "en").blocks))
+    assert r"a_{B,BO} &= a_{O}^{\mathrm{n}}\cos\beta" in page
+    assert "a_{B,x}" not in page
+
+
+def test_components_along_the_axes_stay_where_they_are_asked_for() -> None:
+    assert "a_{C,x} &=" in _page("two-rods-driven-ends")
+
+
+def test_a_component_along_an_axis_that_nothing_takes_up_is_left_out() -> None:
+    # the y component alone was asked for, and both were worked out
+    solution = solve_template(
+        load_template("flat-faced-follower-curvature-radius"), {}, ("a_rel_y",)
+    )
+    page = "\n".join(lines(write_worked_solution(solution, ("a_rel_y",), "en").blocks))
+    assert r"a_{\mathrm{r},x} &=" not in page

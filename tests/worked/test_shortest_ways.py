@@ -97,7 +97,8 @@ def test_a_point_of_contact_is_placed_for_points_that_turn_about_it_alone() -> N
     solution = drawn("slider-driven-gear-on-rack")[0]
     page = write_worked_solution(solution, ("v_A", "omega_O"), "en").blocks
     assert not any(line.startswith("x_{C} &=") for line in displayed(page))
-    assert find_lines("rolling-wheel-pin-slotted-rocker", "x_{P} &=")
+    assert not find_lines("rolling-wheel-pin-slotted-rocker", "x_{P} &=")
+    assert find_lines("wheel-on-circular-track", "x_{D} &=")
 
 
 def test_a_coriolis_acceleration_is_told_from_the_acceleration_of_a_point_c() -> None:

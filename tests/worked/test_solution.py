@@ -340,8 +340,8 @@ def test_a_point_whose_motion_a_step_takes_as_known_is_told_before() -> None:
     sizes = [line for line in lines if line.startswith("v_{B} &=")]
     assert sizes == [
         tidy(
-            r"v_{B} &= \sqrt{v_{B,x}^{2}+v_{B,y}^{2}} = \sqrt{(-0.3\,\unit{m/s})^{2} + "
-            r"(0.1732\,\unit{m/s})^{2}} \approx 0.3464\,\unit{m/s}"
+            r"v_{B} &= \sqrt{v_{B,OB}^{2}+v_{B,\perp OB}^{2}} = \sqrt{(-0.1732\,\unit{m/s})^{2} + "
+            r"(0.3\,\unit{m/s})^{2}} \approx 0.3464\,\unit{m/s}"
         )
     ]
 

@@ -53,13 +53,19 @@ def list_body_checks(level: Level, case: Case) -> Iterator[Check]:
     components.
     """
     pairs = tuple(_list_pairs(level, case))
-    for pair in pairs:
-        if not _is_new(pair, case):
+    aslant = [pair for pair in pairs if _is_found_so(pair)]
+    straight = [pair for pair in pairs if pair not in aslant]
+    for pair in aslant:
+        yield from list_component_checks(_turn(pair), level, case)
+    for pair in straight:
+        if not _is_new(pair, case) and not aslant:
             yield from _check_pair(pair, level, case)
-    for pair in pairs:
-        omega, alpha = case.motion.omega(pair.body), case.motion.alpha(pair.body)
-        turned = Turned(pair.body, pair.points, pair.facts, double(omega), double(alpha))
-        yield from list_component_checks(turned, level, case)
+    for pair in straight:
+        yield from list_component_checks(_turn(pair), level, case)
+
+
+def _turn(pair: _Pair) -> Turned:
+    return Turned(pair.body, pair.points, pair.facts)
 
 
 def _list_pairs(level: Level, case: Case) -> Iterator[_Pair]:
@@ -81,6 +87,19 @@ def _list_pairs(level: Level, case: Case) -> Iterator[_Pair]:
 def _is_new(pair: _Pair, case: Case) -> bool:
     """Whether neither point is the body's base point, by which the other has been found."""
     return case.motion.frames.bases[pair.body].point not in pair.points
+
+
+def _is_found_so(pair: _Pair) -> bool:
+    """Whether the vector of one point has been found along and across the line of both."""
+    return any(_lies_on(fact, {*pair.points}) for fact in pair.facts)
+
+
+def _lies_on(fact: Fact, ends: set[str]) -> bool:
+    """Whether a vector is known by components along a line and across it."""
+    terms = [piece.term for piece in fact.pieces]
+    return len(terms) > 1 and all(
+        term is not None and {term.base, term.point} == ends for term in terms
+    )
 
 
 def _check_pair(pair: _Pair, level: Level, case: Case) -> Iterator[Check]:

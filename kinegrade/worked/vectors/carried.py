@@ -1,28 +1,47 @@
-"""The motion of a point carried by a body that turns: by its components from those of a base point,
-or by its normal and tangential parts about a fixed axis.
+"""The motion of a point carried by a body that turns: by its components from the vector of a base
+point, along x and y or along the arm and across it, or by its normal and tangential parts about a
+fixed axis.
 """
 
 from __future__ import annotations
 
 from collections.abc import Generator, Iterator
 from dataclasses import replace
+from itertools import product
+from typing import Any
 
-from kinegrade.language.math.tree import Row
+from kinegrade.language.math.tree import Row, Sign
 from kinegrade.mechanics.relations import Term
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Level, find_term_value
 from kinegrade.worked.case import Case
+from kinegrade.worked.contacts import needs_components
 from kinegrade.worked.document import Block
 from kinegrade.worked.findings import Fact, Piece
-from kinegrade.worked.formulas.atoms import TWO, AxisName, VectorSymbol
-from kinegrade.worked.formulas.equation import Equation, equate
+from kinegrade.worked.formulas.atoms import TWO, AxisName, VectorSymbol, add_terms
+from kinegrade.worked.formulas.equation import Equation, equate, lead_to
 from kinegrade.worked.formulas.formula import Formula
-from kinegrade.worked.formulas.measures import double, is_zero, length
+from kinegrade.worked.formulas.measures import bearing, double, is_zero, length
 from kinegrade.worked.formulas.numbers import measure, state_number
+from kinegrade.worked.formulas.symbols import join_letters
 from kinegrade.worked.senses import state_sense_along, state_way_about
+from kinegrade.worked.vectors.angle_sums import explain_sums
 from kinegrade.worked.vectors.arms import introduce_lengths, name_length
-from kinegrade.worked.vectors.components import find_known, list_component, list_turning_summands
+from kinegrade.worked.vectors.by_components import project_components
+from kinegrade.worked.vectors.components import (
+    find_heading,
+    find_known,
+    list_component,
+    list_turning_summands,
+)
+from kinegrade.worked.vectors.inclinations import (
+    Inclination,
+    find_cosine,
+    is_inclination_known,
+    name_along,
+)
 from kinegrade.worked.vectors.summands import PLACES, add_summands, name_component
+from kinegrade.worked.vectors.vectors import UNITS
 
 
 def state_carried_component(
@@ -92,3 +111,97 @@ def _state_part(
     symbols = name_length(term.base, term.point, case).dot(symbol)
     value = state_number(length(piece.value, case.arithmetic), piece.symbol.unit)
     return Equation(piece.symbol, (*equate(symbols, arm.dot(number)), *value), sense)
+
+
+def find_arm(term: Term, base: Fact, case: Case, level: Level) -> Inclination | None:
+    """The direction of a point's arm by an angle that is known, from the base point for velocities
+    and to it for accelerations: along it and across it the point's vector has its shortest
+    components. None where an answer needs those along x and y, or the arm lies along one of these.
+    """
+    if base.by_components or needs_components(term.point, case, level):
+        return None
+    if None in [find_heading(piece, case) for piece in base.parts]:
+        return None
+    ends = (term.base, term.point)
+    found = name_along(bearing(_direct_arm(term, level)), ends, case)
+    if found is None or found.angle is None or not is_inclination_known(found, ends, case):
+        return None
+    return found
+
+
+def _direct_arm(term: Term, level: Level) -> Vector:
+    """The arm from the base point, or to it."""
+    return {"velocity": term.vector, "acceleration": -term.vector}[level]
+
+
+def explain_along_arm(
+    term: Term, name: VectorSymbol, base: Fact, arm: Inclination, *, case: Case, level: Level
+) -> Generator[Block, None, Fact]:
+    """The components along the arm and across it, the arm turned to the left: those of the base
+    point's vector with what the rotation adds.
+    """
+    along, across = _find_pieces(term, name, base, case, level)
+    axes = (arm, replace(arm, quarters=arm.quarters + 1))
+    headings = (find_heading(piece, case) for piece in base.parts)
+    pairs = product(filter(None, headings), axes)
+    yield from map(case.say, explain_sums((find_cosine(*pair) for pair in pairs), case))
+    lines = introduce_lengths(((term.base, term.point),), case)
+    first = _state_piece(along, base, axes[0], term, case=case, level=level)
+    second = _state_piece(across, base, axes[1], term, case=case, level=level)
+    yield case.show(*lines, first, second)
+    return Fact(name, along.value + across.value, False, (along, across))
+
+
+def _find_pieces(
+    term: Term, name: VectorSymbol, base: Fact, case: Case, level: Level
+) -> tuple[Piece, Piece]:
+    """Both components with their letters and directions."""
+    arm = _direct_arm(term, level)
+    total = base.value + find_term_value(term, case.motion, level)
+    along = arm * (total.dot(arm) / arm.squared())
+    ends = {"velocity": (term.base, term.point), "acceleration": (term.point, term.base)}[level]
+    line = join_letters(map(case.naming.letter, ends)).row
+    first, second = (
+        replace(name, lower=(*name.lower, Sign(","), *sign, *line))
+        for sign in ((), (Sign(r"\perp"),))
+    )
+    return Piece(first, arm, along, term), Piece(second, arm.turned(), total - along, term)
+
+
+def _state_piece(
+    piece: Piece, base: Fact, axis: Inclination, term: Term, *, case: Case, level: Level
+) -> Equation:
+    """A component in symbols, in numbers, and its value."""
+    shown = [one for one in base.parts if not is_zero(one.value)]
+    symbols, numbers = (
+        list(project_components(shown, axis, case, in_numbers=in_numbers))
+        for in_numbers in (False, True)
+    )
+    for sign, symbol, number in _list_factors(piece, term, case, level):
+        arm = measure(length(term.vector, case.arithmetic), "m")
+        symbols.append(name_length(term.base, term.point, case).dot(symbol).signed(sign))
+        numbers.append(arm.dot(number).signed(sign))
+    value = state_number(_measure_piece(piece, case), piece.symbol.unit)
+    working = (add_terms(symbols), add_terms(numbers))
+    return Equation(piece.symbol, lead_to(piece.symbol, working, value))
+
+
+def _measure_piece(piece: Piece, case: Case) -> Any:
+    """The signed number of a component."""
+    size = length(piece.value, case.arithmetic)
+    return -size if double(piece.value.dot(piece.positive)) < 0 else size
+
+
+def _list_factors(
+    piece: Piece, term: Term, case: Case, level: Level
+) -> Iterator[tuple[int, Formula, Formula]]:
+    """By what the arm is multiplied, with its sign: omega across it, omega^2 towards the base
+    point, alpha across it.
+    """
+    body, turned = term.rate.body, double(piece.positive.dot(term.vector.turned()))
+    rate, value = case.motion.rates[term.rate], case.rates(level)[term.rate]
+    if turned and double(value):
+        letters = case.naming.turning(body, level)
+        yield (1 if turned > 0 else -1), letters, measure(value, UNITS[level, True])
+    elif not turned and level == "acceleration" and double(rate):
+        yield 1, case.naming.omega(body) ** TWO, measure(rate, "rad/s") ** TWO

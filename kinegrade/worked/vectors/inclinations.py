@@ -78,11 +78,11 @@ def find_cosine(heading: Inclination, axis: Inclination) -> Cosine | None:
         key=lambda term: _rank(*term),
     )
     value = tidy(sum(sign * one.value for sign, one in terms))
-    if value < 0:
-        return find_cosine(_mirror(heading), _mirror(axis))
     angle = _add_angles([(sign, one.angle) for sign, one in terms if one.angle is not None])
     if angle is None:
         return None
+    if value < 0 or (value == 0 and angle.sign < 0):
+        return find_cosine(_mirror(heading), _mirror(axis))
     sign, function = _TURNED[(heading.quarters - axis.quarters) % 4]
     values = sorted((sign * one.value for sign, one in terms), key=lambda each: each < 0)
     summands = tuple(values) if len(values) > 1 and isinstance(angle, Sum) else ()

@@ -17,17 +17,23 @@ from kinegrade.mechanics.relations import Chain, Term, add_vectors
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Level, Part, find_term_value, list_term_parts
 from kinegrade.worked.case import Case
-from kinegrade.worked.contacts import needs_components, turn_about_contact
+from kinegrade.worked.contacts import enters_composition, needs_components, turn_about_contact
 from kinegrade.worked.document import Block
 from kinegrade.worked.findings import Fact, Piece
 from kinegrade.worked.formulas.atoms import AXES, TWO, ZERO, VectorSymbol
 from kinegrade.worked.formulas.equation import Equation, equate
 from kinegrade.worked.formulas.measures import double, length
 from kinegrade.worked.formulas.numbers import measure, state_number
+from kinegrade.worked.formulas.symbols import join_letters
 from kinegrade.worked.senses import state_way, state_way_about
 from kinegrade.worked.translations import say_translation
 from kinegrade.worked.vectors.arms import introduce_lengths, name_length
-from kinegrade.worked.vectors.carried import explain_turning, state_carried_component
+from kinegrade.worked.vectors.carried import (
+    explain_along_arm,
+    explain_turning,
+    find_arm,
+    state_carried_component,
+)
 from kinegrade.worked.vectors.components import add_components, find_known
 from kinegrade.worked.vectors.facts import make_key
 from kinegrade.worked.vectors.known_vectors import find_positive_sense
@@ -59,7 +65,7 @@ def find_point(chain: Chain, name: VectorSymbol, case: Case, level: Level) -> It
         pieces = (Piece(name, sense, value, last),) if len(chain) == 1 else ()
         fact = Fact(name, value, len(chain) > 1, pieces)
     elif level == "velocity" and (about := turn_about_contact(last, case)):
-        fact = yield from _explain_about_contact(about, name, case)
+        fact = yield from _explain_rolling(chain, about, name, case)
     elif len(chain) == 1 and level == "velocity":
         yield from _explain_single(last, name, case)
         fact = Fact(
@@ -73,6 +79,21 @@ def find_point(chain: Chain, name: VectorSymbol, case: Case, level: Level) -> It
     else:
         fact = yield from _explain_sum(chain, name, case, level)
     case.findings.facts[make_key(chain, level)] = fact
+
+
+def _explain_rolling(
+    chain: Chain, about: Term, name: VectorSymbol, case: Case
+) -> Generator[Block, None, Fact]:
+    """The velocity of a point of a body that rolls: about the contact, or from the base point where
+    its motion is composed and the direction of its arm is known.
+    """
+    last, before = chain[-1], chain[:-1]
+    if enters_composition(last.point, case) and last.point != about.base:
+        base = name_point_vector(last.base, "velocity", case)
+        yield from find_point(before, base, case, "velocity")
+        if find_arm(last, _find_base(chain, case, "velocity"), case, "velocity"):
+            return (yield from _explain_carried(chain, name, case, "velocity"))
+    return (yield from _explain_about_contact(about, name, case))
 
 
 def _explain_about_contact(
@@ -92,7 +113,8 @@ def _explain_about_contact(
         return Fact(name, value, False)
     pole = case.naming.point(term.base)
     yield case.say(Message("solution.known-contact", pole=pole, **names))
-    if not needs_components(term.point, case):
+    whole = needs_components(term.point, case, "velocity")
+    if not whole and not enters_composition(term.point, case):
         yield case.show(*_state_speed(term, name, case))
         return Fact(name, value, False, (Piece(name, value, value, term),))
     yield case.show(*_state_components(term, name, None, case, "velocity"))
@@ -125,7 +147,7 @@ def _explain_sum(
                 carried = find_known(base, value, case)
                 if len(carried.pieces) == 1:
                     return (yield from _explain_shifted(carried.pieces[0], name, last, case, level))
-            yield from _explain_carried(chain, name, case, level)
+            return (yield from _explain_carried(chain, name, case, level))
         case "sliding" | "arc":
             yield from _explain_composed(chain, name, case, level)
         case _:
@@ -212,16 +234,45 @@ def _explain_circling(term: Term, name: VectorSymbol, case: Case) -> Generator[B
     return Fact(name, normal + tangential, False, pieces)
 
 
-def _explain_carried(chain: Chain, name: VectorSymbol, case: Case, level: Level) -> Iterator[Block]:
-    """The components of a point's vector from its base point: the base point's plus those of the
-    rotation about it.
+def _explain_carried(
+    chain: Chain, name: VectorSymbol, case: Case, level: Level
+) -> Generator[Block, None, Fact]:
+    """A point's vector from its base point: by components along its arm and across it where their
+    directions are known, else along the axes.
     """
     last, before = chain[-1], chain[:-1]
-    base_name = name_point_vector(last.base, level, case)
+    base_name, carried = (
+        name_point_vector(last.base, level, case),
+        find_vector(before, case.motion, level),
+    )
     yield from find_point(before, base_name, case, level)
+    fact = _find_base(chain, case, level)
+    arm = find_arm(last, fact, case, level) if before else None
+    if arm is not None:
+        yield case.say(_announce_arm(last, case, level))
+        return (yield from explain_along_arm(last, name, fact, arm, case=case, level=level))
     yield case.say(_announce_rotation(last, "base" if before else "point", case))
-    base = (base_name, find_vector(before, case.motion, level)) if before else None
+    base = (base_name, carried) if before else None
     yield case.show(*_state_components(last, name, base, case, level))
+    return Fact(name, find_vector(chain, case.motion, level), True)
+
+
+def _find_base(chain: Chain, case: Case, level: Level) -> Fact:
+    """What has been found of the vector of the base point of a chain's last rotation."""
+    symbol = name_point_vector(chain[-1].base, level, case)
+    return find_known(symbol, find_vector(chain[:-1], case.motion, level), case)
+
+
+def _announce_arm(term: Term, case: Case, level: Level) -> Message:
+    """From which base point, and along which line and across it the components are taken."""
+    ends = {"velocity": (term.base, term.point), "acceleration": (term.point, term.base)}[level]
+    return Message(
+        f"solution.along-arm-{_find_place(term, case)}",
+        point=case.naming.point(term.point),
+        base=case.naming.point(term.base),
+        body=case.naming.body(term.rate.body),
+        line=case.text(join_letters(map(case.naming.letter, ends))),
+    )
 
 
 def _state_components(
