@@ -45,7 +45,9 @@ if TYPE_CHECKING:
 
 # Combinations from which it is judged which mistakes can be kept apart from the truth
 _SAMPLE = 400
-_KEPT = 50  # solutions that a process keeps for a question
+# Solutions that a process keeps for a question: of those set last, and of those that the filter
+# found, of which most are dealt and set once; each takes 16 kB
+_KEPT, _FOUND = 50, 300
 _TOGETHER = 100  # combinations that are screened at once, whatever part of them is asked for
 
 Verdict = Reason | None  # why a combination is refused; None for a good one
@@ -182,7 +184,8 @@ class DrawFilter:
         which takes little longer than for one.
         """
         self._rounded.clear()
-        new = [values for values in draws if tuple(values.values()) not in self._found]
+        known = self._found.keys() | self._set.keys()
+        new = [values for values in draws if tuple(values.values()) not in known]
         if new:
             found = self.round_draws(new, self.carry)
             for place, values in enumerate(new):
@@ -191,11 +194,11 @@ class DrawFilter:
     def _find_dealt(self, values: Combination) -> Examined:
         """A combination that was dealt, solved once however often it is asked for in a row."""
         identity = tuple(values.values())
-        found = self._found.pop(identity, None) or self._work_out(values)
-        while len(self._found) >= _KEPT:
-            del self._found[next(iter(self._found))]
-        self._found[identity] = found
-        return found
+        found = self._found.pop(identity, None) or self._set.pop(identity, None)
+        while len(self._set) >= _KEPT:
+            del self._set[next(iter(self._set))]
+        self._set[identity] = found or self._work_out(values)
+        return self._set[identity]
 
     def _work_out(self, values: Combination) -> Examined:
         """An instance, fit for students or not: what honest rounding would leave is as stated."""
@@ -258,7 +261,7 @@ class DrawFilter:
 
     def _keep(self, values: Combination, found: Examined | Refused) -> None:
         """Keep what was found until it is asked for, unless there is much."""
-        if isinstance(found, Examined) and len(self._found) < _KEPT:
+        if isinstance(found, Examined) and len(self._found) < _FOUND:
             self._found[tuple(values.values())] = found
 
     @cached_property
@@ -266,6 +269,11 @@ class DrawFilter:
         """What the filter found in this process, by its values: a combination need not be solved
         again when its paper is set.
         """
+        return {}
+
+    @cached_property
+    def _set(self) -> dict[tuple[str, ...], Examined]:
+        """What was dealt and asked for last, the latest at the end."""
         return {}
 
     @cached_property
