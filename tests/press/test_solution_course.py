@@ -24,7 +24,7 @@ from kinegrade.press.solutions.settings import (
     fits,
 )
 from kinegrade.press.solutions.terms import arrange_terms
-from kinegrade.worked.document import Block, Heading, Picture, Pictures, Prose
+from kinegrade.worked.document import Block, Display, Heading, Picture, Pictures, Prose
 from tests.press.solutions import long_equation, polygon_scene
 from tests.worked.telling import read_display
 
@@ -268,8 +268,12 @@ def test_a_compact_paragraph_is_no_part_of_the_one_before() -> None:
     ]
 
 
+def _fraction(terms: int) -> Display:
+    return read_display([r"x &= \frac{" + " + ".join(["a_{BA}"] * terms) + "}{b}"])
+
+
 def test_an_equation_is_folded_where_nothing_else_would_stand_beside_a_drawing() -> None:
-    wide = read_display([r"x &= \frac{" + " + ".join(["a_{BA}"] * 40) + "}{b}"])
+    wide = _fraction(16)
     alone, row = course(wide, pictures(1), wide)
     assert isinstance(row, DrawingRow)
     for setting in (alone, *row.beside):
@@ -280,6 +284,13 @@ def test_an_equation_is_folded_where_nothing_else_would_stand_beside_a_drawing()
     first, *_ = course(pictures(1), LONG_SAID, Heading("2. The rod", 2), SAID, wide)
     assert isinstance(first, DrawingRow)
     assert not any(isinstance(setting.body, EquationGroups) for setting in first.beside)
+
+
+def test_an_equation_that_would_have_three_lines_beside_a_drawing_stands_below() -> None:
+    row, below = course(pictures(1), _fraction(18))
+    assert isinstance(row, DrawingRow)
+    assert row.beside == ()
+    assert isinstance(below, Setting)
 
 
 def test_a_caption_is_narrow_where_only_so_an_equation_has_room_beside_the_drawing() -> None:

@@ -11,7 +11,7 @@ from math import ceil
 from typing import assert_never
 
 from kinegrade.language.math.printed_size import measure_printed
-from kinegrade.language.math.tree import Mark, Row
+from kinegrade.language.math.tree import LineBreak, Mark, Row, list_nodes
 from kinegrade.press.solutions.chains import Chain, TextBlock
 from kinegrade.press.solutions.equations import Equations, MeasuredDisplay, arrange_equations
 from kinegrade.press.solutions.prose_size import measure_formula_height, measure_text
@@ -30,6 +30,7 @@ _GAP = 1.7  # millimetres between two blocks
 _REACHING = 1.2  # em: an equation that is higher reaches beyond the line of its sentence
 _TALL_ROOM = 1.2  # millimetres more above and below it, as in the layouts
 _COMPACT = 2.5  # lines of a compact paragraph, which formulas that are not broken make one more
+_FOLDS = 1  # of a row beside a drawing: more lines of a fraction are hard to read
 _BEFORE_HEADING: dict[int, float] = {1: 2.4, 2: 1.6}
 
 
@@ -183,11 +184,15 @@ class Column:
 
 
 def fits(setting: Setting) -> bool:
-    """Whether a setting has room: each piece of its equations, its table in one band."""
+    """Whether a setting has room: each piece of its equations, its table in one band; nothing in it
+    is folded into more than two lines.
+    """
     body = setting.body
     match body:
         case EquationGroups(groups):
-            return all(group.fits for group in groups)
+            rows = (row for group in groups for row in group.rows)
+            folded = any(list(list_nodes(row)).count(LineBreak()) > _FOLDS for row in rows)
+            return all(group.fits for group in groups) and not folded
         case Terms(bands):
             return len(bands) == 1
         case Paragraph():
