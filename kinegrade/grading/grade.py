@@ -188,7 +188,7 @@ def _write_by_hand(
     folder.corrections(exam.head.corrections)
     folder.by_hand(settled.list_marks())
     grades = settled.grades.grades
-    names = dict(zip(grades.students, grades.names, strict=True))
+    names = dict(zip(grades.students, grades.names, strict=True)) if settled.still_open else {}
     folder.open(settled.still_open, names, comments, identity)
     folder.bonus({**exam.head.bonus, **settled.bonus})
 

@@ -55,9 +55,9 @@ class DisplacedColumns:
         order = order[np.array(lines)[order] > 0]
         if len(order) < _LEAST_MOVED:
             return
-        numbers, wrong = self.answers.numbers[order], self.answers.wrong[order]
-        for ask, title in enumerate(self.titles):
-            own, amiss = numbers[:, ask], wrong[:, ask]
+        found = self.answers.numbers, self.answers.wrong
+        numbers, wrong = (np.ascontiguousarray(each[order].T) for each in found)
+        for ask, (title, own, amiss) in enumerate(zip(self.titles, numbers, wrong, strict=True)):
             if _is_sorted(own, amiss):
                 yield self._complain_of_order(order, title, own, amiss)
             elif amiss.sum() >= _LEAST_MOVED:
@@ -119,7 +119,16 @@ class _Column:
         wrong on their own.
         """
         given = np.flatnonzero(~np.isnan(self.numbers))
-        fits, wrong = self._fit_beside(step)[given], self.wrong[given]
+        wrong, fits = self.wrong[given], np.zeros(len(given), dtype=np.bool_)
+        amiss, others = np.flatnonzero(wrong), np.flatnonzero(~wrong)
+        fits[amiss] = self._fit_beside(step, given[amiss])
+        # In a run, what is next to each of them but the last fits too: so few do that it is told
+        # here for most columns
+        moving = np.flatnonzero(fits)
+        following = given[moving[moving < len(given) - 1] + 1]
+        if self._fit_beside(step, following).sum() < _LEAST_MOVED - 1:
+            return _Run(step, 0, 0, 0)
+        fits[others] = self._fit_beside(step, given[others])
         runs = np.cumsum(~fits)
         moved = fits & wrong
         counts = np.bincount(runs[moved], minlength=1)
@@ -130,18 +139,18 @@ class _Column:
 
     def _measure_chance(self) -> float:
         """The share of wrong numbers that are right on papers of lines farther off."""
-        found = [self._fit_beside(step * far)[self.wrong] for step in _STEPS for far in _FARTHER]
+        rows = np.flatnonzero(self.wrong)
+        found = [self._fit_beside(step * far, rows) for step in _STEPS for far in _FARTHER]
         fits = np.concatenate(found)
         return float(fits.sum() + 1) / (len(fits) + 1)
 
-    def _fit_beside(self, step: int) -> Flags:
-        """Which numbers are right on the paper of the line so far above; none where there is no
-        such line.
+    def _fit_beside(self, step: int, rows: Places) -> Flags:
+        """Which numbers of these rows are right on the paper of the line so far above; none where
+        there is no such line.
         """
-        beside = np.roll(self.papers, step)
-        fits = self.intervals.fit_beside(self.numbers, beside)
-        if step > 0:
-            fits[:step] = False
-        else:
-            fits[step:] = False
+        beside = rows - step
+        fits: Flags = (beside >= 0) & (beside < len(self.papers))
+        there = np.flatnonzero(fits)
+        papers = self.papers[beside[there]]
+        fits[there] = self.intervals.fit_beside(self.numbers[rows[there]], papers)
         return fits

@@ -139,7 +139,8 @@ class GridEntries(Mapping[str, tuple[Entry, ...]]):
 
     def block(self, students: Sequence[str]) -> GridBlock:
         """Those of these students one after the other."""
-        places = np.array([*map(self.places.__getitem__, students)], dtype=np.intp)
+        found = map(self.places.__getitem__, students)
+        places = np.fromiter(found, dtype=np.intp, count=len(students))
         return self.kept.pop(places.tobytes(), None) or GridBlock(self.grid, places)
 
     def blocks(self) -> Iterator[GridBlock]:

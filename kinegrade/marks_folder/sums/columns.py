@@ -158,7 +158,7 @@ class _Block:
         if width > _LONGEST or (self.letters[begins] == _QUOTE).any():
             raise OddTextError
         cut = sliding_window_view(self.letters, width)[begins]
-        cut[np.arange(width) >= (ends - begins)[:, None]] = 0
+        cut *= np.arange(width, dtype=np.uint8) < (ends - begins).astype(np.uint8)[:, None]
         return cut.view(f"S{width}").ravel()
 
     def _find_begins(self, column: int) -> _Places:
