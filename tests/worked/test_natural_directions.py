@@ -209,3 +209,12 @@ def test_a_component_along_an_axis_that_nothing_takes_up_is_left_out() -> None:
     )
     page = "\n".join(lines(write_worked_solution(solution, ("a_rel_y",), "en").blocks))
     assert r"a_{\mathrm{r},x} &=" not in page
+
+
+def test_the_arm_of_a_point_of_a_rim_is_the_radius_of_what_rolls() -> None:
+    # BM = -y_M/cos(phi) was worked out, and came to r
+    asked = ("a_M",)
+    solution = solve_template(load_template("roller-rolling-on-rotating-bar"), {}, asked)
+    page = "\n".join(lines(write_worked_solution(solution, asked, "en").blocks))
+    assert r"+ r \cdot \omega_{B}^{2}" in page
+    assert "BM &=" not in page

@@ -11,6 +11,7 @@ from kinegrade.mechanics.vector_equation import Part
 from kinegrade.worked.case import Case
 from kinegrade.worked.formulas.atoms import Symbol
 from kinegrade.worked.formulas.equation import Equation, drop_repetition
+from kinegrade.worked.formulas.measures import double
 from kinegrade.worked.formulas.numbers import state_quantity
 from kinegrade.worked.formulas.symbols import collect_symbols, join_letters, read_symbol
 from kinegrade.worked.positions.algebra import TWO, is_negated
@@ -41,6 +42,7 @@ def find_stated_length(start: str, end: str, case: Case) -> Symbol | None:
             return read_symbol(one.symbol)
     radius = _find_radius(start, end, case)
     stated = given[radius.name] if isinstance(radius, Name) else None
+    stated = stated or _find_rolling_radius(start, end, case)
     opposite = _find_opposite_side(start, end, case)
     return stated or (find_stated_length(*opposite, case) if opposite else None)
 
@@ -129,6 +131,21 @@ def _find_radius(start: str, end: str, case: Case) -> Expression | None:
                         return radius.right if is_negated(radius) else radius
                 case _:
                     continue
+    return None
+
+
+def _find_rolling_radius(start: str, end: str, case: Case) -> Symbol | None:
+    """The given radius of a body that rolls, between its centre and a point of its rim."""
+    points, given = case.motion.points, collect_symbols(case.template)
+    for relation in case.motion.frames.relations:
+        roll = None if relation.source is None else relation.source.find_rolling()
+        circle = None if roll is None else case.template.scheme.joints[roll.joint].circle
+        if roll is None or circle is None or roll.circle.centre not in (start, end):
+            continue
+        _, radius = circle.arguments
+        far = (points[end] - points[start]).squared() if {start, end} <= {*points} else 0
+        if isinstance(radius, Name) and not double(far - roll.circle.radius**2):
+            return given[radius.name]
     return None
 
 
