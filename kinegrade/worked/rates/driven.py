@@ -59,7 +59,20 @@ def state_imposed(law: Imposed, relation: Relation, case: Case, level: Level) ->
     as_given = _state_as_given(_find_tree(law, case, level), value * sign, unit, case)
     links = drop_repetition(expression, (*as_given, *state_number(value * sign, unit)))
     equation = Equation(left, links, _state_sense(law, value, case))
-    return Statement(Message("solution.title-given"), _state_given(law, case, level), equation)
+    given = _state_given(law, case, level)
+    if isinstance(law, ImposedMotion) and _counts_against(law, relation, case, level):
+        given = Message("solution.counter-motion", point=case.naming.point(law.point))
+    return Statement(Message("solution.title-given"), given, equation)
+
+
+def _counts_against(law: ImposedMotion, relation: Relation, case: Case, level: Level) -> bool:
+    """Whether an acceleration counts positive in the sense in which the velocity of its point
+    counts negative.
+    """
+    moves = level == "acceleration" and double(relation.velocity) and double(relation.acceleration)
+    levels: tuple[Level, Level] = ("velocity", "acceleration")
+    senses = {find_given_sign(law, relation, case, one) for one in levels}
+    return bool(moves) and law.of == GROUND and len(senses) > 1
 
 
 def solve_relative(
