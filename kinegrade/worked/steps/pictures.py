@@ -31,7 +31,7 @@ from kinegrade.worked.vectors.stage import Stage
 from kinegrade.worked.vectors.vectors import name_part
 
 # Times the longest velocity of a step: beside one that is asked and longer, those would be dots
-_LONGER = 2.0
+_LONGER = 1.5
 
 
 def draw_stage(
