@@ -59,9 +59,7 @@ def state_imposed(law: Imposed, relation: Relation, case: Case, level: Level) ->
     as_given = _state_as_given(_find_tree(law, case, level), value * sign, unit, case)
     links = drop_repetition(expression, (*as_given, *state_number(value * sign, unit)))
     equation = Equation(left, links, _state_sense(law, value, case))
-    given = _state_given(law, case, level)
-    if isinstance(law, ImposedMotion) and _counts_against(law, relation, case, level):
-        given = Message("solution.counter-motion", point=case.naming.point(law.point))
+    given = _state_given(law, relation, case, level)
     return Statement(Message("solution.title-given"), given, equation)
 
 
@@ -220,11 +218,13 @@ def _drop_upper(row: Row) -> Row:
     return (*before, structs.replace(last, upper=None)) if isinstance(last, Scripts) else row
 
 
-def _state_given(law: Imposed, case: Case, level: Level) -> Message:
+def _state_given(law: Imposed, relation: Relation, case: Case, level: Level) -> Message:
     """What is given, in a sentence."""
     match law:
         case ImposedRotation():
             return _state_given_rotation(law, case, level)
+        case ImposedMotion() if _counts_against(law, relation, case, level):
+            return Message("solution.counter-motion", point=case.naming.point(law.point))
         case ImposedMotion():
             return _state_given_component(law, case, level)
         case ImposedCircling():
