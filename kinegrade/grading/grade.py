@@ -129,10 +129,11 @@ def _mark(
     accepted = alternatives(exam, rules, exam, pool.put_together(exam, sheet), pool.papers)
     orders = exam.printed_orders()
     hands = gather_hand_marks(sources, find_markable(exam, rules, orders))
-    terms = MarkingTerms(
-        rules, accepted, wishes.decimal, wishes.follows, pool, hands.students, wishes.own_papers
-    )
     by_hand = HandMarking(hands.by_hand, exam.head, rules.given_to_all, rules.dropped_by_hand)
+    marked = hands.students, by_hand.settle_grade
+    terms = MarkingTerms(
+        rules, accepted, wishes.decimal, wishes.follows, pool, *marked, wishes.own_papers
+    )
     counts = AcceptedCounts(rules, exam.asks)
     watched = counts.watched(seen.watched(mark_blocks(papers, sheet, terms)))
     blocks = by_hand.watched(watched)

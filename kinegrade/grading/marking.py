@@ -6,7 +6,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Callable, Collection, Hashable, Iterator, Sequence
+from collections.abc import Callable, Collection, Hashable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import lru_cache, partial
@@ -26,7 +26,7 @@ from kinegrade.grading.fast.block_judge import BlockJudge
 from kinegrade.grading.fast.judged_block import USUAL_CREDITS, JudgedBlock
 from kinegrade.grading.judging.follow import Follows
 from kinegrade.grading.lateness.submissions import Submissions
-from kinegrade.grading.marks import MarkedBlock, Marks, collect_grades
+from kinegrade.grading.marks import MarkedBlock, Marks, collect_grades, list_points
 from kinegrade.grading.policy.accepted import Alternatives
 from kinegrade.grading.policy.policy import AS_PRINTED, Policy
 from kinegrade.grading.sheets.alternatives import find_strange, leave_out
@@ -42,6 +42,12 @@ from kinegrade.marks_folder.grade_list import GradeList
 from kinegrade.marks_folder.rows import Grade, Submission
 from kinegrade.numbers.amounts import add_amounts
 
+Settle = Callable[[Grade, Mapping[str, Fraction]], Grade]
+
+
+def _leave_as_it_is(grade: Grade, _: Mapping[str, Fraction]) -> Grade:
+    return grade
+
 
 @dataclass(frozen=True, slots=True)
 class MarkingTerms:
@@ -50,8 +56,9 @@ class MarkingTerms:
     `alternatives` are the policy's accepted answers, worked out. `decimal` declares the decimal
     mark of the sheet; without it, unambiguous cells decide what 1,234 means. `follows` works out
     what follows from a student's answers; `pool` has the papers whose questions were put to others.
-    `by_hand` are those who have a mark by hand, and so handed in. With `own_papers` somebody has
-    seen to it that all answered their own.
+    `by_hand` are those who have a mark by hand, and so handed in; `settle` gives a grade with these
+    marks, from what the machine gave to each ask. With `own_papers` somebody has seen to it that
+    all answered their own.
     """
 
     policy: Policy = AS_PRINTED
@@ -60,6 +67,7 @@ class MarkingTerms:
     follows: Follows | None = None
     pool: Pool = field(default_factory=Pool)
     by_hand: Collection[str] = ()
+    settle: Settle = _leave_as_it_is
     own_papers: bool = False
 
 
@@ -195,8 +203,15 @@ class _Marker:
             ]
         )
         best: dict[str, tuple[Fraction, Row]] = {}
-        for row, number in zip(tried, self._find_patterns(tried, self._judged(tried)), strict=True):
-            student, total = row[0].student, self._find_net(row, self.patterns[number])
+        judged, columns = self._judged(tried), {ask.column for ask in self.asks}
+        for number, (row, which) in enumerate(
+            zip(tried, self._find_patterns(tried, judged), strict=True)
+        ):
+            student = row[0].student
+            grade = msgspec.structs.replace(self.patterns[which], student=student)
+            by_hand = student in self.terms.by_hand
+            given = list_points(judged, self.asks, number, columns) if by_hand else {}
+            total = self._find_net(row, self.terms.settle(grade, given))
             if student not in best or total >= best[student][0]:
                 best[student] = total, row
         return Rows.of([best[row[0].student][1] if row[0].student in best else row for row in rows])

@@ -6,7 +6,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 
@@ -83,6 +83,18 @@ class MarkedBlock:
                 verdict,
                 share * ask.points,
             )
+
+
+def list_points(
+    judged: JudgedBlock, asks: Sequence[Ask], row: int, wanted: Container[str]
+) -> Mapping[str, Fraction]:
+    """The points in a row of those asks whose columns are wanted, by column."""
+    shares = judged.shares[row * len(asks) : (row + 1) * len(asks)].tolist()
+    return {
+        ask.column: judged.credits[share] * ask.points
+        for ask, share in zip(asks, shares, strict=True)
+        if ask.column in wanted
+    }
 
 
 def collect_grades(exam: Sitting, sheet: Sheet, blocks: Iterable[MarkedBlock]) -> ClassGrades:

@@ -5,12 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Set
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
+from functools import cached_property
 
 import msgspec
 
+from kinegrade.exam.folder.keys import list_questions
 from kinegrade.exam.folder.records import ExamHead
 from kinegrade.files.tables import Complaint
-from kinegrade.grading.marks import ClassGrades, MarkedBlock
+from kinegrade.grading.marks import ClassGrades, MarkedBlock, list_points
 from kinegrade.language.message import Message, Quoted
 from kinegrade.marks_folder.grade_list import GradeList
 from kinegrade.marks_folder.hand_marks import (
@@ -40,7 +42,7 @@ class HandMarking:
     head: ExamHead
     given_to_all: Set[str] = frozenset()
     dropped: Set[str] = frozenset()
-    machine: dict[tuple[str, str], Fraction] = field(default_factory=dict)
+    machine: dict[str, Mapping[str, Fraction]] = field(default_factory=dict)
 
     def watched(self, blocks: Iterable[MarkedBlock]) -> Iterator[MarkedBlock]:
         """The same blocks; what the machine gave is noted on the way."""
@@ -48,17 +50,27 @@ class HandMarking:
             papers = block.judged.rows.papers if self.by_hand else ()
             for row, paper in enumerate(papers):
                 if marks := self.by_hand.get(paper.student):
-                    self._note(block, row, marks)
+                    found = list_points(block.judged, block.asks, row, marks)
+                    self.machine[paper.student] = found
             yield block
             del block  # so that the next takes its place
 
-    def _note(self, block: MarkedBlock, row: int, marks: Mapping[str, HandMark]) -> None:
-        """Notes what the machine gave to the asks that a person marked in a row."""
-        student, first = block.judged.rows.papers[row].student, row * len(block.asks)
-        for number, ask in enumerate(block.asks):
-            if ask.column in marks:
-                _, share = block.judged.decision(first + number)
-                self.machine[student, ask.column] = share * ask.points
+    @cached_property
+    def _marked(self) -> tuple[str, ...]:
+        """The questions that a machine marks."""
+        return list_questions(self.head.asks)
+
+    @cached_property
+    def _only(self) -> Mapping[str, Fraction]:
+        """Those that only hands mark, which count for everybody."""
+        marks = (mark for mark in list_hand_marks(self.by_hand) if not mark.ask)
+        only = (replace(mark, machine=None) for mark in marks if mark.question not in self._marked)
+        return find_only_by_hand(group_by_student(only))
+
+    @cached_property
+    def _questions(self) -> tuple[str, ...]:
+        """All of both."""
+        return sort_as_in_bank((*self._marked, *self._only)) if self._only else self._marked
 
     @property
     def bonus(self) -> Set[str]:
@@ -70,24 +82,19 @@ class HandMarking:
         if not self.by_hand and not self.head.by_hand:  # as in most classes
             return Settled(grades, {}, (), {})
         beside = group_by_student(
-            self._put_beside(mark, grade, grades.questions)
+            self._put_beside(mark, grade, self.machine[grade.student])
             for grade in grades.grades
             for mark in self.by_hand.get(grade.student, {}).values()
         )
-        only = find_only_by_hand(beside)
-        together = sort_as_in_bank((*grades.questions, *only))
-        questions = together if only else grades.questions
         settled = [
-            self._settle_grade(grade, grades.questions, questions, beside, only)
-            for grade in grades.grades
+            self.settle_grade(grade, self.machine.get(grade.student, {})) for grade in grades.grades
         ]
-        still_open = tuple(self._list_open(settled, only))
+        still_open = tuple(self._list_open(settled))
         lacking = [_complain_of_lacking(each) for each in still_open if each.counts]
         complaints = (*self._list_lower(beside), *lacking, *grades.complaints)
-        found = replace(
-            grades, questions=questions, grades=GradeList.of(settled), complaints=complaints
-        )
-        extra = {name: points for name, points in only.items() if name in self.bonus}
+        together = GradeList.of(settled)
+        found = replace(grades, questions=self._questions, grades=together, complaints=complaints)
+        extra = {name: points for name, points in self._only.items() if name in self.bonus}
         return Settled(found, beside, still_open, extra)
 
     def _list_lower(self, beside: ByHand) -> Iterator[Complaint]:
@@ -101,44 +108,39 @@ class HandMarking:
                 done = Message("marking.lower-stands", file=MANUAL.name)
                 yield Complaint(MANUAL.name, None, mark.column, "", what, done)
 
-    def _put_beside(self, mark: HandMark, grade: Grade, questions: tuple[str, ...]) -> HandMark:
+    def _put_beside(
+        self, mark: HandMark, grade: Grade, machine: Mapping[str, Fraction]
+    ) -> HandMark:
         """The mark with what the machine gave in the same place."""
         if mark.ask:
-            return replace(mark, machine=self.machine[mark.student, mark.column])
-        if mark.question not in questions:
+            return replace(mark, machine=machine[mark.column])
+        if mark.question not in self._marked:
             return replace(mark, machine=None)
-        return replace(mark, machine=grade.points[questions.index(mark.question)])
+        return replace(mark, machine=grade.points[self._marked.index(mark.question)])
 
-    def _settle_grade(
-        self,
-        grade: Grade,
-        before: tuple[str, ...],
-        questions: tuple[str, ...],
-        beside: ByHand,
-        only: Mapping[str, Fraction],
-    ) -> Grade:
-        marks = beside.get(grade.student, {}).values()
-        if not marks and not only:
+    def settle_grade(self, grade: Grade, machine: Mapping[str, Fraction]) -> Grade:
+        """A student's grade with the marks by hand, where the machine gave so much to each ask."""
+        given = self.by_hand.get(grade.student, {}).values()
+        if not given and not self._only:
             return grade
-        given = zip(before, grade.points, strict=True)
-        machine = {name: points for name, points in given if points is not None}
-        points = settle_points({**machine, **dict.fromkeys(only, Fraction(0))}, marks)
-        more = add_amounts(worth for name, worth in only.items() if name not in self.bonus)
+        both = zip(self._marked, grade.points, strict=True)
+        own = {name: points for name, points in both if points is not None}
+        marks = (self._put_beside(mark, grade, machine) for mark in given)
+        points = settle_points({**own, **dict.fromkeys(self._only, Fraction(0))}, marks)
+        more = (worth for name, worth in self._only.items() if name not in self.bonus)
         return msgspec.structs.replace(
             grade,
-            points=tuple(map(points.get, questions)),
-            out_of=grade.out_of + more,
+            points=tuple(map(points.get, self._questions)),
+            out_of=grade.out_of + add_amounts(more),
         )
 
-    def _list_open(
-        self, grades: Iterable[Grade], only: Mapping[str, Fraction]
-    ) -> Iterator[OpenQuestion]:
+    def _list_open(self, grades: Iterable[Grade]) -> Iterator[OpenQuestion]:
         """Who is still to be marked by hand; where others have been, the absent are not."""
         everybody = list(grades)
         for each in self.head.by_hand:
             if each.question in self.dropped:
                 continue
-            counts = each.question in only
+            counts = each.question in self._only
             students = tuple(
                 grade.student
                 for grade in everybody
