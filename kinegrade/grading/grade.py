@@ -20,7 +20,7 @@ from kinegrade.grade_scale.kinds import make_scale
 from kinegrade.grade_scale.scale import Scale
 from kinegrade.grading.accepted_counts import AcceptedCounts
 from kinegrade.grading.answer_lines import write_marks
-from kinegrade.grading.by_hand.gathering import HandSources, gather_hand_marks
+from kinegrade.grading.by_hand.gathering import Gathered, HandSources, gather_hand_marks
 from kinegrade.grading.by_hand.markable import find_markable
 from kinegrade.grading.by_hand.settling import HandMarking, Settled
 from kinegrade.grading.fast.another_paper import PapersAnswered
@@ -129,7 +129,7 @@ def _mark(
     accepted = alternatives(exam, rules, exam, pool.put_together(exam, sheet), pool.papers)
     orders = exam.printed_orders()
     hands = gather_hand_marks(sources, find_markable(exam, rules, orders))
-    by_hand = HandMarking(hands.by_hand, exam.head, rules.given_to_all, rules.dropped_by_hand)
+    by_hand = HandMarking.under(rules, exam, hands.by_hand)
     marked = hands.students, by_hand.settle_grade
     terms = MarkingTerms(
         rules, accepted, wishes.decimal, wishes.follows, pool, *marked, wishes.own_papers
@@ -150,8 +150,7 @@ def _mark(
     grades = _write_totals(folder, grades, TotalTerms(rules.penalties, earlier, scale))
     folder.policy(rules.text)
     folder.printed(orders)
-    folder.left_out(list_hand_marks(hands.left_out))
-    _write_by_hand(folder, settled, hands.comments, exam)
+    _write_by_hand(folder, settled, hands, exam)
     return replace(grades, notes=(*hands.notes, *counts.describe()))
 
 
@@ -180,7 +179,7 @@ def _leave_out_names(grades: ClassGrades) -> ClassGrades:
 def _write_by_hand(
     folder: MarksWriter,
     settled: Settled,
-    comments: Mapping[tuple[str, str], str],
+    hands: Gathered,
     exam: ExamFolder,
 ) -> None:
     """Writes the marks by hand, and who still lacks one; and by which key of which exam."""
@@ -188,9 +187,10 @@ def _write_by_hand(
     folder.exam(identity)
     folder.corrections(exam.head.corrections)
     folder.by_hand(settled.list_marks())
+    folder.left_out(list_hand_marks(hands.left_out))
     grades = settled.grades.grades
     names = dict(zip(grades.students, grades.names, strict=True)) if settled.still_open else {}
-    folder.open(settled.still_open, names, comments, identity)
+    folder.open(settled.still_open, names, hands.comments, identity)
     folder.bonus({**exam.head.bonus, **settled.bonus})
 
 

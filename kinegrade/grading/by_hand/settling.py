@@ -9,11 +9,13 @@ from functools import cached_property
 
 import msgspec
 
+from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.keys import list_questions
 from kinegrade.exam.folder.records import ExamHead
 from kinegrade.files.tables import Complaint
 from kinegrade.grading.marks import ClassGrades, MarkedBlock, list_points
-from kinegrade.language.message import Message, Quoted
+from kinegrade.grading.policy.policy import Policy
+from kinegrade.language.message import Message, Quoted, list_all
 from kinegrade.marks_folder.grade_list import GradeList
 from kinegrade.marks_folder.hand_marks import (
     EXTRA,
@@ -35,14 +37,21 @@ from kinegrade.question_numbers import sort_as_in_bank
 class HandMarking:
     """The marks `by_hand` of a class, with what the machine gave when they were decided; `machine`
     is what it gives now to the asks they are for, by student and column, as far as the class has
-    been marked. Asks `given_to_all` are void, and questions `dropped` are not waited for.
+    been marked. Everybody has the points of asks `given_to_all`, and questions `dropped` are not
+    waited for.
     """
 
     by_hand: ByHand
     head: ExamHead
-    given_to_all: Set[str] = frozenset()
+    given_to_all: Mapping[str, Fraction] = field(default_factory=dict)
     dropped: Set[str] = frozenset()
     machine: dict[str, Mapping[str, Fraction]] = field(default_factory=dict)
+
+    @classmethod
+    def under(cls, policy: Policy, exam: ExamFolder, by_hand: ByHand) -> HandMarking:
+        """The marks by hand of an exam that is marked under a policy."""
+        given = policy.list_given(exam.asks)
+        return cls(by_hand, exam.head, given, policy.dropped_by_hand)
 
     def watched(self, blocks: Iterable[MarkedBlock]) -> Iterator[MarkedBlock]:
         """The same blocks; what the machine gave is noted on the way."""
@@ -101,12 +110,29 @@ class HandMarking:
         """The marks that give less than everybody gets who handed in, or than the machine gives
         now, which gave less when they were decided.
         """
-        given = {*self.given_to_all, *(each.partition(".")[0] for each in self.given_to_all)}
         for mark in list_hand_marks(beside):
             before = self.by_hand[mark.student][mark.column].machine
-            if what := _describe_lower(mark, before, to_all=mark.column in given):
+            if what := self._describe_lower_than_all(mark) or _describe_lower(mark, before):
                 done = Message("marking.lower-stands", file=MANUAL.name)
                 yield Complaint(MANUAL.name, None, mark.column, "", what, done)
+
+    def _describe_lower_than_all(self, mark: HandMark) -> Message | None:
+        """That a mark gives less than everybody gets for the asks that are void in its place."""
+        void = {
+            column: points
+            for column, points in self.given_to_all.items()
+            if column == mark.column or (not mark.ask and column.startswith(f"{mark.question}."))
+        }
+        everybody = add_amounts(void.values())
+        if mark.points >= everybody:
+            return None
+        return Message(
+            "marking.lower-than-all",
+            student=Quoted(mark.student),
+            points=write_amount(mark.points),
+            all=write_amount(everybody),
+            columns=list_all([*void]),
+        )
 
     def _put_beside(
         self, mark: HandMark, grade: Grade, machine: Mapping[str, Fraction]
@@ -167,19 +193,16 @@ class Settled:
         return list_hand_marks(self.by_hand)
 
 
-def _describe_lower(mark: HandMark, before: Fraction | None, *, to_all: bool) -> Message | None:
+def _describe_lower(mark: HandMark, before: Fraction | None) -> Message | None:
     """That a mark gives less than the machine, which gave what it did `before` when that was
     decided; None where there is nothing to say.
     """
     if mark.machine is None or mark.points >= mark.machine:
         return None
-    student, points = Quoted(mark.student), write_amount(mark.points)
-    now = write_amount(mark.machine)
-    if to_all:
-        return Message("marking.lower-than-all", student=student, points=points, all=now)
     if before is None or before >= mark.machine:
         return None
-    then = write_amount(before)
+    student, points = Quoted(mark.student), write_amount(mark.points)
+    now, then = write_amount(mark.machine), write_amount(before)
     return Message("marking.lower-than-now", student=student, points=points, now=now, before=then)
 
 

@@ -6,7 +6,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Set
+from collections.abc import Iterable, Mapping, Set
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from typing import Literal, assert_never
@@ -104,10 +104,10 @@ class Policy:
     penalties: Penalties = NO_PENALTIES
     dropped_by_hand: frozenset[str] = frozenset()
 
-    @property
-    def given_to_all(self) -> Set[str]:
-        """The answer columns whose points everybody gets who handed in."""
-        return {column for column, each in self.rulings.items() if each.void == "full"}
+    def list_given(self, asks: Iterable[Ask]) -> Mapping[str, Fraction]:
+        """The points that everybody gets who handed in, by answer column."""
+        ruled = ((ask, self.ruling(ask.column)) for ask in asks)
+        return {ask.column: each.ask(ask).points for ask, each in ruled if each.void == "full"}
 
     @property
     def dropped(self) -> Set[str]:
