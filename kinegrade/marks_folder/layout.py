@@ -116,8 +116,9 @@ MANUAL: Final = TableFile(
     ("student", "question", "points", "out_of", "machine", "comment", "paper"),
     optional=("paper",),
 )
-#: Marks by hand for what the policy drops: they do not count, and do again as soon as the class is
-#: marked without that rule; only where there are some.
+#: Marks by hand for what the policy drops, or for questions that the student's paper holds no
+#: longer: they do not count, and do again as soon as that is no longer so; only where there are
+#: some.
 LEFT_OUT: Final = TableFile("left-out.csv", MANUAL.columns, optional=MANUAL.optional)
 #: Questions whose points, as the papers state them, come on top of the maximum; only where there
 #: are some.

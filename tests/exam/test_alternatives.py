@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import csv
 import json
+import shutil
 from collections import Counter
 from pathlib import Path
 
@@ -177,6 +178,30 @@ def test_nobody_is_marked_by_hand_for_what_is_not_on_the_paper(
     file.write_text("student,question,points\n1002,q2,1\n", encoding="utf-8")
     number = kinegrade("grade", exam, exam_folder / "answers.csv", *marks)
     assert f'"q2" is no question or ask of the exam - {expected}' in number.stderr
+
+
+def test_a_mark_by_hand_for_what_the_paper_holds_no_longer_is_kept_and_named(
+    exam_folder: Path, tmp_path: Path
+) -> None:
+    shutil.copytree(exam_folder, tmp_path, dirs_exist_ok=True)
+    exam, held = tmp_path / "EXAM", find_held(exam_folder / "EXAM")
+    one, other = "1002", next(each for each in held if held[each] != held["1002"])
+    file, files = tmp_path / "manual.csv", (tmp_path / "EXAM", tmp_path / "answers.csv")
+    file.write_text(f"student,question,points\n{one},{held[one][1]},1\n", encoding="utf-8")
+    made = kinegrade("grade", *files, "-o", tmp_path / "FIRST", "--manual", file)
+    assert made.exit_code == 0, made.stderr
+    for folder, again in (("FIRST", "SECOND"), ("SECOND", "THIRD")):
+        assert kinegrade("exchange", exam, one, other).exit_code == 0
+        since = "--since", tmp_path / folder, "--reason", "exchanged", "--own-papers"
+        done = kinegrade("grade", *files, "-o", tmp_path / again, *since)
+        assert done.exit_code < 2, done.stderr
+        said = "1 mark by hand is for a question that the student's paper does not hold: it is kept"
+        assert (said in done.stderr) == (again == "SECOND")
+    left, counted = (table(tmp_path / each) for each in ("SECOND/left-out.csv", "THIRD/manual.csv"))
+    assert [(row["student"], row["question"], row["points"]) for row in (*left, *counted)] == [
+        (one, held[one][1], "1")
+    ] * 2
+    assert kinegrade("diff", tmp_path / "FIRST", tmp_path / "SECOND").exit_code == 0
 
 
 def test_marks_are_of_what_each_paper_holds(exam_folder: Path) -> None:

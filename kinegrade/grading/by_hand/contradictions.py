@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from kinegrade.grading.by_hand.reading import HandRow
+from kinegrade.grading.by_hand.hand_file import GIVE_NEW, HandRow
 from kinegrade.language.message import Fault, Message, Quoted
 from kinegrade.numbers.amounts import write_amount
 
@@ -37,7 +37,8 @@ def _explain_twice(first: HandRow, second: HandRow) -> Fault:
         there=write_amount(first.mark.points),
         place=first.where,
     )
-    return Fault(second.where, what, do=Message("marking.keep-one"))
+    carried = first.carried or second.carried
+    return Fault(second.where, what, do=GIVE_NEW if carried else Message("marking.keep-one"))
 
 
 def _explain_whole_and_part(whole: HandRow, part: HandRow) -> Fault:
@@ -47,4 +48,6 @@ def _explain_whole_and_part(whole: HandRow, part: HandRow) -> Fault:
         column=part.mark.column,
         place=whole.where,
     )
-    return Fault(part.where, what, do=Message("marking.keep-one"))
+    carried = whole.carried or part.carried
+    do = Message("marking.give-whole" if carried else "marking.keep-one")
+    return Fault(part.where, what, do=do)

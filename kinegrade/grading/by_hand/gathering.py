@@ -14,17 +14,16 @@ from kinegrade.errors import Problem, TableError
 from kinegrade.exam.roster.student_ids import describe_restoration
 from kinegrade.files.tables import read_table
 from kinegrade.grading.by_hand.contradictions import find_contradictions
+from kinegrade.grading.by_hand.hand_file import HandFile, HandRow, Newer
 from kinegrade.grading.by_hand.markable import Markable
-from kinegrade.grading.by_hand.reading import (
-    HandFile,
-    HandRow,
-    read_hand_file,
-)
+from kinegrade.grading.by_hand.reading import read_hand_file
 from kinegrade.grading.by_hand.sorted_points import describe_sorted
-from kinegrade.language.message import Fault, Message, Quoted
+from kinegrade.language.message import Fault, Message, Quoted, list_first
 from kinegrade.marks_folder.hand_marks import ByHand, group_by_student
 from kinegrade.marks_folder.layout import FILLED_IN, LEFT_OUT, MANUAL, MARKER, OPEN
 from kinegrade.numbers.amounts import PLACES
+
+_NAMED = 5  # marks that a message names
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,10 +87,11 @@ def gather_hand_marks(sources: HandSources, markable: Markable) -> Gathered:
     points typed into a list that would be lost.
     """
     given = [read_hand_file(path, markable) for path in sources.given]
-    carried = [read_hand_file(path, markable) for path in sources.carried]
     filled = [read_hand_file(path, markable) for path in sources.filled]
     rows = _Rows.join(given)
-    kept = _Rows.join(carried).without(rows)
+    newer = Newer(rows.points)
+    carried = [read_hand_file(path, markable, newer) for path in sources.carried]
+    kept = _Rows.join(carried)
     faults = [
         *chain.from_iterable(file.faults for file in (*given, *carried)),
         *find_contradictions([*kept.all, *rows.all]),
@@ -102,7 +102,7 @@ def gather_hand_marks(sources: HandSources, markable: Markable) -> Gathered:
         raise TableError(*faults)
     notes = (
         *_say(sources.given, given, markable),
-        *_say_carried(sources.carried, carried, kept, rows),
+        *_say_carried(sources.carried, carried),
     )
     return Gathered(
         group_by_student(row.mark for row in (*kept.counted, *rows.counted)),
@@ -130,13 +130,6 @@ class _Rows:
         """Both."""
         return (*self.counted, *self.left_out)
 
-    def without(self, newer: _Rows) -> _Rows:
-        """The rows for what `newer` ones do not mark."""
-        marked = newer.points
-        counted = (row for row in self.counted if row.mark.place not in marked)
-        left_out = (row for row in self.left_out if row.mark.place not in marked)
-        return _Rows(tuple(counted), tuple(left_out))
-
     @property
     def points(self) -> Mapping[tuple[str, str], Fraction]:
         """What each row gives, by whom and what it marks."""
@@ -161,34 +154,34 @@ def _say(paths: Sequence[Path], files: Sequence[HandFile], markable: Markable) -
         yield from _say_kept(path, file)
 
 
-def _say_carried(
-    paths: Sequence[Path], files: Sequence[HandFile], kept: _Rows, rows: _Rows
-) -> Iterator[Problem]:
+def _say_carried(paths: Sequence[Path], files: Sequence[HandFile]) -> Iterator[Problem]:
     """What was carried over and replaced, and what does not count."""
-    given, counted = rows.points, set(kept.counted)
     for path, file in zip(paths, files, strict=True):
-        carried = sum(row in counted for row in file.rows)
-        replaced = (row.mark for row in file.rows if row.mark.place in given)
-        changed = sum(given[mark.place] != mark.points for mark in replaced)
-        if carried:
-            yield Message("marking.carried-over", file=str(path), count=carried)
-        if changed:
-            yield Message("marking.replaced-by-hand", file=str(path), count=changed)
+        if file.rows:
+            yield Message("marking.carried-over", file=str(path), count=len(file.rows))
+        if file.replaced:
+            yield Message("marking.replaced-by-hand", file=str(path), count=file.replaced)
         yield from _say_kept(path, file)
 
 
 def _say_kept(path: Path, file: HandFile) -> Iterator[Problem]:
-    """Which ids were repaired, which marks went with a paper, and which are for what the policy
-    dropped, and where they are kept.
+    """Which ids were repaired, which marks went with a paper, and which are kept and do not
+    count.
     """
     if file.restored:
         what, done = describe_restoration(file.restored)
         yield Fault(str(path), what, do=done)
     if file.followed:
         yield Message("marking.followed-paper", file=str(path), count=file.followed)
-    if file.left_out:
-        count, kept = len(file.left_out), LEFT_OUT.name
+    kept = LEFT_OUT.name
+    if file.dropped:
+        count = len(file.dropped)
         yield Message("marking.dropped-by-hand", file=str(path), count=count, kept=kept)
+    if file.not_held:
+        count, named = len(file.not_held), [" ".join(row.mark.place) for row in file.not_held]
+        names = list_first(named, _NAMED)
+        said = "marking.not-held-by-hand"
+        yield Message(said, file=str(path), count=count, kept=kept, names=names)
 
 
 def _find_beside(

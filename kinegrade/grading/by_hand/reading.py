@@ -21,6 +21,7 @@ from kinegrade.files.spreadsheet import read_workbook
 from kinegrade.files.tables import Complaint, Table, drop_headers, read_table
 from kinegrade.files.workbook_inspection import is_workbook
 from kinegrade.grading.by_hand.columns import HandColumns, find_hand_columns
+from kinegrade.grading.by_hand.hand_file import GIVE_NEW, HandFile, HandRow, Newer
 from kinegrade.grading.by_hand.markable import Markable
 from kinegrade.grading.same_key import is_of_another_exam
 from kinegrade.language.message import Fault, Message, Quoted, Text, list_choices
@@ -32,39 +33,14 @@ from kinegrade.question_numbers import find_bank_number
 _POINTS = re.compile(rf"\+?([0-9]{{1,9}}(?:[.,][0-9]{{1,{PLACES}}})?)")
 
 
-@dataclass(frozen=True, slots=True)
-class HandRow:
-    """A mark and where it stands."""
-
-    mark: HandMark
-    where: str
-
-
-@dataclass
-class HandFile:
-    """What was read of one file: its marks, how many rows have none yet, what some of these say by
-    student and question, those `left_out` that mark
-    what the policy dropped, which ids are not as in the exam, how many `followed` a paper to
-    another student than they were given to, and what is wrong.
-    """
-
-    rows: list[HandRow] = field(default_factory=list)
-    unmarked: int = 0
-    comments: dict[tuple[str, str], str] = field(default_factory=dict)
-    left_out: list[HandRow] = field(default_factory=list)
-    restored: Mapping[str, str] = field(default_factory=dict)
-    followed: int = 0
-    faults: list[Fault] = field(default_factory=list)
-
-
-def read_hand_file(path: Path, markable: Markable) -> HandFile:
+def read_hand_file(path: Path, markable: Markable, newer: Newer | None = None) -> HandFile:
     """The marks of a CSV file or workbook; where it is a list of an earlier marking, with what the
-    machine gave then.
+    machine gave then. Of one that is carried over only what no `newer` mark replaces is looked at.
 
     Raises TableError where it is no such table.
     """
     table = read_workbook(path) if is_workbook(path) else read_table(path)
-    return _Reader(table, find_hand_columns(table), markable, str(path)).read()
+    return _Reader(table, find_hand_columns(table), markable, str(path), newer).read()
 
 
 @dataclass(frozen=True)
@@ -73,6 +49,7 @@ class _Reader:
     columns: HandColumns
     markable: Markable
     path: str
+    newer: Newer | None
     found: HandFile = field(default_factory=HandFile)
 
     def read(self) -> HandFile:
@@ -113,13 +90,14 @@ class _Reader:
             return
         student = self._find_student(row, students)
         named = self._find_named(row, student)
-        if student is None or named is None:
+        if student is None or named is None or self._is_replaced(student, named, points):
             return
         if not points and named.column in self.markable.by_hand:
             self.found.unmarked += 1
             self.found.comments[student, named.column] = comment
             return
-        amount = self._read_points(row, points, student, named)
+        held = self._is_held(row, student, named)
+        amount = None if held is None else self._read_points(row, points, named)
         if amount is None or self._is_cut(row, points, comment, named):
             return
         maximum = self.markable.maxima.get(named.column)
@@ -128,11 +106,21 @@ class _Reader:
             *(student, named.question, named.ask, amount, maximum, comment, before),
             paper=self._find_code(row, student),
         )
-        found = HandRow(mark, f"{self.path}:{row.line}")
-        if self.markable.leaves_out(named.column, amount):
-            self.found.left_out.append(found)
+        found = HandRow(mark, f"{self.path}:{row.line}", carried=self.newer is not None)
+        if not held:
+            self.found.not_held.append(found)
+        elif self.markable.leaves_out(named.column, amount):
+            self.found.dropped.append(found)
         elif not self._is_above(row, amount, named):
             self.found.rows.append(found)
+
+    def _is_replaced(self, student: str, named: Named, points: str) -> bool:
+        """Whether a newer mark takes the place of this one, whatever stands here."""
+        if self.newer is None or not self.newer.replaces(student, named):
+            return False
+        amount = self.newer.points.get((student, named.column))
+        self.found.replaced += amount is None or amount != _read_amount(points)
+        return True
 
     def _find_student(self, row: Row, students: Mapping[str, str]) -> str | None:
         cell = self.columns.cell(row, self.columns.student)
@@ -188,18 +176,25 @@ class _Reader:
             self._fault(row, "", what, held or self.markable.explain_names())
         return named
 
-    def _read_points(self, row: Row, cell: str, student: str, named: Named) -> Fraction | None:
-        if not self.markable.is_held(student, named.question):
-            question = find_bank_number(named.question)
-            what = Message("marking.not-on-paper", question=question, student=Quoted(student))
-            held = self.markable.describe_held(student, named.question)
-            self._fault(row, "", what, held, Message("marking.correct-here"))
-            return None
+    def _is_held(self, row: Row, student: str, named: Named) -> bool | None:
+        """Whether the student's paper holds the question; None where that is a fault, as it is in
+        what is not carried over.
+        """
+        if self.markable.is_held(student, named.question):
+            return True
+        if self.newer is not None:
+            return False
+        question = find_bank_number(named.question)
+        what = Message("marking.not-on-paper", question=question, student=Quoted(student))
+        held = self.markable.describe_held(student, named.question)
+        self._fault(row, "", what, held, Message("marking.correct-here"))
+        return None
+
+    def _read_points(self, row: Row, cell: str, named: Named) -> Fraction | None:
         points = _read_amount(cell)
         if points is None:
             what = Message("marking.points-are", cell=Quoted(shorten(cell)))
             self._fault(row, named.column, what, Message("marking.hand-points", places=PLACES))
-            return None
         return points
 
     def _is_above(self, row: Row, points: Fraction, named: Named) -> bool:
@@ -209,7 +204,8 @@ class _Reader:
             return False
         shown = write_amount(points), write_amount(maximum)
         what = Message("marking.above-points", points=shown[0], maximum=shown[1])
-        self._fault(row, named.column, what, do=Message("marking.rest-as-bonus", name=EXTRA))
+        do = GIVE_NEW if self.newer is not None else Message("marking.rest-as-bonus", name=EXTRA)
+        self._fault(row, named.column, what, do=do)
         return True
 
     def _is_cut(self, row: Row, points: str, comment: str, named: Named) -> bool:

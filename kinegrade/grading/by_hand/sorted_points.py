@@ -12,7 +12,7 @@ from itertools import pairwise
 from math import factorial, prod
 from typing import Any
 
-from kinegrade.grading.by_hand.reading import HandRow
+from kinegrade.grading.by_hand.hand_file import HandRow
 from kinegrade.language.message import Message
 
 _LEAST_ORDERS = 100_000  # in which the same points could stand: two of them are sorted

@@ -63,7 +63,8 @@ def test_marks_by_code_and_by_id_that_meet_are_told(folder: Path) -> None:
     exchange(folder)
     assert faults(grade(folder, "--own-papers"), folder) == [
         f'MARKS/manual.csv:3: student "{SOFYA}" has 1 points for q2 here and 2 at '
-        "MARKS/manual.csv:2 - keep one of them"
+        "MARKS/manual.csv:2 - give the points that count now with --manual: they take the place of "
+        "these"
     ]
 
 
