@@ -36,7 +36,7 @@ from kinegrade.worked.words.naming import Naming
 @dataclass(frozen=True)
 class Case:
     """A solved instance, the language and method of its solution, the unit in which it counts
-    lengths, and what it has found so far.
+    lengths, the numbers that print with more digits than usual, and what it has found so far.
 
     Chapters are written in order; `findings` is their notebook.
     """
@@ -45,6 +45,7 @@ class Case:
     language: Language
     method: Method | None = None
     length: str = "m"
+    finer: Mapping[str, int] = field(default_factory=dict)
     findings: Findings = field(default_factory=Findings)
 
     @property
@@ -112,7 +113,7 @@ class Case:
     @cached_property
     def notation(self) -> Notation:
         """How the formulas of the solution print."""
-        return Notation(open_catalogue(self.language).decimal_mark, self.length)
+        return Notation(open_catalogue(self.language).decimal_mark, self.length, self.finer)
 
     def write(self, message: Message) -> str:
         """What a message says in the language of the solution."""
@@ -126,7 +127,17 @@ class Case:
 
     def show(self, *equations: Equation) -> Display:
         """Equations one below the other."""
-        return Display(tuple(equation.print_line(self.notation) for equation in equations))
+        return Display(tuple(map(self.print_line, equations)))
+
+    def print_line(self, equation: Equation) -> Row:
+        """An equation on one line, of which the notebook is told."""
+        self.findings.printed.append(equation)
+        return equation.print_line(self.notation)
+
+    def break_lines(self, equation: Equation) -> tuple[Row, ...]:
+        """An equation on as many lines as it needs, of which the notebook is told."""
+        self.findings.printed.append(equation)
+        return equation.break_lines(self.notation)
 
     def text(self, formula: Formula) -> str:
         """A formula as a part of a sentence, in LaTeX math without dollar signs."""
@@ -134,6 +145,7 @@ class Case:
 
     def tell(self, equation: Equation) -> str:
         """An equation within a sentence, with its dollar signs."""
+        self.findings.printed.append(equation)
         return f"${self._tell(equation.print_inline(self.notation))}$"
 
     def _tell(self, row: Row) -> str:

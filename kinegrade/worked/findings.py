@@ -13,6 +13,7 @@ from kinegrade.mechanics.relations import Term
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Level
 from kinegrade.worked.formulas.atoms import Symbol, VectorSymbol
+from kinegrade.worked.formulas.equation import Equation
 from kinegrade.worked.formulas.formula import Formula
 
 Ways: TypeAlias = tuple[tuple[Rate, str, str], ...]  # what distinguishes chains of terms
@@ -99,7 +100,8 @@ class Findings:
     move relative to it, of which the composition of motions has been explained; `coincident` the
     primed letters that have been; `parts_explained` whether it has been said what the indices n and
     t mark; `leaning` the lines, one or two, whose angle with an axis or with
-    one another has been told for a projection; `checked` what the checks say.
+    one another has been told for a projection; `checked` what the checks say;
+    `printed` the equations.
     """
 
     facts: dict[Key, Fact] = field(default_factory=dict)
@@ -122,6 +124,7 @@ class Findings:
     leaning: set[Pair] = field(default_factory=set)
     rim_tracks: dict[int, Term] = field(default_factory=dict)
     legs: dict[frozenset[str], tuple[str, str]] = field(default_factory=dict)
+    printed: list[Equation] = field(default_factory=list)
     checked: list[Checked] = field(default_factory=list)
     stated: dict[tuple[str, str], Stated | None] = field(default_factory=dict)
     composed: set[tuple[Level, str, str | None]] = field(default_factory=set)

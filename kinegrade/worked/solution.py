@@ -31,7 +31,8 @@ from kinegrade.worked.contacts import find_contact, introduce_contacts
 from kinegrade.worked.conventions import find_conventions
 from kinegrade.worked.document import Block, Heading, WorkedSolution
 from kinegrade.worked.economy import leave_out_unused
-from kinegrade.worked.findings import Ways
+from kinegrade.worked.findings import Findings, Ways
+from kinegrade.worked.formulas.precision import find_finer
 from kinegrade.worked.formulas.symbols import read_symbol
 from kinegrade.worked.numbering import number_steps
 from kinegrade.worked.positions.parts import list_lines
@@ -70,9 +71,18 @@ def write_worked_solution(
     stated = count_as_asked(restate(counted), names)
     case = Case(stated, language, method or stated.template.about.method, length)
     asked = tuple(stated.template.asks[name] for name in names)
+    rough = _write(case, asked, method)
+    finer = find_finer(case.findings.printed)
+    if not finer:
+        return rough
+    return _write(replace(case, finer=finer, findings=Findings()), asked, method)
+
+
+def _write(case: Case, asked: Sequence[Ask], method: Method | None) -> WorkedSolution:
+    """The solution with the digits that the case gives its numbers."""
     claim_plain_symbols(asked, case)
     boxes = AnswerBoxes.around(asked, case)
-    if not stated.template.scheme.has_mechanism:
+    if not case.template.scheme.has_mechanism:
         with case.arithmetic.context():
             return WorkedSolution(tuple(boxes.frame(explain_steps(asked, case, boxes))))
     # Centrodes are worked out at other poses too: in the precision of this one

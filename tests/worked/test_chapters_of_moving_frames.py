@@ -119,7 +119,7 @@ def test_a_composition_of_accelerations_with_coriolis() -> None:
             $\boldsymbol{a}_{\mathrm{r}}$:
         a_{\mathrm{a}}^{\mathrm{n}}\sin\psi_{OA} &= a_{\mathrm{e}}^{\mathrm{t}} + a_{\mathrm{Cor}}
         a_{\mathrm{e}}^{\mathrm{t}} &= -a_{\mathrm{Cor}} + a_{\mathrm{a}}^{\mathrm{n}}\sin\psi_{OA} =
-            -12.29\,\unit{m/s^2} + 16\,\unit{m/s^2} \cdot \sin 36.87^\circ
+            -12.288\,\unit{m/s^2} + 16\,\unit{m/s^2} \cdot \sin 36.87^\circ
         &= -2.688\,\unit{m/s^2}\quad\text{(clockwise about }O\text{)}
         \alpha &= \frac{a_{\mathrm{e}}^{\mathrm{t}}}{OA} = \frac{-2.688\,\unit{m/s^2}}{5\,\unit{m}}
             = -0.5376\,\unit{rad/s^2}\quad\text{(clockwise)}
@@ -199,7 +199,7 @@ def test_a_relative_vector_that_is_asked_for() -> None:
         v_{B,x} &= -\omega_{AB}\,y_{B} = -(-3\,\unit{rad/s}) \cdot 1\,\unit{m} = 3\,\unit{m/s}
         v_{B,y} &= v_{A} + \omega_{AB}(x_{B} - x_{A}) = 6\,\unit{m/s}
         The point of the arm $OA$ that coincides with $B$ turns about $O$:
-        v_{B(OA)} &= OB \cdot \omega_{OA} = 3.162\,\unit{m} \cdot 2\,\unit{rad/s} \approx
+        v_{B(OA)} &= OB \cdot \omega_{OA} = 3.1623\,\unit{m} \cdot 2\,\unit{rad/s} \approx
             6.325\,\unit{m/s}\quad\text{(counter-clockwise about }O\text{)}
         Now the moving frame is the arm $OA$:
             $\boldsymbol{v}_{\mathrm{r}} = \boldsymbol{v}_{B} - \boldsymbol{v}_{B(OA)}$ is the

@@ -56,8 +56,8 @@ def test_velocities_by_a_base_point() -> None:
             $\boldsymbol{v}_{A}$:
         0 &= -v_{B} + v_{AB}\sin\psi_{BA}
         v_{AB} &= \frac{v_{B}}{\sin\psi_{BA}} = \frac{2\,\unit{m/s}}{\sin 36.87^\circ} \approx
-            3.333\,\unit{m/s}
-        \omega &= \frac{v_{AB}}{BA} = \frac{3.333\,\unit{m/s}}{5\,\unit{m}} \approx
+            3.3333\,\unit{m/s}
+        \omega &= \frac{v_{AB}}{BA} = \frac{3.3333\,\unit{m/s}}{5\,\unit{m}} \approx
             0.6667\,\unit{rad/s}\quad\text{(counter-clockwise)}
         """
     )

@@ -93,7 +93,7 @@ def test_the_points_of_a_rolling_wheel() -> None:
         r"""
         The point of contact $D$ is the velocity pole of the wheel, so the velocity of $P$ is
             normal to $DP$:
-        v_{P} &= DP \cdot \left|\omega_{\text{wheel}}\right| = 2.828\,\unit{m} \cdot 3\,\unit{rad/s} \approx
+        v_{P} &= DP \cdot \left|\omega_{\text{wheel}}\right| = 2.8284\,\unit{m} \cdot 3\,\unit{rad/s} \approx
             8.485\,\unit{m/s}
         $D$ is a point of the wheel, base point $C$:
         a_{D,x} &= a_{C} + \alpha_{\text{wheel}}\,y_{C} = 2\,\unit{m/s^2} + (-1\,\unit{rad/s^2}) \cdot

@@ -8,8 +8,8 @@ from kinegrade.language.message import Message
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.library.library import load_template
 from kinegrade.worked.checks.check import Check, choose_check
+from kinegrade.worked.checks.sides import Side
 from kinegrade.worked.formulas.atoms import Number, add_terms
-from kinegrade.worked.formulas.equation import Equation
 from kinegrade.worked.formulas.symbols import read_symbol
 from tests.worked.draws import kept, told
 from tests.worked.telling import displayed, proses
@@ -31,11 +31,9 @@ def test_accelerations_of_many_vectors_are_checked_too(name: str) -> None:
 
 def make_check(terms: int, *, same: bool = False) -> Check:
     side = add_terms(read_symbol("omega") for _ in range(terms))
-    return Check(
-        Message("solution.projection-x"),
-        Equation(side if same else Number("0"), ()),
-        Equation(side, ()),
-    )
+    other = side if same else Number("0")
+    first, second = (Side(Number("1"), 1, letters) for letters in (other, side))
+    return Check(Message("solution.projection-x"), (first, second), "m")
 
 
 def test_a_short_check_goes_before_longer_ones_wherever_it_stands() -> None:

@@ -165,9 +165,9 @@ def test_a_slanting_line_meets_a_circle_by_the_law_of_sines() -> None:
     told = displayed(blocks)
     place = next(at for at, line in enumerate(told) if line.startswith(r"\sin\delta"))
     assert told[place].startswith(r"\sin\delta &= \frac{x_{A}\sin\varphi}{l} =")
-    assert told[place + 1] == r"\delta &\approx 10.29^\circ"
+    assert told[place + 1] == r"\delta &\approx 10.2866^\circ"
     assert told[place + 2].startswith(r"OB &= x_{A}\cos\varphi + l\cos\delta =")
-    assert told[place + 2].endswith(r"\approx 0.1811\,\unit{m}")
+    assert told[place + 2].endswith(r"\approx 0.18105\,\unit{m}")
     assert not [line for line in told if r"\psi" in line]
 
 

@@ -19,8 +19,7 @@ from kinegrade.worked.formulas.atoms import ZERO, list_summands
 from kinegrade.worked.formulas.equation import WIDEST, Equation
 from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.measures import double
-from kinegrade.worked.formulas.notation import PLAIN
-from kinegrade.worked.formulas.numbers import DIGITS
+from kinegrade.worked.formulas.notation import PLAIN, Notation
 from kinegrade.worked.vectors.arms import introduce_lengths, name_length
 
 _AT_A_GLANCE = 2 * WIDEST  # letters of both sides
@@ -30,24 +29,39 @@ _CLOSE = 1e-9  # relative: far below a digit that is printed
 
 @dataclass(frozen=True)
 class Check:
-    """By which way, and what either side amounts to; `sums` has the terms of both
-    sides where they stand there by a short name, `arm` two points whose distance is told before,
-    `form` what it says of rates, and `points` whose vectors it takes as they have been found.
+    """By which way, and what either side amounts to, in a unit; `arm` two points whose distance is
+    told before, `form` what it says of rates, and `points` whose vectors it takes as they have been
+    found.
     """
 
     way: Message
-    left: Equation
-    right: Equation
-    sums: tuple[Formula, Formula] | None = None
+    sides: tuple[Side, Side]
+    unit: str
     arm: tuple[str, str] | None = None
     form: Form = field(default_factory=dict)
     points: Set[str] = frozenset()
-    digits: int = DIGITS
+
+    @cached_property
+    def digits(self) -> int:
+        """How many digits of its value both sides give."""
+        return self._count_digits(PLAIN)
+
+    def _count_digits(self, notation: Notation) -> int:
+        return min(side.count_digits(notation) for side in self.sides)
+
+    @cached_property
+    def _equations(self) -> tuple[Equation, Equation]:
+        return self._work_out(PLAIN)
+
+    def _work_out(self, notation: Notation) -> tuple[Equation, Equation]:
+        digits = self._count_digits(notation)
+        left, right = (side.work_out(self.unit, digits, notation) for side in self.sides)
+        return left, right
 
     @cached_property
     def letters(self) -> float:
         """The letters of both sides."""
-        return sum(measure_row(side.print_inline(PLAIN)) for side in (self.left, self.right))
+        return sum(measure_row(side.print_inline(PLAIN)) for side in self._equations)
 
     @property
     def is_telling(self) -> bool:
@@ -57,14 +71,14 @@ class Check:
     @property
     def _is_empty(self) -> bool:
         """Whether either side is nothing but zero."""
-        return all(side.left == ZERO and not side.links for side in (self.left, self.right))
+        return all(side.numbers == ZERO for side in self.sides)
 
     def _list_uncancelled(self) -> list[Formula]:
         """What is left where each term goes against the same one on the other side, or beside
         itself with the other sign.
         """
         left = list[Formula]()
-        first, second = self.sums or (self.left.left, self.right.left)
+        first, second = (side.sum for side in self.sides)
         for one in (*list_summands(first), *list_summands(-second)):
             if -one in left:
                 left.remove(-one)
@@ -75,7 +89,7 @@ class Check:
     @property
     def is_one_sided(self) -> bool:
         """Whether one of the sides is zero."""
-        return ZERO in (self.left.left, self.right.left)
+        return ZERO in (side.left for side in self._equations)
 
     @property
     def is_short(self) -> bool:
@@ -85,7 +99,7 @@ class Check:
     def with_length(self, ends: tuple[str, str], case: Case) -> Check:
         """The check after the distance of two points, where it takes that."""
         letters = name_length(*ends, case).row
-        sides = (side.print_inline(PLAIN) for side in (self.left, self.right))
+        sides = (side.print_inline(PLAIN) for side in self._equations)
         taken = any(_holds(side, letters) for side in sides)
         return replace(self, arm=ends) if taken else self
 
@@ -93,7 +107,8 @@ class Check:
         """The check in one sentence, after the length that it needs."""
         for equation in introduce_lengths((self.arm,) if self.arm else (), case):
             yield case.say(Message("solution.here", equations=case.tell(equation)))
-        left, right = map(case.tell, (self.left, self.right))
+        case.findings.printed += (side.state_fully(self.unit) for side in self.sides)
+        left, right = map(case.tell, self._work_out(case.notation))
         said = case.say(Message("solution.check", way=self.way, left=left, right=right))
         yield replace(said, compact=True)
 
@@ -131,6 +146,4 @@ def compare(
     greatest = max(abs(double(left.value)), largest)
     same = abs(double(left.value) - double(right.value)) < _CLOSE * greatest
     other = replace(right, value=left.value) if same else right
-    digits = min(left.digits, other.digits)
-    sides = left.work_out(unit, digits), other.work_out(unit, digits)
-    return Check(way, *sides, sums=(left.sum, right.sum), form=form or {}, digits=digits)
+    return Check(way, (left, other), unit, form=form or {})

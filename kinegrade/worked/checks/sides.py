@@ -4,7 +4,7 @@ printed numbers gets.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import floor, log10
 from typing import Any
 
@@ -12,7 +12,8 @@ from kinegrade.worked.formulas.atoms import ZERO, Measured
 from kinegrade.worked.formulas.equation import Equation, Link, approximate, equate
 from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.measures import double
-from kinegrade.worked.formulas.numbers import DIGITS, round_number
+from kinegrade.worked.formulas.notation import Notation
+from kinegrade.worked.formulas.numbers import DIGITS, measure, round_number
 from kinegrade.worked.formulas.printed_values import find_printed_value
 
 _EQUAL = 1e-9  # relative: far below a digit that is printed
@@ -34,33 +35,44 @@ class Side:
         """Its terms, in letters where it has such."""
         return self.letters or self.numbers
 
-    @property
-    def digits(self) -> int:
+    def count_digits(self, notation: Notation) -> int:
         """How many digits of the value its printed numbers give, to within one of the last; none
         where they cancel but for what rounding has left.
         """
         value = double(self.value)
         if self.numbers.is_decimal or not value:
             return DIGITS
-        printed, first = find_printed_value(self.numbers), floor(log10(abs(value)))
+        printed, first = find_printed_value(self.numbers, notation), floor(log10(abs(value)))
         for digits in range(DIGITS, 0, -1):
             rounded = find_printed_value(round_number(self.value, digits))
             if abs(printed - rounded) < 10.0 ** (first - digits + 1):
                 return digits
         return 0
 
-    def work_out(self, unit: str, digits: int) -> Equation:
+    def state_fully(self, unit: str) -> Equation:
+        """The side with all digits of its value, which its numbers ought to give."""
+        if self.numbers.is_decimal or not double(self.value):
+            return Equation(self.numbers, ())
+        return Equation(self.numbers, approximate(measure(self.value, unit)))
+
+    def work_out(self, unit: str, digits: int, notation: Notation) -> Equation:
         """The side with its value; alone where it is nothing but a value."""
         letters = self.short or self.letters
-        said = self.numbers.is_decimal and (digits == DIGITS or not double(self.value))
-        value = () if said else self._state_value(unit, digits)
+        as_usual = self.numbers.print(notation) == self.numbers.print()
+        said = self.numbers.is_decimal and (
+            (digits == DIGITS and as_usual) or not double(self.value)
+        )
+        value = () if said else self._state_value(unit, digits, notation)
         if letters is None:
             return Equation(self.numbers, value)
         return Equation(letters, (*equate(self.numbers), *value))
 
-    def _state_value(self, unit: str, digits: int) -> tuple[Link, ...]:
-        printed, zero = find_printed_value(self.numbers), not (digits and double(self.value))
-        number = ZERO if zero else round_number(self.value, digits)
+    def _state_value(self, unit: str, digits: int, notation: Notation) -> tuple[Link, ...]:
+        printed, zero = (
+            find_printed_value(self.numbers, notation),
+            not (digits and double(self.value)),
+        )
+        number = ZERO if zero else replace(round_number(self.value, digits), long="")
         away = abs(printed - find_printed_value(number))
         stated = ZERO if zero else Measured(number, unit)
         if away > _EQUAL * max(abs(printed), 1e-3):

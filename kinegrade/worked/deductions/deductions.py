@@ -109,13 +109,13 @@ def show_solution(
     if symbols is None or numbers is None:
         return stage.case.show(*_state_projection(stage, projection, solved), first, *others)
     links = lead_to(first.left, (symbols, numbers), first.links)
-    notation, stated = stage.case.notation, stage.project(projection, None)
+    case, stated = stage.case, stage.project(projection, None)
     alone = first.left in (stated.left, stated.links[0].right)
     return Display(
         (
-            *(() if alone else (stated.print_line(notation),)),
-            *Equation(first.left, links, first.aside).break_lines(notation),
-            *(other.print_line(notation) for other in others),
+            *(() if alone else (case.print_line(stated),)),
+            *case.break_lines(Equation(first.left, links, first.aside)),
+            *(case.print_line(other) for other in others),
         )
     )
 

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
+from decimal import Decimal
 from functools import reduce
 from operator import add
 from typing import ClassVar, Literal, TypeAlias
 
 from kinegrade.language.math.tree import DEGREE, Letter, Lettering, Row, Scripts, Sign, Space, Unit
-from kinegrade.worked.formulas.formula import Formula, Kind, Product, Root, Sum
+from kinegrade.worked.formulas.formula import Formula, Kind, Negative, Product, Root, Sum
 from kinegrade.worked.formulas.notation import PLAIN, Notation
 from kinegrade.worked.formulas.rows import enclose, print_decimal, raise_last
 
@@ -21,7 +22,7 @@ AXES: tuple[AxisName, AxisName] = ("x", "y")
 @dataclass(frozen=True)
 class Number(Formula):
     """A decimal as it is printed; a negative one keeps its minus sign wherever it stands. `rounded`
-    where it has more digits than it shows.
+    where it has more digits than it shows; `long` has more of these, where they may be shown.
 
     >>> Number("-2").sign, abs(Number("-2"))
     (-1, Number(digits='2'))
@@ -29,12 +30,25 @@ class Number(Formula):
 
     digits: str
     rounded: bool = field(default=False, compare=False, repr=False)
+    long: str = field(default="", compare=False, repr=False)
     kind: ClassVar[Kind] = "number"
     is_decimal: ClassVar[bool] = True
 
     def print(self, notation: Notation = PLAIN) -> Row:
         """The math tree."""
-        return print_decimal(self.digits, notation.decimal_mark)
+        return print_decimal(self.show(notation), notation.decimal_mark)
+
+    def show(self, notation: Notation) -> str:
+        """The digits that are printed.
+
+        >>> Number("-0.4989", True, "-0.498934567").show(Notation(finer={"0.498934567": 2}))
+        '-0.498935'
+        """
+        more = notation.finer.get(self.long.removeprefix("-"), 0) if self.rounded else 0
+        if not more:
+            return self.digits
+        places = len(self.digits.partition(".")[2]) + more
+        return f"{Decimal(self.long):.{places}f}"
 
     @property
     def begins_with_minus(self) -> bool:
@@ -49,7 +63,8 @@ class Number(Formula):
     @property
     def size(self) -> Formula:
         """The formula without its sign."""
-        return replace(self, digits=self.digits.removeprefix("-"))
+        digits, long = (one.removeprefix("-") for one in (self.digits, self.long))
+        return replace(self, digits=digits, long=long)
 
     def __abs__(self) -> Formula:
         return self.size
@@ -217,8 +232,13 @@ def multiply_factors(factors: Iterable[Formula]) -> Formula:
 
 
 def add_squares(sides: Iterable[Formula]) -> Root:
-    """The root of the sum of squares."""
-    return Root(add_terms(side**TWO for side in sides))
+    """The root of the sum of squares; the opposite of a formula has the square of that.
+
+    >>> add_squares((-Symbol((Letter("x"),)), TWO)).radicand.terms[0].base
+    Symbol(row=(Letter(name='x'),), closed=False)
+    """
+    plain = (side.inner if isinstance(side, Negative) else side for side in sides)
+    return Root(add_terms(side**TWO for side in plain))
 
 
 def list_summands(formula: Formula) -> tuple[Formula, ...]:

@@ -10,11 +10,14 @@ from typing import Literal, TypeAlias
 
 from kinegrade.language.math.tree import Mark, Row, Sign
 from kinegrade.language.math.width import measure_row
-from kinegrade.worked.formulas.exactness import is_exact, is_rounded
+from kinegrade.worked.formulas.atoms import ZERO
+from kinegrade.worked.formulas.exactness import is_exact, is_numeric, is_rounded
 from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.notation import Notation
+from kinegrade.worked.formulas.printed_values import find_printed_value
 
 Relation: TypeAlias = Literal["=", r"\approx", ":"]
+_NOTHING = 1e-12
 WIDEST = 68  # letters that fit on a line of a display
 
 
@@ -36,15 +39,16 @@ class Equation:
 
     @property
     def _printed(self) -> tuple[Link, ...]:
-        """The links without an exact form that would stand after numbers that have been rounded:
-        these do not amount to it.
+        """The links without an exact form that would stand after numbers that have been rounded,
+        and without such numbers before a zero: these do not amount to it.
         """
-        places = (place for place, link in enumerate(self.links) if is_rounded(link.right))
-        first = next(places, len(self.links))
+        links = self.links
+        if links and links[-1] == Link("=", ZERO):
+            links = tuple(link for link in links if not _misses_zero(link.right))
+        places = (place for place, link in enumerate(links) if is_rounded(link.right))
+        first = next(places, len(links))
         return tuple(
-            link
-            for place, link in enumerate(self.links)
-            if place <= first or not is_exact(link.right)
+            link for place, link in enumerate(links) if place <= first or not is_exact(link.right)
         )
 
     def print_inline(self, notation: Notation) -> Row:
@@ -71,6 +75,12 @@ class Equation:
             lines[-1] += row
             used += width
         return tuple(lines)
+
+
+def _misses_zero(numbers: Formula) -> bool:
+    """Whether rounded numbers amount to next to nothing rather than to nothing."""
+    rounded = is_numeric(numbers) and is_rounded(numbers)
+    return rounded and abs(find_printed_value(numbers)) > _NOTHING
 
 
 def _list_groups(links: tuple[Link, ...]) -> Iterator[tuple[Link, ...]]:

@@ -6,7 +6,18 @@ from collections.abc import Iterator
 from dataclasses import fields, is_dataclass
 
 from kinegrade.worked.formulas.atoms import Exact, Measured, Number
-from kinegrade.worked.formulas.formula import Formula
+from kinegrade.worked.formulas.formula import (
+    Formula,
+    Function,
+    Negative,
+    Power,
+    Product,
+    Quotient,
+    Root,
+    Sum,
+)
+
+_NUMERIC = (Number, Measured, Exact, Negative, Sum, Product, Quotient, Power, Root, Function)
 
 
 def is_exact(formula: Formula) -> bool:
@@ -26,10 +37,19 @@ def is_rounded(formula: Formula) -> bool:
     >>> is_rounded(Number("3") * third), is_rounded(Number("3") * Number("2"))
     (True, False)
     """
-    return any(isinstance(part, Number) and part.rounded for part in _list_parts(formula))
+    return any(isinstance(part, Number) and part.rounded for part in list_parts(formula))
 
 
-def _list_parts(formula: Formula) -> Iterator[Formula]:
+def is_numeric(formula: Formula) -> bool:
+    """Whether a formula has a value: it holds no symbol.
+
+    >>> is_numeric(Number("3") * Number("2"))
+    True
+    """
+    return all(isinstance(part, _NUMERIC) for part in list_parts(formula))
+
+
+def list_parts(formula: Formula) -> Iterator[Formula]:
     """A formula and all that it is made of."""
     yield formula
     if not is_dataclass(formula):
@@ -38,4 +58,4 @@ def _list_parts(formula: Formula) -> Iterator[Formula]:
         inner = getattr(formula, name.name)
         for part in inner if isinstance(inner, tuple) else (inner,):
             if isinstance(part, Formula):
-                yield from _list_parts(part)
+                yield from list_parts(part)

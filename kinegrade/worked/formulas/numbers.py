@@ -118,7 +118,7 @@ def _keep_zeros(short: str, long: str, digits: int = DIGITS) -> Number:
     """
     zeros = "" if short == long else "0" * (digits - count_digits(short))
     point = "." if zeros and "." not in short else ""
-    return Number(short + point + zeros, rounded=short != long)
+    return Number(short + point + zeros, rounded=short != long, long=long)
 
 
 def state_angle(angle: float) -> Measured:
@@ -133,7 +133,8 @@ def state_angle(angle: float) -> Measured:
 def _round_degrees(angle: float) -> Number:
     rounded = round(angle, _PLACES)
     exact = abs(rounded - angle) < 10**-_CERTAINLY
-    return Number(f"{rounded:g}" if exact else f"{rounded:.{_PLACES}f}", rounded=not exact)
+    shown = f"{rounded:g}" if exact else f"{rounded:.{_PLACES}f}"
+    return Number(shown, rounded=not exact, long=f"{angle:.{_CERTAINLY}f}")
 
 
 def substitute(value: Any, unit: Unit) -> Formula:

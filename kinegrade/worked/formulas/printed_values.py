@@ -21,6 +21,7 @@ from kinegrade.worked.formulas.formula import (
     Root,
     Sum,
 )
+from kinegrade.worked.formulas.notation import PLAIN, Notation
 
 _FUNCTIONS: Mapping[FunctionName, Callable[[float], float]] = {
     "sin": math.sin,
@@ -32,33 +33,35 @@ _FUNCTIONS: Mapping[FunctionName, Callable[[float], float]] = {
 }
 
 
-def find_printed_value(formula: Formula) -> float:
+def find_printed_value(formula: Formula, notation: Notation = PLAIN) -> float:
     """The value of a formula in numbers, by the digits that are printed.
 
     >>> find_printed_value(Number("0.3333", rounded=True).dot(Number("3")))
     0.9999
     """
     match formula:
-        case Number(digits):
-            return float(digits)
+        case Number():
+            return float(formula.show(notation))
         case Measured(number, unit):
-            value = find_printed_value(number)
+            value = find_printed_value(number, notation)
             return math.radians(value) if unit == "deg" else value
         case Exact(form):
-            return find_printed_value(form)
+            return find_printed_value(form, notation)
         case Negative(inner):
-            return -find_printed_value(inner)
+            return -find_printed_value(inner, notation)
         case Sum(terms):
-            return sum(map(find_printed_value, terms))
+            return sum(find_printed_value(one, notation) for one in terms)
         case Product(factors):
-            return reduce(mul, map(find_printed_value, factors))
+            return reduce(mul, (find_printed_value(one, notation) for one in factors))
         case Quotient(above, below):
-            return find_printed_value(above) / find_printed_value(below)
+            return find_printed_value(above, notation) / find_printed_value(below, notation)
         case Power(base, exponent):
-            return float(find_printed_value(base) ** find_printed_value(exponent))
+            return float(
+                find_printed_value(base, notation) ** find_printed_value(exponent, notation)
+            )
         case Root(radicand):
-            return math.sqrt(find_printed_value(radicand))
+            return math.sqrt(find_printed_value(radicand, notation))
         case Function(name, argument):
-            return _FUNCTIONS[name](find_printed_value(argument))
+            return _FUNCTIONS[name](find_printed_value(argument, notation))
         case _:
             raise TypeError(f"{formula!r} is no number")

@@ -167,7 +167,7 @@ class Instance:
 
     def lines(self, left: Formula, links: tuple[Link, ...]) -> tuple[Row, ...]:
         """An equation on as many lines as it needs."""
-        return Equation(left, links).break_lines(self.case.notation)
+        return self.case.break_lines(Equation(left, links))
 
     def coordinates(self, point: str, pair: Pair) -> tuple[Derived, Derived]:
         """x = ..., y = ... of a named point worked out."""

@@ -247,7 +247,7 @@ def _write_circle_equation(point: str, circle: Call, instance: Instance) -> Row:
         square(minus(_write_coordinate_formula(instance, "y", point), centre[1])),
     )
     right = instance.formula(square(circle.arguments[1]))
-    return Equation(instance.formula(left), equate(right)).print_line(instance.case.notation)
+    return instance.case.print_line(Equation(instance.formula(left), equate(right)))
 
 
 def explain_foot(step: Step, instance: Instance) -> tuple[Block, ...]:

@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Iterator, Sequence
+from itertools import pairwise
 
 from kinegrade.language.known import known_languages
 from kinegrade.language.math.reading import read_math
 from kinegrade.language.message import Message
 from kinegrade.worked.document import Block, Prose, write_sentence
 from tests.worked.reader.amounts import Amount, MixedUnits, Unreadable
-from tests.worked.reader.forms import measure_last_digit
+from tests.worked.reader.equations import Line, Side
+from tests.worked.reader.forms import is_decimal, measure_last_digit
 from tests.worked.reader.formula_reader import read_formula
 
 _ANY = "体"  # stands for any words: a Chinese sentence has no space beside it
@@ -49,6 +52,24 @@ def _is_repeatable(side: str) -> bool:
     if relation == "=":
         return away <= _CLOSE * max(abs(printed.value), 1e-3)
     return not stated.value or away <= measure_last_digit(rows[1], stated.value) * (1 + 1e-6)
+
+
+def is_off(line: Line) -> bool:
+    """Whether printed numbers amount to another figure than the rounded one said of them, by more
+    than one of its last digit.
+    """
+    sides = (Side("=", line.left), *line.sides)
+    for side, stated in pairwise(sides):
+        if is_decimal(side.row) or not is_decimal(stated.row) or stated.relation == "=":
+            continue
+        try:
+            worked, figure = (read_formula(one.row, _refuse) for one in (side, stated))
+        except (Unreadable, MixedUnits):
+            continue
+        last = measure_last_digit(stated.row, figure.value) if figure.value else math.inf
+        if abs(worked.value - figure.value) > last * (1 + 1e-6):
+            return True
+    return False
 
 
 def _refuse(symbol: str) -> Amount:

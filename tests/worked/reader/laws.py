@@ -17,7 +17,7 @@ from kinegrade.worked.document import Block, Prose
 from tests.worked.reader.amounts import Amount, MixedUnits, Unreadable
 from tests.worked.reader.answers import find_without_way
 from tests.worked.reader.between import find_misnamed
-from tests.worked.reader.checks import find_unrepeatable
+from tests.worked.reader.checks import find_unrepeatable, is_off
 from tests.worked.reader.economy import find_repeated, find_unused
 from tests.worked.reader.equations import Line, Said, Side, read_page
 from tests.worked.reader.forms import (
@@ -58,6 +58,7 @@ Law: TypeAlias = Literal[
     "inclined",
     "between",
     "redone",
+    "figure",
     "sense",
     "early",
     "way",
@@ -83,6 +84,7 @@ LAWS: dict[Law, str] = {
     "early": "the length of an arm in a table is given, or has been found before the table",
     "way": "words beside the box of an answer with a sign say where it points",
     "redone": "whoever works out a check with its printed numbers gets what it prints, to one of the last digit",
+    "figure": "the printed numbers of a line amount to the rounded figure said of them, to one of its last digit",
 }
 NATURAL = (0.0, 90.0, 180.0, 270.0, 360.0)  # degrees
 NEXT = 10  # lines after which an unknown of an equation has been found
@@ -136,6 +138,8 @@ def find_faults(blocks: Sequence[Block], solution: Solution) -> Iterator[Fault]:
                 after = (one for one in parts[place:] if isinstance(one, Line))
                 sought = {_name_left(one) for one in islice(after, NEXT)}
                 yield from _judge_line(part, sought, known)
+                if is_off(part):
+                    yield Fault("figure", part.text)
     yield from (Fault("used", line) for line in find_unused(blocks))
     yield from (Fault("once", sentence) for sentence in find_repeated(blocks))
     yield from (Fault("sense", column) for column in find_without_sense(blocks))
