@@ -190,17 +190,24 @@ def _name_whole(symbol: str) -> str:
     return _RELATIVE.sub("r", _COMPONENT.sub("", symbol))
 
 
-def _find_early(named: Iterable[tuple[str, _Arrow]]) -> Iterator[str]:
-    """The relative vectors that do not follow that of the moving frame: none of their corners is
-    the frame's point.
+def _find_early(named: Sequence[tuple[str, _Arrow]]) -> Iterator[str]:
+    """The relative vectors that do not follow that of the moving frame, or are followed by a part
+    of it: none of their corners is the frame's point.
     """
-    ends = [arrow.ends[1] for symbol, arrow in named if _FRAME.search(symbol)]
     relative: dict[str, list[_Arrow]] = {}
     for symbol, arrow in named:
         if _RELATIVE.search(symbol):
             relative.setdefault(_name_whole(symbol), []).append(arrow)
+    frame = [(symbol, arrow) for symbol, arrow in named if _FRAME.search(symbol)]
     for whole, parts in relative.items():
-        if not any(_meet(part.ends[0], end) for part in parts for end in ends):
+        own = whole.replace("_{r", r"_{\mathrm{e}").removesuffix("}")
+        follows = any(_meet(part.ends[0], one.ends[1]) for part in parts for _, one in frame)
+        parted = any(
+            own in symbol and _meet(part.ends[1], one.ends[0])
+            for part in parts
+            for symbol, one in frame
+        )
+        if not follows or parted:
             yield whole
 
 
