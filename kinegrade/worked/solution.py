@@ -41,7 +41,6 @@ from kinegrade.worked.rate_chapters import find_stages, list_found, write_rate_c
 from kinegrade.worked.rates.kinds import describe_motions
 from kinegrade.worked.rates.rim_tracks import join_rims
 from kinegrade.worked.steps.couplers import goes_by_pole, name_method
-from kinegrade.worked.steps.freed import explain_accelerations
 from kinegrade.worked.steps.given_steps import is_given
 from kinegrade.worked.steps.ideas import explain_idea
 from kinegrade.worked.steps.methods import Way, find_way
@@ -212,7 +211,7 @@ def _explain_accelerations(
     vectorial = any(stage.equations for stage in stages.values())
     poles = any(map(name_method, velocities.values()))
     if vectorial and stages.keys() <= velocities.keys() and not poles:
-        yield case.say(explain_accelerations(stages.values()))
+        yield case.say(Message("solution.idea-accelerations"))
         return
     bodies = case.motion.frames.mechanism.bodies
     contacts = any(find_contact(body.name, case) for body in bodies if not body.particle)

@@ -5,7 +5,6 @@ chosen and why.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence, Set
-from dataclasses import replace
 from typing import assert_never
 
 from kinegrade.language.message import Message, Text, list_all
@@ -37,13 +36,11 @@ from kinegrade.worked.rates.driven import is_assumed
 from kinegrade.worked.rates.rims import say_of_carrier
 from kinegrade.worked.rates.rolling import group_rolls, tell_rolls
 from kinegrade.worked.steps.couplers import Coupler, choose_method, find_coupler, find_pole_body
-from kinegrade.worked.steps.freed import explain_unknowns
 from kinegrade.worked.steps.rigid import explain_choice, find_rigid_triangle
 from kinegrade.worked.steps.titles import find_rotations, select_scalars
 from kinegrade.worked.steps.two_tracks import find_two_tracks
 from kinegrade.worked.vectors.magnitudes import find_path_ends
 from kinegrade.worked.vectors.stage import Stage
-from kinegrade.worked.vectors.vectors import name_part
 
 
 def explain_idea(
@@ -132,19 +129,13 @@ def _find_reasons(step: Step, stage: Stage, accelerated: bool) -> Iterator[Messa
         yield explain_choice(triangle, case)
     elif coupler is not None:
         yield _explain_choice(coupler, case)
-        if choose_method(coupler, case) == "base-point":
-            yield from explain_unknowns(step, stage)
     elif len(stage.equations) > 1:
         coupled = all(len(equation.unknowns) > 2 for equation in stage.equations)
         yield Message("solution.idea-together" if coupled else "solution.idea-several")
-        yield from explain_unknowns(step, stage)
     elif stage.equations and _joins_rotations(stage.equations[0]):
         yield _explain_common_point(stage.equations[0], case)
-        yield from explain_unknowns(step, stage)
     elif stage.equations:
         yield from _explain_frames(stage, accelerated)
-        if len(stage.equations[0].unknowns) == 2:
-            yield from explain_unknowns(step, stage)
 
 
 def _explain_link(law: Law | None, case: Case) -> Iterator[Message]:
@@ -262,7 +253,7 @@ def _explain_frames(stage: Stage, accelerated: bool) -> Iterator[Message]:
         return
     way = {
         "path": _describe_path(compositions, case),
-        "directions": _describe_directions(stage.equations[0], accelerated, case),
+        "directions": _describe_directions(stage.equations[0], accelerated),
     }
     if len(frames) == 1:
         yield Message("solution.idea-composed", point=point, frame=frames[0], **way)
@@ -280,19 +271,16 @@ def _explain_frames(stage: Stage, accelerated: bool) -> Iterator[Message]:
         )
 
 
-def _describe_directions(equation: VectorEquation, accelerated: bool, case: Case) -> Message:
+def _describe_directions(equation: VectorEquation, accelerated: bool) -> Message:
     """What the paths say of relative velocities, and where they are straight of relative
-    accelerations too.
+    accelerations too: in words, as their letters are explained at the composition.
     """
     terms = [part.term for part in equation.compositions if part.term is not None]
-    letters = [name_part(equation, part, case, bold=True) for part in equation.compositions]
     if all(term.kind == "sliding" for term in terms):
-        letters += [replace(one, letter="a") for one in letters if accelerated]
-        key = "straight"
+        key = "straight-accelerated" if accelerated else "straight"
     else:
         key = "tangent" if all(term.kind == "arc" for term in terms) else "known"
-    vectors = list_all(f"${case.text(one)}$" for one in letters)
-    return Message(f"solution.directions-{key}", vectors=vectors, count=len(letters))
+    return Message(f"solution.directions-{key}", count=len(equation.compositions))
 
 
 def _describe_path(relatives: Sequence[Part], case: Case) -> Message:
