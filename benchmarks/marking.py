@@ -33,9 +33,9 @@ PLAIN_PROMISE, FEW_PROMISE, MIXED_PROMISE = 3.4, 2, 0.6
 GRADE = "grade EXAM answers.csv -o MARKS"
 #: What is promised of whole commands; `grade` has exports and checks of what it has written.
 COMMANDS = {
-    GRADE: 0.6,
-    "report EXAM MARKS -o report.html": 1 / 9,
-    "sharing EXAM MARKS -o sharing.csv": 1 / 4,
+    GRADE: 0.8,
+    "report EXAM MARKS -o report.html": 1 / 6,
+    "sharing EXAM MARKS -o sharing.csv": 0.4,
 }
 SMALL, SMALL_GROWTH_PROMISE = (
     (300, 3000),
