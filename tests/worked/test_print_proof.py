@@ -146,10 +146,14 @@ def test_a_sentence_with_other_points_is_another_one() -> None:
     assert list(find_repeated(page)) == []
 
 
-def test_what_a_check_alone_takes_up_is_used() -> None:
+def test_what_a_check_or_a_table_alone_takes_up_is_used() -> None:
     found = Display((read_math(r"v_{DB} = 1\,\unit{m/s} + 1.5\,\unit{m/s} = 2.5\,\unit{m/s}", ""),))
     assert list(find_unused((found,))) != []
     assert list(find_unused((found, Prose(r"left side $2.5\,\unit{m/s}$")))) == []
+    table = TermTable(
+        (read_term("", r"\boldsymbol{v}_{\mathrm{a}}", r"$2.5\,\unit{m/s}$", "$+x$"),)
+    )
+    assert list(find_unused((found, table))) == []
 
 
 def test_a_page_without_faults_has_none() -> None:

@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator, Sequence
 
 from kinegrade.worked.case import write_row
-from kinegrade.worked.document import Block, Display, Heading, Prose
+from kinegrade.worked.document import Block, Display, Heading, Prose, TermTable
 from tests.worked.reader.equations import Line, Said, read_page
 from tests.worked.reader.formula_reader import find_symbols, name_symbol
 from tests.worked.telling import boxed
@@ -18,7 +18,7 @@ _LONG = 30  # letters below which a sentence may well stand twice
 
 
 def find_unused(blocks: Sequence[Block]) -> Iterator[str]:
-    """The lines of displays whose result no later line, sentence or box takes up."""
+    """The lines of displays whose result no later line, sentence, table or box takes up."""
     answers = {one for row in boxed(blocks) for one in _NUMBER.findall(row)}
     for place, block in enumerate(blocks):
         if not isinstance(block, Display):
@@ -43,7 +43,12 @@ def _is_unused(line: Line, used: set[str]) -> bool:
 
 
 def _list_texts(blocks: Sequence[Block]) -> Iterator[str]:
-    return (block.text for block in blocks if isinstance(block, Prose))
+    """The sentences, and the magnitudes in tables: what is found as v_B may stand there as v_a."""
+    for block in blocks:
+        if isinstance(block, Prose):
+            yield block.text
+        if isinstance(block, TermTable):
+            yield from (term.magnitude for term in block.terms)
 
 
 def _list_symbols(part: Line | Said) -> Iterator[str]:
