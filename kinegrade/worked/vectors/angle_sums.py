@@ -32,10 +32,22 @@ def tell_sum(cosine: Cosine, case: Case) -> str | None:
     return case.tell(_state_sum(cosine)) if new else None
 
 
+def is_told(cosine: Cosine, case: Case) -> bool:
+    """Whether the angle of a cosine is no sum, or one of givens, or has been told: a sum with a
+    derived angle is that of no two lines which a reader sees at once.
+    """
+    derived = bool(cosine.summands) and r"\psi_" in case.text(cosine.angle)
+    return not derived or _round(cosine.summands) in case.findings.summed
+
+
+def _round(summands: Iterable[float]) -> frozenset[float]:
+    return frozenset(round(angle, _PLACES) for angle in summands)
+
+
 def _select_new(cosines: Iterable[Cosine], said: set[frozenset[float]]) -> Iterator[Cosine]:
     """Those that have not been worked out."""
     for one in cosines:
-        angles = frozenset(round(angle, _PLACES) for angle in one.summands)
+        angles = _round(one.summands)
         if angles not in said:
             said.add(angles)
             yield one

@@ -25,7 +25,7 @@ from kinegrade.worked.formulas.measures import bearing, double, is_zero, length
 from kinegrade.worked.formulas.numbers import measure, state_number
 from kinegrade.worked.formulas.symbols import join_letters
 from kinegrade.worked.senses import state_sense_along, state_way_about
-from kinegrade.worked.vectors.angle_sums import explain_sums
+from kinegrade.worked.vectors.angle_sums import is_told
 from kinegrade.worked.vectors.arms import introduce_lengths, name_length
 from kinegrade.worked.vectors.by_components import project_components
 from kinegrade.worked.vectors.components import (
@@ -126,7 +126,14 @@ def find_arm(term: Term, base: Fact, case: Case, level: Level) -> Inclination | 
     found = name_along(bearing(_direct_arm(term, level)), ends, case)
     if found is None or found.angle is None or not is_inclination_known(found, ends, case):
         return None
-    return found
+    headings = filter(None, (find_heading(piece, case) for piece in base.parts))
+    cosines = (find_cosine(*pair) for pair in product(headings, _list_axes(found)))
+    return found if all(is_told(one, case) for one in cosines if one is not None) else None
+
+
+def _list_axes(arm: Inclination) -> tuple[Inclination, Inclination]:
+    """Along the arm, and across it, turned to the left."""
+    return arm, replace(arm, quarters=arm.quarters + 1)
 
 
 def _direct_arm(term: Term, level: Level) -> Vector:
@@ -141,10 +148,7 @@ def explain_along_arm(
     point's vector with what the rotation adds.
     """
     along, across = _find_pieces(term, name, base, case, level)
-    axes = (arm, replace(arm, quarters=arm.quarters + 1))
-    headings = (find_heading(piece, case) for piece in base.parts)
-    pairs = product(filter(None, headings), axes)
-    yield from map(case.say, explain_sums((find_cosine(*pair) for pair in pairs), case))
+    axes = _list_axes(arm)
     lines = introduce_lengths(((term.base, term.point),), case)
     first = _state_piece(along, base, axes[0], term, case=case, level=level)
     second = _state_piece(across, base, axes[1], term, case=case, level=level)
