@@ -25,6 +25,7 @@ _CORNER = re.compile(r"[a-z]'*(_\{\d+\})?'*")  # the small letter of a corner
 _COMPONENT = re.compile(r"\^\{\\mathrm\{[nt]\}\}|,[xy]")
 _FRAME = re.compile(r"\\mathrm\{e\}|'")  # leads to the moving frame's point
 _RELATIVE = re.compile(r"\\mathrm\{(r|Cor)\}")  # both lead from the moving frame's point
+_ROTATION = re.compile(r"_\{[A-Z]('|_\{\d+\})*[A-Z]")  # of a point about a base
 _BRACKET = re.compile(r"\s*[(（]")
 _BETWEEN = 2.0  # millimetres by which a symbol longer than its arrow may be nearer to another
 _LEAVES = 0.4  # millimetres from a label to the leader that leaves it
@@ -168,7 +169,7 @@ def _judge_corners(
         if not any(_meet(arrow.ends[1], corner) for corner in corners):
             corners.append(arrow.ends[1])
     named = list(_name_arrows(picture.scene, arrows))
-    vectors = {_name_whole(symbol) for symbol, _ in named} - set(_find_early(named))
+    vectors = {_name_whole(symbol) for symbol, _ in named} - set(_find_early(named, origin))
     letters = sum(bool(_CORNER.fullmatch(label.symbol)) for label in picture.scene.labels)
     wanted = min(len(corners), len(vectors))
     if letters < wanted:
@@ -190,10 +191,14 @@ def _name_whole(symbol: str) -> str:
     return _RELATIVE.sub("r", _COMPONENT.sub("", symbol))
 
 
-def _find_early(named: Sequence[tuple[str, _Arrow]]) -> Iterator[str]:
+def _find_early(named: Sequence[tuple[str, _Arrow]], origin: Vector) -> Iterator[str]:
     """The relative vectors that do not follow that of the moving frame, or are followed by a part
-    of it: none of their corners is the frame's point.
+    of it, and those of a rotation drawn before that of the base point: none of their corners is the
+    frame's point, or the base.
     """
+    for symbol, arrow in named:
+        if _ROTATION.search(symbol) and _meet(arrow.ends[0], origin):
+            yield _name_whole(symbol)
     relative: dict[str, list[_Arrow]] = {}
     for symbol, arrow in named:
         if _RELATIVE.search(symbol):
