@@ -36,7 +36,8 @@ from kinegrade.worked.words.naming import Naming
 @dataclass(frozen=True)
 class Case:
     """A solved instance, the language and method of its solution, the unit in which it counts
-    lengths, the numbers that print with more digits than usual, and what it has found so far.
+    lengths, the numbers that print with more digits than usual, whether it has
+    pictures, and what it has found so far.
 
     Chapters are written in order; `findings` is their notebook.
     """
@@ -46,6 +47,7 @@ class Case:
     method: Method | None = None
     length: str = "m"
     finer: Mapping[str, int] = field(default_factory=dict)
+    draws: bool = True
     findings: Findings = field(default_factory=Findings)
 
     @property

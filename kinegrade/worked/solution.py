@@ -70,11 +70,9 @@ def write_worked_solution(
     stated = count_as_asked(restate(counted), names)
     case = Case(stated, language, method or stated.template.about.method, length)
     asked = tuple(stated.template.asks[name] for name in names)
-    rough = _write(case, asked, method)
-    finer = find_finer(case.findings.printed)
-    if not finer:
-        return rough
-    return _write(replace(case, finer=finer, findings=Findings()), asked, method)
+    rough = replace(case, draws=False, findings=Findings())
+    _write(rough, asked, method)  # which numbers lose digits shows in the finished text
+    return _write(replace(case, finer=find_finer(rough.findings.printed)), asked, method)
 
 
 def _write(case: Case, asked: Sequence[Ask], method: Method | None) -> WorkedSolution:
