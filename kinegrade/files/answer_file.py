@@ -35,7 +35,8 @@ class AnswerFile:
     `put` maps the line of a row to the students from whose papers its questions came, for every
     column of the table but the first; other rows hold answers to the student's own paper. `lines`
     maps the line of a row to those of its single cells, likewise, where they stand on others.
-    `submitted` says by line when a row was handed in, as far as the file does.
+    `submitted` says by line when a row was handed in, as far as the file does. `coded` are the
+    students whom it had by the codes of their papers.
     """
 
     table: Table
@@ -43,3 +44,4 @@ class AnswerFile:
     left_out: tuple[LeftOut, ...] = ()
     lines: Mapping[int, tuple[int, ...]] = field(default_factory=dict)
     submitted: Mapping[int, str] = field(default_factory=dict)
+    coded: frozenset[str] = frozenset()

@@ -23,6 +23,7 @@ from kinegrade.grading.answer_lines import write_marks
 from kinegrade.grading.by_hand.gathering import Gathered, HandSources, gather_hand_marks
 from kinegrade.grading.by_hand.markable import find_markable
 from kinegrade.grading.by_hand.settling import HandMarking, Settled
+from kinegrade.grading.by_hand.staying import StayingMarks
 from kinegrade.grading.fast.another_paper import PapersAnswered
 from kinegrade.grading.judging.follow import Follows
 from kinegrade.grading.kept_totals import EarlierTotals
@@ -128,15 +129,15 @@ def _mark(
     pool, papers, seen = read_pool(exam, sheet), PapersAnswered(exam), AnswersSeen(len(exam.asks))
     accepted = alternatives(exam, rules, exam, pool.put_together(exam, sheet), pool.papers)
     orders = exam.printed_orders()
-    hands = gather_hand_marks(sources, find_markable(exam, rules, orders))
+    staying = StayingMarks.of(exam, files)
+    hands = gather_hand_marks(sources, find_markable(exam, rules, orders), staying)
     by_hand = HandMarking.under(rules, exam, hands.by_hand)
     marked = hands.students, by_hand.settle_grade
     terms = MarkingTerms(
         rules, accepted, wishes.decimal, wishes.follows, pool, *marked, wishes.own_papers
     )
     counts = AcceptedCounts(rules, exam.asks)
-    watched = counts.watched(seen.watched(mark_blocks(papers, sheet, terms)))
-    blocks = by_hand.watched(watched)
+    blocks = by_hand.watched(counts.watched(seen.watched(mark_blocks(papers, sheet, terms))))
     grades = collect_grades(exam, sheet, write_marks(folder, blocks))
     if not wishes.own_papers:
         answered = seen.put_together()
@@ -177,10 +178,7 @@ def _leave_out_names(grades: ClassGrades) -> ClassGrades:
 
 
 def _write_by_hand(
-    folder: MarksWriter,
-    settled: Settled,
-    hands: Gathered,
-    exam: ExamFolder,
+    folder: MarksWriter, settled: Settled, hands: Gathered, exam: ExamFolder
 ) -> None:
     """Writes the marks by hand, and who still lacks one; and by which key of which exam."""
     identity = identify_exam(exam.head)
@@ -190,7 +188,7 @@ def _write_by_hand(
     folder.left_out(list_hand_marks(hands.left_out))
     grades = settled.grades.grades
     names = dict(zip(grades.students, grades.names, strict=True)) if settled.still_open else {}
-    folder.open(settled.still_open, names, hands.comments, identity)
+    folder.open(settled.still_open, names, hands.comments, identity, codes=hands.codes)
     folder.bonus({**exam.head.bonus, **settled.bonus})
 
 

@@ -101,11 +101,12 @@ PUT: Final = TableFile("variants.csv", ("student", "question", "ask", "key_of"))
 PRINTED: Final = TableFile("printed.csv", ("student", "questions"))
 # Earlier versions wrote one line a question, with what it is worth as its points
 #: Who still lacks a mark by hand for which question: points to be filled in, for `--manual`, which
-#: takes them for this exam alone; only where there are some.
+#: takes them for this exam alone; with the code of the paper where the answers were typed by that,
+#: so that the mark follows the paper as they do; only where there are some.
 OPEN: Final = TableFile(
     "open.csv",
-    ("student", "name", "question", "out_of", "points", "comment", "exam"),
-    optional=("student", "name", "out_of", "comment", "exam"),
+    ("student", "name", "paper", "question", "out_of", "points", "comment", "exam"),
+    optional=("student", "name", "paper", "out_of", "comment", "exam"),
 )
 # Earlier versions did not say which marks were given by codes
 #: Marks by hand, with what the machine gave in the same place, empty where only hands mark, and the

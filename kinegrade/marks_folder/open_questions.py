@@ -73,7 +73,7 @@ def read_open_questions(folder: Path, counted: Collection[str]) -> tuple[OpenQue
     path = folder / OPEN.name
     points: dict[str, Fraction] = {}
     students: dict[str, list[str]] = {}
-    for line, (student, _, question, out_of, typed, *_) in read_records_if_any(folder, OPEN):
+    for line, (student, _, _, question, out_of, typed, *_) in read_records_if_any(folder, OPEN):
         # Earlier versions had no column out_of
         column, cell = ("out_of", out_of) if student else ("points", typed)
         amount = find_amount(cell)

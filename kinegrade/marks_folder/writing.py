@@ -151,16 +151,20 @@ class MarksWriter:
         names: Mapping[str, str],
         comments: Mapping[tuple[str, str], str],
         identity: str,
+        *,
+        codes: Mapping[str, str],
     ) -> None:
         """Who is still to be marked by hand for which questions, and what was said of that so far;
-        `names` are by student, and the exam is known by its `identity`.
+        `names` are by student, so are the `codes` by which answers were typed, and the exam is
+        known by its `identity`.
         """
         rows = []
         for each in questions:
-            question, out_of = each.question, write_amount(each.points)
+            asked = each.question, write_amount(each.points)
             for of in each.students:
-                said = neutralise(comments.get((of, question), ""))
-                rows.append((of, neutralise(names[of]), question, out_of, "", said, identity))
+                said = neutralise(comments.get((of, each.question), ""))
+                whose = of, neutralise(names[of]), codes.get(of, "")
+                rows.append((*whose, *asked, "", said, identity))
         if rows:
             write_for_people(self.path / OPEN.name, OPEN.columns, rows)
 

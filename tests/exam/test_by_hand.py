@@ -122,8 +122,8 @@ def test_marks_leave_it_open_and_never_count_it_as_zero(tmp_path: Path) -> None:
     assert "q2" not in rows[0]
     (exam,) = (marks / "exam.csv").read_text(encoding="utf-8").splitlines()[1:]
     assert (marks / "open.csv").read_text(encoding="utf-8-sig") == (
-        "student,name,question,out_of,points,comment,exam\n"
-        f"1001,Ada Byron,q2,2.5,,,{exam}\n1002,Sofya Kovalevskaya,q2,2.5,,,{exam}\n"
+        "student,name,paper,question,out_of,points,comment,exam\n"
+        f"1001,Ada Byron,,q2,2.5,,,{exam}\n1002,Sofya Kovalevskaya,,q2,2.5,,,{exam}\n"
     )
 
 

@@ -41,10 +41,11 @@ class HandColumns:
         """A cell without blanks around it, "" where there is no such column."""
         return "" if place is None else trim(row.cell(place))
 
-    @property
-    def is_ours(self) -> bool:
-        """Whether the file is a list of marks by hand that kinegrade wrote."""
-        return self.machine is not None
+    def is_ours(self, row: Row, identity: str) -> bool:
+        """Whether a row stands in a list that kinegrade wrote: in one of marks by hand, or of what
+        is still open in the exam that is known so.
+        """
+        return self.machine is not None or self.cell(row, self.exam) == identity != ""
 
     def target(self, row: Row) -> str:
         """What a row marks, as it is written there."""

@@ -18,6 +18,7 @@ from kinegrade.grading.by_hand.hand_file import HandFile, HandRow, Newer
 from kinegrade.grading.by_hand.markable import Markable
 from kinegrade.grading.by_hand.reading import read_hand_file
 from kinegrade.grading.by_hand.sorted_points import describe_sorted
+from kinegrade.grading.by_hand.staying import StayingMarks
 from kinegrade.language.message import Fault, Message, Quoted, list_first
 from kinegrade.marks_folder.hand_marks import ByHand, group_by_student
 from kinegrade.marks_folder.layout import FILLED_IN, LEFT_OUT, MANUAL, MARKER, OPEN
@@ -68,12 +69,14 @@ class HandSources:
 @dataclass(frozen=True, slots=True)
 class Gathered:
     """The marks, those `left_out` as the policy drops what they are for, the `comments` on what has
-    no points yet, by student and question, and what is to be said of all of them.
+    no points yet, by student and question, the `codes` of papers by which answers were typed, by
+    student, and what is to be said of all marks.
     """
 
     by_hand: ByHand
     left_out: ByHand
     comments: Mapping[tuple[str, str], str]
+    codes: Mapping[str, str]
     notes: tuple[Problem, ...]
 
     @property
@@ -82,7 +85,7 @@ class Gathered:
         return {*self.by_hand, *self.left_out}
 
 
-def gather_hand_marks(sources: HandSources, markable: Markable) -> Gathered:
+def gather_hand_marks(sources: HandSources, markable: Markable, staying: StayingMarks) -> Gathered:
     """The marks of all sources. Raises TableError with all that is wrong in any of them, and for
     points typed into a list that would be lost.
     """
@@ -103,11 +106,13 @@ def gather_hand_marks(sources: HandSources, markable: Markable) -> Gathered:
     notes = (
         *_say(sources.given, given, markable),
         *_say_carried(sources.carried, carried),
+        *staying.describe((*sources.given, *sources.carried), (*given, *carried)),
     )
     return Gathered(
         group_by_student(row.mark for row in (*kept.counted, *rows.counted)),
         group_by_student(row.mark for row in (*kept.left_out, *rows.left_out)),
         dict(chain.from_iterable(file.comments.items() for file in (*filled, *given))),
+        staying.codes,
         notes,
     )
 

@@ -29,13 +29,15 @@ class Markable:
     """`maxima` are the points under the policy, by question and by ask; `orders` are the questions
     of each paper that has others than the exam, or in another order; the policy `dropped` some
     questions and asks. The exam is known by its `identity`; its `students` are as in the roster,
-    `codes` those of their papers, and `spares` papers of nobody.
+    `codes` those of their papers, `had` those that they had before an exchange, and `spares` papers
+    of nobody.
     """
 
     identity: str
     students: Sequence[str]
     ids: StudentIds
     codes: Mapping[str, str]
+    had: Set[tuple[str, str]]
     spares: StudentIds
     people: StudentNames
     names: AskNames
@@ -97,7 +99,9 @@ def find_markable(
     names = AskNames(exam.head.columns, by_hand, shuffled)
     dropped = {column for column in maxima if _is_dropped(column, exam, policy)}
     dropped |= policy.dropped_by_hand
-    students = exam.students, ids, codes, spares, people
+    now = exam.former_ids
+    had = {(now.get(student, student), code) for student, code in exam.codes_before}
+    students = exam.students, ids, codes, had, spares, people
     return Markable(identify_exam(head), *students, names, maxima, orders, by_hand, dropped)
 
 

@@ -126,21 +126,22 @@ class _Reader:
         cell = self.columns.cell(row, self.columns.student)
         code = self.columns.cell(row, self.columns.code)
         owner = self.markable.ids.coded(code) if code else None
+        ours, student = self.columns.is_ours(row, self.markable.identity), students.get(cell)
         if spare := self.markable.spares.coded(code or cell):
             what = Message("marking.nobodys-paper", code=spare)
             self._fault(row, spare, what, do=Message("marking.give-to-owner"))
             return None
-        if owner is not None and self.columns.is_ours:  # given by that code
-            self.found.followed += owner != students.get(cell, "")
+        exchanged = student is None or (student, code) in self.markable.had
+        if ours and owner not in (None, student) and exchanged:
+            self.found.followed += 1
             return owner
-        if code and owner is None and not self.columns.is_ours:  # changed with the version
+        if code and owner is None and not ours:  # changed with the version
             self._fault(row, code, Message("marking.no-such-code"))
             return None
         if not cell:
             if owner is None:
                 self._fault(row, "", Message("marking.no-id"))
             return owner
-        student = students.get(cell)
         if student is None:
             self._fault(row, "", *_explain_unknown(cell, self.markable.ids))
         elif owner is not None and owner != student:
@@ -153,7 +154,8 @@ class _Reader:
         """The code of the student's paper where the row was given by that, "" where by the id."""
         cell = self.columns.cell(row, self.columns.student)
         code = self.columns.cell(row, self.columns.code)
-        by = code if code and (self.columns.is_ours or not cell) else cell
+        ours = self.columns.is_ours(row, self.markable.identity)
+        by = code if code and (ours or not cell) else cell
         given = self.markable.ids.coded(by) == student
         return self.markable.codes[student] if given else ""
 

@@ -174,7 +174,8 @@ def _answers(
     orders = [_tell_order(table.file, *each) for each in zip(lines, decided, strict=True)]
     times = {each.row.line: time for each, time in zip(timed, moments, strict=True)}
     taken = tuple(each for each in left if each.student)
-    return AnswerFile(sheet, put, taken, typed.lines, times), orders
+    coded = frozenset(who.student for _, who in pairs if who.student and who.by_code)
+    return AnswerFile(sheet, put, taken, typed.lines, times, coded), orders
 
 
 def _tell_order(file: str, line: int, decided: DecidedOrder) -> Message:

@@ -25,7 +25,8 @@ class Found(msgspec.Struct, frozen=True, gc=False):  # there are many
     """The student of a row; else the column at fault, why, and the students who may be meant.
 
     `restored` is the id as it stands in the file where it is not the exam's; `code` is that of the
-    paper where nothing else names the student, or of a spare paper that is nobody's.
+    paper where nothing else names the student, or of a spare paper that is nobody's. A student is
+    found `by_code` whom the code of the paper names.
     """
 
     student: str | None
@@ -34,6 +35,7 @@ class Found(msgspec.Struct, frozen=True, gc=False):  # there are many
     likely: tuple[str, ...] = ()
     restored: str = ""
     code: str = ""
+    by_code: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -156,7 +158,7 @@ class People:
         if student is None or cell == student or trim(cell) == trim(student):
             return found
         if self._ids.coded(cell) == found.student:
-            return found
+            return msgspec.structs.replace(found, by_code=True)
         meant = self._ids.exact(cell) or _only(self._ids.near(cell))
         return msgspec.structs.replace(found, restored=cell) if meant == found.student else found
 
@@ -190,7 +192,7 @@ class People:
             return Found(None, "", Message("responses.no-id"))
         if owner is None:
             return self._unknown(code, header[place])
-        return Found(owner, header[place], Message("responses.no-id"), code=code)
+        return Found(owner, header[place], Message("responses.no-id"), code=code, by_code=True)
 
     def _unknown(self, cell: str, column: str) -> Found:
         shown = Quoted(shorten(make_student_key(cell)))
