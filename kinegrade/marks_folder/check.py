@@ -8,6 +8,7 @@ so a sum of amounts may be off by half of the last place for each of them.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
 
@@ -22,6 +23,7 @@ from kinegrade.language.message import (
     list_statements,
 )
 from kinegrade.marks_folder.cells import AS_WRITTEN
+from kinegrade.marks_folder.hand_marks import are_edited
 from kinegrade.marks_folder.layout import ANSWERS, GRADES, KEPT, MANUAL, STATUSES
 from kinegrade.marks_folder.rows import ClassTotals, StudentSums, StudentTotal
 from kinegrade.numbers.amounts import bound_rounding, write_amount
@@ -43,6 +45,9 @@ def refuse_changed_totals(
     more = len(faults) - len(shown)
     if more:
         shown.append(_explain(path, Message("marks.more-rows", count=more, file=ANSWERS.name)))
+    if are_edited(folder):
+        do = Message("marks.grade-edited", file=MANUAL.name)
+        shown = [replace(fault, do=do) for fault in shown]
     raise TableError(*shown)
 
 

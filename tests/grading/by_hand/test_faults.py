@@ -85,6 +85,8 @@ def test_a_manual_file_that_was_edited_against_the_totals_is_refused(folder: Pat
     refused = kinegrade("export", folder / "MARKS", "--to", "moodle", "-o", folder / "m.csv")
     assert refused.exit_code == 2
     assert "q2 is 2, 1 by manual.csv" in refused.stderr
+    do = "manual.csv was saved after the totals: grade again into this folder with --force"
+    assert refused.stderr.endswith(f"- {do}\n")
     file.write_text(text.replace(f"{ADA},q2,", f"{ADA},q1.v_B,"), encoding="utf-8")
     damaged = kinegrade("export", folder / "MARKS", "--to", "moodle", "-o", folder / "m.csv")
     assert "manual.csv:2: question is " in damaged.stderr
