@@ -138,9 +138,12 @@ def has_corner(letter: str, equation: VectorEquation, case: Case) -> bool:
 
 
 def _write_small(letter: Symbol, case: Case) -> str:
+    return write_corner(case.text(letter))
+
+
+def write_corner(letter: str) -> str:
     """A point's letter as a small one, as corners of polygons have."""
-    text = case.text(letter)
-    return text[:1].lower() + text[1:]
+    return letter[:1].lower() + letter[1:]
 
 
 def make_floats(vector: Vector) -> Vector:

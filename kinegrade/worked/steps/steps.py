@@ -35,6 +35,7 @@ from kinegrade.worked.steps.polygons import (
     name_shared_corner,
     order_vectors,
     spans_polygon,
+    write_corner,
 )
 from kinegrade.worked.steps.titles import introduce_equation, select_scalars
 from kinegrade.worked.translations import say_translation
@@ -292,13 +293,15 @@ def _explain_mark(equation: VectorEquation, case: Case) -> Iterator[Block]:
 
 
 def _explain_corner(equation: VectorEquation, case: Case) -> Iterator[Block]:
-    """Which points the primed letters in a polygon stand for, said once."""
-    marked = any(part.coincident for part in equation.parts) and not _find_shifted(equation, case)
-    if marked or not spans_polygon(equation):
+    """Which points the primed letters in a polygon stand for, said once, unless the letters of the
+    points themselves have been explained.
+    """
+    if not spans_polygon(equation):
         return
+    explained = {write_corner(mark) for mark in case.findings.coincident} | case.findings.corners
     for relative in equation.compositions:
         corner = name_shared_corner(relative, equation, case)
-        if corner not in case.findings.corners and has_corner(corner, equation, case):
+        if corner not in explained and has_corner(corner, equation, case):
             case.findings.corners.add(corner)
             point, frame = case.naming.point(relative.point), case.naming.body(relative.frame)
             yield case.say(Message("solution.corner", corner=corner, point=point, frame=frame))
