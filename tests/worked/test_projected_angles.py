@@ -80,3 +80,12 @@ def test_two_lines_have_no_angle_beyond_a_straight_one() -> None:
     told = "\n".join(proses(stated("four-bar-by-lengths", **values)))
     assert r"The angle between $AB$ and $DC$ is $\varphi + \psi_{DC} - 180^\circ$, so" in told
     assert r"Here $\varphi + \psi_{DC} = 100^\circ + 85.926^\circ \approx 185.926^\circ$." in told
+
+
+def test_lines_make_no_obtuse_angle() -> None:
+    """beta = 155 degrees: OA made beta with the x axis, and what is normal to it with the y axis."""
+    told = " ".join(proses(stated("rod-sliding-on-driven-wheel", beta="155")))
+    assert (
+        r"$OA$ makes $180^\circ - \beta$ with the $x$ axis, so $\boldsymbol{v}_{A} \perp OA$ makes "
+        r"$180^\circ - \beta$ with the $y$ axis"
+    ) in told

@@ -76,7 +76,7 @@ class _Leaning:
         first, *others = self.lines
         if not others:
             axis = AXIS_NAMES[first.named.quarters % 2 * _RIGHT]
-            line, angle = case.text(_add_stated(first, case)), f"${case.text(self.cosine.angle)}$"
+            line, angle = case.text(_add_stated(first, case)), self._tell_acute(complement=False)
             return Message("solution.line-makes", line=line, angle=angle, axis=axis)
         turned = self.turns[0] != self.turns[1]
         complement = turned == (self.cosine.function == "cos")
@@ -89,7 +89,7 @@ class _Leaning:
 
     def state(self, others: Sequence[VectorSymbol]) -> Message:
         """The angle with the axis of the vector, and of others along it."""
-        angle = self._tell_angle(complement=self.cosine.function == "sin")
+        angle = self._tell_acute(complement=self.cosine.function == "sin")
         vectors = self._name_vectors((self.vector, *others))
         return Message(
             "solution.vectors-make",
@@ -109,6 +109,17 @@ class _Leaning:
         if complement and self._measure_angle(complement=True) >= 0:
             return f"${case.text(state_angle(_RIGHT) - angle)}$"
         return f"${case.text(angle - state_angle(less + _RIGHT * complement))}$"
+
+    def _tell_acute(self, *, complement: bool) -> str:
+        """The same, where the angle is obtuse by what it differs from one or two half turns: two
+        lines make no more than a right angle.
+        """
+        turns = round(self.cosine.value / _HALF)
+        if complement or not turns:
+            return self._tell_angle(complement=complement)
+        half, angle = state_angle(turns * _HALF), self.cosine.angle
+        acute = half - angle if self.cosine.value < turns * _HALF else angle - half
+        return f"${self.case.text(acute)}$"
 
     def _measure_angle(self, *, complement: bool) -> float:
         """The angle of the cosine in degrees, or what it falls short of a right angle by."""
