@@ -221,8 +221,9 @@ def test_gears_with_fixed_axes() -> None:
         0 &= v_{\mathrm{e}} + v_{\mathrm{r}}
         v_{\mathrm{r}} &= -v_{\mathrm{e}} = -8\,\unit{m/s}\quad\text{(downwards)}
         ## 2. The pinion rolls without slipping on the gear
-        There is no slip at the contact with the gear; so, seen from the gear, the motion of $C$
-            and the rotation of the pinion are linked:
+        There is no slip at the contact with the gear; seen from the gear, the point of the pinion
+            at the contact is at rest, so the motion of $C$ and the rotation of the pinion are linked:
+        v_{\mathrm{r}} &= 1\,\unit{m} \cdot (\omega - \omega_{O})
         \omega &= \omega_{O} + \frac{v_{\mathrm{r}}}{1\,\unit{m}} = 2\,\unit{rad/s} -
             \frac{8\,\unit{m/s}}{1\,\unit{m}} = -6\,\unit{rad/s}\quad\text{(clockwise)}
         """

@@ -80,7 +80,7 @@ def _explain_rolling(roll: NoSlip, term: Term, case: Case, level: Level) -> Mess
         case "velocity" if roll.of == GROUND:
             return Message("solution.no-slip-on-ground", body=body, **linked)
         case "velocity":
-            return Message("solution.no-slip-seen-from", other=other, **linked)
+            return Message("solution.no-slip-seen-from", body=body, other=other, **linked)
         case "acceleration" if roll.of == GROUND:
             return Message("solution.no-slip-differentiated", **linked)
         case "acceleration":

@@ -8,6 +8,7 @@ from collections.abc import Iterator, Sequence
 from typing import assert_never
 
 from kinegrade.language.message import Message
+from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.laws import (
     EqualBeltSpeed,
     EqualPitchSpeed,
@@ -100,7 +101,8 @@ def explain_scalar_step(
             yield case.show(stated, result)
         case NoSlip() as roll:
             solved = solve_rolling(roll, relation, result, case, level)
-            yield case.show(*((solved,) if solved else (stated, result)))
+            followed = solved is not None and (roll.of == GROUND or result.left == stated.left)
+            yield case.show(*(() if followed else (stated,)), solved or result)
         case EqualPitchSpeed() | EqualBeltSpeed() as rims:
             yield case.show(stated, solve_rims(rims, result, case, level) or result)
         case SharedPoint() | GuidedPoint() | None:
