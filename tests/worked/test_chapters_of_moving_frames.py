@@ -201,9 +201,8 @@ def test_a_relative_vector_that_is_asked_for() -> None:
         The point of the arm $OA$ that coincides with $B$ turns about $O$:
         v_{B(OA)} &= OB \cdot \omega_{OA} = 3.1623\,\unit{m} \cdot 2\,\unit{rad/s} \approx
             6.325\,\unit{m/s}\quad\text{(counter-clockwise about }O\text{)}
-        Now the moving frame is the arm $OA$:
-            $\boldsymbol{v}_{\mathrm{r}} = \boldsymbol{v}_{B} - \boldsymbol{v}_{B(OA)}$ is the
-            velocity of $B$ relative to it.
+        Relative to the arm $OA$, $B$ has the velocity
+            $\boldsymbol{v}_{\mathrm{r}} = \boldsymbol{v}_{B} - \boldsymbol{v}_{B(OA)}$.
         v_{\mathrm{r},x} &= v_{B,x} + \omega_{OA}\,y_{B} = 3\,\unit{m/s} + 2\,\unit{rad/s} \cdot
             1\,\unit{m} = 5\,\unit{m/s}
         v_{\mathrm{r},y} &= v_{B,y} - \omega_{OA}\,x_{B} = 6\,\unit{m/s} - 2\,\unit{rad/s} \cdot

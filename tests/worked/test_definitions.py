@@ -46,8 +46,26 @@ def test_two_relative_motions_have_two_symbols() -> None:
     columns = "\n".join(lines(kept("flat-faced-follower-curvature-radius")))
     assert all(rf"\boldsymbol{{{one}}}_{{\mathrm{{r}}K}} | ?" in columns for one in "va")
     assert r"v_{\mathrm{r},x}" in starts
-    (size,) = (line for line in told if line.startswith(r"v_{\mathrm{r}} "))
-    assert size.startswith(r"v_{\mathrm{r}} &= \left|v_{\mathrm{r},x}\right| =")
+
+
+def test_a_relative_velocity_along_an_axis_is_not_named_again_by_its_magnitude() -> None:
+    # v_r = |v_r,x| stood there, of a negative component, and then |v_r|
+    told = displayed(kept("rod-sliding-on-driven-wheel"))
+    assert not [line for line in told if line.startswith(r"v_{\mathrm{r}} ")]
+    assert (
+        r"a_{\mathrm{Cor}} &= 2\left|\omega_{AB}\right|\,\left|v_{\mathrm{r},x}\right| = "
+        in "".join(told)
+    )
+
+
+def test_a_relative_velocity_is_that_of_the_body_s_point() -> None:
+    # it was called the velocity of B, which the frame AB has too, relative to AB
+    told = " ".join(proses(kept("rod-sliding-on-driven-wheel")))
+    assert (
+        "Relative to $AB$, the point of the wheel that coincides with $B$ has the velocity " in told
+    )
+    told = " ".join(proses(kept("bent-rod-two-sleeves")))
+    assert "Relative to $CMD$, $A$ has the velocity " in told
 
 
 def test_the_only_relative_motion_has_no_index() -> None:

@@ -64,11 +64,17 @@ def _name_vector(point: str, body: str, level: Level, case: Case) -> VectorSymbo
     """The symbol of a point's vector; with the body where the point belongs to several that move
     apart.
     """
-    chain, plain = case.motion.frames.chain, name_point_vector(point, level, case)
+    plain = name_point_vector(point, level, case)
+    if is_usual_owner(point, body, case):
+        return plain
+    return replace(plain, lower=(*plain.lower, Sign("("), *case.naming.letters(body), Sign(")")))
+
+
+def is_usual_owner(point: str, body: str, case: Case) -> bool:
+    """Whether a point is meant that moves with a body unless another is named."""
+    chain = case.motion.frames.chain
     try:
         usual = case.reader.owner(point, None)
     except ExpressionError:
-        usual = ""
-    if usual == body or (usual and chain(usual, point) == chain(body, point)):
-        return plain
-    return replace(plain, lower=(*plain.lower, Sign("("), *case.naming.letters(body), Sign(")")))
+        return False
+    return usual == body or chain(usual, point) == chain(body, point)

@@ -8,11 +8,16 @@ from itertools import chain
 from typing import Literal
 
 from kinegrade.expressions.tree import Call
-from kinegrade.language.message import Message
+from kinegrade.language.message import Message, Text
 from kinegrade.mechanics.relations import Term, add_vectors
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Level
-from kinegrade.worked.answers.point_vectors import Found, explain_point_vector, keep_fact
+from kinegrade.worked.answers.point_vectors import (
+    Found,
+    explain_point_vector,
+    is_usual_owner,
+    keep_fact,
+)
 from kinegrade.worked.case import Case
 from kinegrade.worked.document import Block
 from kinegrade.worked.findings import Fact, Piece
@@ -68,16 +73,21 @@ def _explain_rest(motion: Relative, name: VectorSymbol, level: Level, case: Case
         coriolis = yield from explain_coriolis(motion, case)
         yield from _explain_components(coriolis, motion, case)
         parts.append(coriolis)
-    yield case.say(
-        Message(
-            f"solution.relative-left-{level}",
-            point=case.naming.point(motion.point),
-            frame=case.naming.body(motion.frame),
-            difference=case.tell(_state_difference(name, parts)),
-        )
-    )
+    yield case.say(_say_whose(motion, _state_difference(name, parts), level, case))
     yield case.show(*(add_components(axis, name, parts, case, "-") for axis in AXES))
     return Fact(name, absolute.value - add_vectors(part.value for part in parts[1:]), True)
+
+
+def _say_whose(motion: Relative, difference: Equation, level: Level, case: Case) -> Message:
+    """Which point has the relative vector: that of the body, where others have one there too."""
+    named: dict[str, Text] = {
+        "point": case.naming.point(motion.point),
+        "frame": case.naming.body(motion.frame),
+        "difference": case.tell(difference),
+    }
+    if is_usual_owner(motion.point, motion.body, case):
+        return Message(f"solution.relative-of-{level}", **named)
+    return Message(f"solution.relative-at-{level}", body=case.naming.body(motion.body), **named)
 
 
 def _explain_components(coriolis: Fact, motion: Relative, case: Case) -> Iterator[Block]:
@@ -117,7 +127,11 @@ def _find_coriolis(motion: Relative, case: Case) -> Found:
     asked = Call("relative_velocity", motion.names)
     found = explain_relative(motion, "velocity", case)
     relative = yield from keep_fact(asked, found, case)
-    if relative.by_components and relative.symbol not in case.findings.sized:
+    along = [axis for axis in AXES if double(relative.value[PLACES[axis]])]
+    speed: Formula = relative.symbol
+    if relative.by_components and len(along) == 1:
+        speed = name_component(relative.symbol, along[0])
+    elif relative.by_components and relative.symbol not in case.findings.sized:
         case.findings.sized.add(relative.symbol)
         yield case.show(state_size(relative, case))
     value = case.motion.coriolis(*motion)
@@ -125,14 +139,14 @@ def _find_coriolis(motion: Relative, case: Case) -> Found:
     omega = abs(name_rotation(motion.frame, case, "velocity"))
     links: tuple[Link, ...] = ()
     if any(map(double, value)):
-        links = equate(TWO * omega * abs(relative.symbol))
+        links = equate(TWO * omega * abs(speed))
         bold = replace(name, bold=True), replace(relative.symbol, bold=True)
         yield from explain_directions((Turned(*bold, motion.frame),), case)
         turned = abs(measure(find_rotation_value(motion.frame, case, "velocity"), "rad/s"))
-        speed = measure(length(relative.value, case.arithmetic), "m/s")
-        links += equate(TWO.dot(turned).dot(speed))
-    size = state_number(length(value, case.arithmetic), "m/s^2")
-    yield case.show(Equation(name, (*links, *size), state_way(value, case)))
+        size = measure(length(relative.value, case.arithmetic), "m/s")
+        links += equate(TWO.dot(turned).dot(size))
+    links += state_number(length(value, case.arithmetic), "m/s^2")
+    yield case.show(Equation(name, links, state_way(value, case)))
     return Fact(name, value, False, (Piece(name, value, value, _find_track(motion, case)),))
 
 
