@@ -195,9 +195,8 @@ def test_a_slider_crank_is_told_as_in_a_textbook() -> None:
     blocks = explain_positions(Case(solution, "en"), ["B"]).write()
     assert sentences(blocks) == [
         "$O$ is the origin of the coordinates.",
-        r"$A$ lies at the distance $r$ from $O$ in the direction $\varphi$, counted "
-        r"counter-clockwise from the "
-        "$x$ axis:",
+        r"$A$ lies at the distance $r$ from $O$; $OA$ makes $\varphi$ with the $x$ axis and points "
+        "upwards to the right:",
         r"$B$ is the right-hand one of the points in which the $x$ axis meets the circle about $A$ of "
         r"radius $k\,r$:",
     ]
@@ -215,7 +214,7 @@ def test_a_slider_crank_is_told_as_in_a_textbook() -> None:
         ]
     ]
     assert sentences(explain_positions(Case(solution, "zh"), ["A"]).write())[-1] == (
-        r"点 $A$ 到 $O$ 的距离为 $r$，由 $x$ 轴正向逆时针转到 $OA$ 的角为 $\varphi$："
+        r"点 $A$ 到 $O$ 的距离为 $r$，$OA$ 与 $x$ 轴成 $\varphi$ 角，指向右上方："
     )
 
 
@@ -464,3 +463,12 @@ def test_of_two_directions_with_one_tangent_the_side_tells_which_is_meant() -> N
     given = {"a": "310", "b": "240", "d": "660", "h": "280", "phi": "-10", "omega": "-3"}
     said = "\n".join(proses(stated("watt-linkage", **given)))
     assert "$BD$ leads to the left and upwards, so its angle with the $x$ axis" in said
+
+
+def test_a_point_at_a_distance_is_placed_by_the_acute_angle_with_an_axis() -> None:
+    """It lay in the direction -90 degrees - beta, counted counter-clockwise from the x axis."""
+    said = (
+        r"$D$ lies at the distance $l$ from $B$; $BD$ makes $\beta$ with the $y$ axis and points "
+        "downwards to the right:"
+    )
+    assert said in list(proses(kept("toggle-press")))

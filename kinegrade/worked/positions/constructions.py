@@ -23,7 +23,12 @@ from kinegrade.worked.positions.circles_meeting import find_direction
 from kinegrade.worked.positions.instance import Instance
 from kinegrade.worked.positions.intersections import explain_foot, explain_meeting
 from kinegrade.worked.positions.parts import Coordinates, Derived, Part, Stated, write_parts
-from kinegrade.worked.positions.polar import find_parallelogram, find_polar_way, write_positive
+from kinegrade.worked.positions.polar import (
+    describe_inclination,
+    find_parallelogram,
+    find_polar_way,
+    write_positive,
+)
 from kinegrade.worked.positions.vectors import describe_vector, negate, write_way
 
 
@@ -98,7 +103,9 @@ def _describe_place(step: Step, instance: Instance) -> Message | None:
         case Name():
             return Message("solution.coincides", point=point, other=instance.letter(tree.name))
         case Call(function="polar", arguments=(centre, radius, angle)):
-            place = _describe_polar_place(point, (centre, radius, angle), instance)
+            parts = (centre, radius, angle)
+            inclined = describe_inclination(step.point, parts, instance)
+            place = inclined or _describe_polar_place(point, parts, instance)
             reason = find_parallelogram(step.point, (centre, radius), instance)
             if reason is None:
                 return place

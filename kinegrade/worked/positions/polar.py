@@ -4,17 +4,28 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from itertools import permutations
+from math import degrees
 from typing import Literal, assert_never
 
-from kinegrade.expressions.tree import Call, Expression, Name, Number, Operation
+from kinegrade.expressions.tree import Call, Expression, Name, Number, Operation, walk
 from kinegrade.language.message import Message
+from kinegrade.numbers.text import write_decimal
 from kinegrade.worked.formulas.leaves import count_quarter_turns
-from kinegrade.worked.formulas.measures import is_zero
+from kinegrade.worked.formulas.measures import bearing, is_zero
 from kinegrade.worked.formulas.symbols import join_letters, name_point
 from kinegrade.worked.positions.algebra import ZERO, is_negated, minus
 from kinegrade.worked.positions.instance import Instance
+from kinegrade.worked.positions.right_angles import split_right_angles
 
 _Heading = Literal["x", "y", "minus-x", "minus-y"]
+_RIGHT, _CLOSE, _DIGITS = 90.0, 1e-6, 15
+_AXIS_NAMES = {0.0: Message("solution.projection-x"), 90.0: Message("solution.projection-y")}
+_WAYS = (
+    Message("solution.points-up-right"),
+    Message("solution.points-up-left"),
+    Message("solution.points-down-left"),
+    Message("solution.points-down-right"),
+)
 _HEADINGS: tuple[_Heading, ...] = ("x", "y", "minus-x", "minus-y")  # by quarter turns
 
 
@@ -47,6 +58,45 @@ def find_polar_way(
         None if quarters is None else _HEADINGS[(quarters + 2 * against) % 4],
         against,
     )
+
+
+def describe_inclination(
+    point: str, place: tuple[Expression, Expression, Expression], instance: Instance
+) -> Message | None:
+    """Which acute angle the line from the centre makes with an axis, and to where it points; None
+    where it lies along one, or its angle is not made of letters.
+    """
+    centre, radius, angle = place
+    points = instance.case.motion.points
+    lettered = not any(isinstance(part, Call) for part in walk(angle))
+    if not isinstance(centre, Name) or not {centre.name, point} <= points.keys() or not lettered:
+        return None
+    heading = bearing(points[point] - points[centre.name])
+    _, rest, quarters = split_right_angles(angle)
+    axis = quarters % 2 * _RIGHT
+    told = _find_acute(rest, abs((heading - axis + _RIGHT) % (2 * _RIGHT) - _RIGHT), instance)
+    if told is None or not heading % _RIGHT:
+        return None
+    return Message(
+        "solution.polar-inclined",
+        point=instance.letter(point),
+        centre=instance.text(centre),
+        radius=write_positive(radius, instance)[0],
+        line=instance.case.text(join_letters(map(name_point, (centre.name, point)))),
+        angle=told,
+        axis=_AXIS_NAMES[axis],
+        way=_WAYS[int(heading // _RIGHT)],
+    )
+
+
+def _find_acute(angle: Expression, size: float, instance: Instance) -> str | None:
+    """An angle in letters that has a size in degrees, up to its sign and half a turn."""
+    half = Name("pi")
+    for one in (angle, minus(ZERO, angle), minus(half, angle), minus(angle, half)):
+        value = degrees(float(write_decimal(instance.value(one), _DIGITS)))
+        if abs(value - size) < _CLOSE:
+            return instance.text(one, degrees=True)
+    return None
 
 
 def find_parallelogram(
