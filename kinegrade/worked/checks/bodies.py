@@ -24,6 +24,7 @@ from kinegrade.worked.formulas.atoms import TWO, ZERO, add_terms
 from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.measures import bearing, double, length
 from kinegrade.worked.formulas.numbers import measure
+from kinegrade.worked.unlettered import is_lettered
 from kinegrade.worked.vectors.components import find_heading
 from kinegrade.worked.vectors.facts import make_key
 from kinegrade.worked.vectors.inclinations import find_cosine, is_line_found, name_along
@@ -78,7 +79,8 @@ def _list_pairs(level: Level, case: Case) -> Iterator[_Pair]:
         found = {
             point: facts[key]
             for point in case.motion.points
-            if (key := make_key(frames.chain(body, point), level)) in facts
+            if is_lettered(point, case)
+            and (key := make_key(frames.chain(body, point), level)) in facts
         }
         for first, second in reversed(tuple(combinations(found, 2))):
             yield _Pair(body, (first, second), (found[first], found[second]))

@@ -148,7 +148,8 @@ class VectorSymbol(Formula):
         axis = (Sign(","), Letter(self.axis)) if self.axis else ()
         upper = (Lettering("mathrm", (Letter(self.part),)),) if self.part else None
         base = Lettering("boldsymbol", (letter,)) if self.bold else letter
-        return (Scripts(base, (*self.lower, *axis), 0, upper),)
+        lower = (*self.lower, *axis)
+        return (Scripts(base, lower or None, 0, upper),) if lower or upper else (base,)
 
 
 @dataclass(frozen=True)

@@ -44,6 +44,7 @@ from kinegrade.worked.senses import (
     state_sense_along,
     state_way_round,
 )
+from kinegrade.worked.unlettered import find_translating_body
 from kinegrade.worked.vectors.known_vectors import find_given_sign
 from kinegrade.worked.vectors.magnitudes import orient_track
 from kinegrade.worked.vectors.vectors import UNITS, name_by_role, name_point_vector
@@ -223,10 +224,9 @@ def _state_given(law: Imposed, relation: Relation, case: Case, level: Level) -> 
     match law:
         case ImposedRotation():
             return _state_given_rotation(law, case, level)
-        case ImposedMotion() if _counts_against(law, relation, case, level):
-            return Message("solution.counter-motion", point=case.naming.point(law.point))
         case ImposedMotion():
-            return _state_given_component(law, case, level)
+            against = _counts_against(law, relation, case, level)
+            return _state_given_motion(law, case, level, against=against)
         case ImposedCircling():
             point, centre = case.naming.point(law.point), case.naming.point(law.centre)
             return Message(f"solution.given-circling-{level}", point=point, centre=centre)
@@ -252,8 +252,15 @@ def _state_given_rotation(law: ImposedRotation, case: Case, level: Level) -> Mes
     return Message(f"solution.given-relative-rotation-{level}", body=body, other=other)
 
 
-def _state_given_component(law: ImposedMotion, case: Case, level: Level) -> Message:
-    point = case.naming.point(law.point)
+def _state_given_motion(law: ImposedMotion, case: Case, level: Level, *, against: bool) -> Message:
+    point, carrier = case.naming.point(law.point), find_translating_body(law.point, case)
+    if law.of == GROUND and carrier is not None:
+        body = case.naming.body(carrier)
+        if against:
+            return Message("solution.counter-translation", body=body)
+        return Message(f"solution.given-translation-{level}", body=body)
+    if against:
+        return Message("solution.counter-motion", point=point)
     if law.of == GROUND:
         return Message(f"solution.given-motion-{level}", point=point)
     other, way = case.naming.body(law.of), describe_direction(law.direction, case)

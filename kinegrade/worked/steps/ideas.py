@@ -39,6 +39,7 @@ from kinegrade.worked.steps.couplers import Coupler, choose_method, find_coupler
 from kinegrade.worked.steps.rigid import explain_choice, find_rigid_triangle
 from kinegrade.worked.steps.titles import find_rotations, select_scalars
 from kinegrade.worked.steps.two_tracks import find_two_tracks
+from kinegrade.worked.unlettered import find_translating_body
 from kinegrade.worked.vectors.magnitudes import find_path_ends
 from kinegrade.worked.vectors.stage import Stage
 
@@ -106,6 +107,8 @@ def _name_given(law: Imposed, case: Case) -> Iterator[Message]:
         case ImposedRotation(body=body, of=of):
             name, other = map(case.naming.body, (body, of))
             yield Message("solution.rotation-relative-to", body=name, other=other)
+        case ImposedMotion(point=point) if carrier := find_translating_body(point, case):
+            yield Message("solution.motion-of-body", body=case.naming.body(carrier))
         case ImposedMotion(point=point) | ImposedCircling(point=point):
             yield Message("solution.motion-along-path", centre=case.naming.point(point))
         case _:
