@@ -41,6 +41,7 @@ from kinegrade.grading.sheets.class_sheet import class_sheet
 from kinegrade.grading.sheets.pool import read_pool
 from kinegrade.grading.totals import TotalTerms, work_out_totals
 from kinegrade.grading.typed.decimal_style import Mark as DecimalMark
+from kinegrade.grading.unfollowed import find_unfollowed
 from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.message import Message
@@ -125,7 +126,7 @@ def _mark(
     _require_same_exam(exam, wishes, sources)
     files = _read_files(answers)
     sheet, rules = class_sheet(files, exam), _choose_policy(exam, wishes.policy)
-    untimed = check_times(sheet, rules.penalties.late)
+    told = *find_unfollowed(exam), *check_times(sheet, rules.penalties.late)
     pool, papers, seen = read_pool(exam, sheet), PapersAnswered(exam), AnswersSeen(len(exam.asks))
     accepted = alternatives(exam, rules, exam, pool.put_together(exam, sheet), pool.papers)
     orders = exam.printed_orders()
@@ -146,7 +147,7 @@ def _mark(
         grades = replace(grades, complaints=put_after(files, slips, grades.complaints))
     settled = by_hand.settle(_leave_out_names(grades) if wishes.pseudonymous else grades)
     scale = None if settled.still_open else _make_scale(rules, exam.language)
-    grades = replace(settled.grades, complaints=(*untimed, *settled.grades.complaints))
+    grades = replace(settled.grades, complaints=(*told, *settled.grades.complaints))
     earlier = _find_earlier(exam, wishes.never_lower)
     grades = _write_totals(folder, grades, TotalTerms(rules.penalties, earlier, scale))
     folder.policy(rules.text)

@@ -21,6 +21,7 @@ from kinegrade.problem.template.hints import (
     SHAPES,
     SIDES,
     Angle,
+    Axes,
     BodyFrame,
     FigureHints,
     Length,
@@ -86,8 +87,15 @@ def read_figure(table: Table, names: Names) -> FigureHints:
         shapes=_read_shapes(figure, names),
         supports=_read_supports(figure, names),
         frames=_read_marks(figure, "frames", _read_frame, names),
-        axes=figure.optional("axes", choice(PLACES_OF_AXES)),
+        axes=figure.optional("axes", _read_axes),
     )
+
+
+def _read_axes(value: object) -> Axes:
+    """Where the axes are drawn. Exams of version 0.2.0 keep templates that say so by `true`: that
+    they are drawn, at the origin.
+    """
+    return "origin" if value is True else choice(PLACES_OF_AXES)(value)
 
 
 def _suggest_marks(key: str) -> Message:
