@@ -12,7 +12,7 @@ from kinegrade.worked.formulas.atoms import ZERO, Measured
 from kinegrade.worked.formulas.equation import Equation, Link, approximate, equate
 from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.measures import double
-from kinegrade.worked.formulas.notation import Notation
+from kinegrade.worked.formulas.notation import PLAIN, Notation
 from kinegrade.worked.formulas.numbers import DIGITS, measure, round_number
 from kinegrade.worked.formulas.printed_values import find_printed_value
 
@@ -65,7 +65,14 @@ class Side:
         value = () if said else self._state_value(unit, digits, notation)
         if letters is None:
             return Equation(self.numbers, value)
-        return Equation(letters, (*equate(self.numbers), *value))
+        rounded = self.numbers.is_decimal and self._misses(self.numbers, notation)
+        numbers = approximate(self.numbers) if rounded else equate(self.numbers)
+        return Equation(letters, (*numbers, *value))
+
+    def _misses(self, number: Formula, notation: Notation = PLAIN) -> bool:
+        """Whether what is printed is not the value, but is rounded, or made of rounded numbers."""
+        printed, value = find_printed_value(number, notation), double(self.value)
+        return abs(printed - value) > _EQUAL * max(abs(value), 1e-3)
 
     def _state_value(self, unit: str, digits: int, notation: Notation) -> tuple[Link, ...]:
         printed, zero = (
@@ -75,6 +82,6 @@ class Side:
         number = ZERO if zero else replace(round_number(self.value, digits), long="")
         away = abs(printed - find_printed_value(number))
         stated = ZERO if zero else Measured(number, unit)
-        if away > _EQUAL * max(abs(printed), 1e-3):
+        if away > _EQUAL * max(abs(printed), 1e-3) or (not zero and self._misses(number)):
             return approximate(stated)
         return () if self.numbers.is_decimal else equate(stated)
