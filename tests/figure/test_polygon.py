@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from itertools import pairwise
 from math import cos, hypot, log10, sin
 
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from kinegrade.figure.scene import FIRM, THIN, Scene
+from kinegrade.figure.scene import FIRM, THIN, Outline, Scene
 from kinegrade.figure.vectors.arrows import DASHED
 from kinegrade.figure.vectors.chains import Arrow, find_order
 from kinegrade.figure.vectors.corners import FAR
@@ -88,15 +87,48 @@ def test_an_equation_of_zeros_is_its_origin() -> None:
     assert faults(scene, PICTURE.width, PICTURE.height) == []
 
 
-def test_vectors_on_one_line_are_drawn_side_by_side_and_tied_to_their_places() -> None:
+def test_of_vectors_on_one_line_the_longer_is_an_outline_around_the_shorter_in_its_place() -> None:
     scene = draw_polygon(
-        [Arrow("v_B", B)], [Arrow("v_A", B * 1.5), Arrow("v_2", B * 0.3), Arrow("v_1", B * -0.8)]
+        [Arrow("v_B", B)],
+        [Arrow("v_A", B * 1.5), Arrow("v_2", B * 0.3, False), Arrow("v_1", B * -0.8)],
     )
-    levels = sorted({round(start.y, 6) for start, _ in lines(scene, FIRM)})
-    assert len(levels) == 3  # two of them follow one another
-    assert min(high - low for low, high in pairwise(levels)) > 1.5
-    assert len(lines(scene, THIN)) == 4
+    starts = [start for start, _ in (*lines(scene, FIRM), *lines(scene, DASHED))]
+    outlines = [
+        part for part in scene.primitives if isinstance(part, Outline) and len(part.corners) == 7
+    ]
+    assert (len(starts), len(outlines)) == (2, 2)
+    (origin,) = dots(scene)
+    tips = [one.corners[0] for one in (*heads(scene, "black"), *heads(scene, "white"))]
+    for one in outlines:
+        starts.append((one.corners[0] + one.corners[-1]) / 2)
+        tips.append(one.corners[3])
+    for start in starts:
+        assert any(hypot(*(start - place)) < 0.01 for place in (origin, *tips))
+    assert scene.crowded == ()
     assert faults(scene, PICTURE.width, PICTURE.height) == []
+
+
+def test_of_two_equal_vectors_one_is_an_outline_around_the_other() -> None:
+    """What their difference is made of is too short to draw."""
+    tiny = Arrow("a_r", Vector(0.02, 0.0))
+    right = [Arrow("a_A", A), tiny]
+    scene = draw_polygon([Arrow("a_B", A + tiny.value, False)], right)
+    assert symbols(scene) == ["a_A", "a_B", "o"]
+    corners = [len(one.corners) for one in scene.primitives if isinstance(one, Outline)]
+    assert (sorted(corners), len(heads(scene, "white"))) == ([3, 7], 1)
+
+
+def test_of_many_vectors_of_a_side_one_changes_places() -> None:
+    # A bent rod in two sleeves: of eight vectors the seventh would go back along the fifth
+    sizes = ((-19.99, -4.18), (-0.35, 1.67), (-6.64, 7.91), (-12.41, -10.41))
+    second = ((19.99, 16.78), (1.4, -1.67), (5.59, 4.69), (12.41, -14.79))
+    right = [Arrow(f"a_{place}", Vector(*size)) for place, size in enumerate((*sizes, *second))]
+    _, order = find_order([], right)
+    assert list(order) != [*range(8)]
+    for places, outlined in ((range(8), True), (order, False)):
+        scene = draw_polygon([], [right[place] for place in places])
+        longest = max(len(one.corners) for one in scene.primitives if isinstance(one, Outline))
+        assert (longest == 7) is outlined
 
 
 def test_a_lengthy_equation_is_within_the_paper_with_all_its_symbols() -> None:

@@ -63,9 +63,7 @@ def test_lines_look_like_one_when_they_run_close_over_a_stretch(
     assert look_like_one((start, end), (HERE, X)) is one
 
 
-def test_arrows_on_one_line_stand_side_by_side_on_its_upper_side_and_are_tied_to_their_places() -> (
-    None
-):
+def test_arrows_on_one_line_stand_side_by_side_on_its_upper_side() -> None:
     first, second, third = put_side_by_side(
         [
             VectorArrow("a", HERE, X),
@@ -75,10 +73,6 @@ def test_arrows_on_one_line_stand_side_by_side_on_its_upper_side_and_are_tied_to
         (2.0,),
     )
     assert (first.aside, second.aside, third.aside) == (HERE, Vector(0.0, 2.0), HERE)
-    assert first.ties() == third.ties() == ()
-    (ties,) = second.ties()
-    assert isinstance(ties, Strokes)
-    assert ties.lines == ((X, Vector(10.0, 2.0)), (HERE, Vector(0.0, 2.0)))
 
 
 def test_without_any_room_an_arrow_stays_where_it_belongs() -> None:
@@ -99,9 +93,9 @@ def test_arrows_of_one_point_and_direction_stay_there_where_their_tips_are_apart
 def test_a_symbol_is_to_be_nearer_to_its_own_arrow() -> None:
     spots = np.array([[5.0, 2.0], [5.0, 8.0], [5.0, 5.0]])
     assert rate_nearness_to_lines(
-        "v", spots, (HERE, X), [(Vector(0.0, 10.0), Vector(10.0, 10.0))]
+        "v", spots, [(HERE, X)], [(Vector(0.0, 10.0), Vector(10.0, 10.0))]
     ).tolist() == [0.0, 1.0, 1.0]
-    assert rate_nearness_to_lines("v", spots, (HERE, X), []).tolist() == [0.0, 0.0, 0.0]
+    assert rate_nearness_to_lines("v", spots, [(HERE, X)], []).tolist() == [0.0, 0.0, 0.0]
 
 
 SYMBOLS = [

@@ -10,7 +10,7 @@ from itertools import islice
 import pytest
 from msgspec import structs
 
-from kinegrade.figure.scene import Label
+from kinegrade.figure.scene import Label, Strokes
 from kinegrade.figure.vectors.chains import Arrow, find_corners
 from kinegrade.figure.vectors.polygon import draw_polygon
 from kinegrade.language import Language
@@ -25,6 +25,7 @@ from tests.worked.draws import drawn, kept, told
 from tests.worked.reader.economy import find_repeated, find_unused
 from tests.worked.reader.known import KNOWN
 from tests.worked.reader.laws import LAWS, Law, find_faults
+from tests.worked.reader.polygons import judge_polygons
 from tests.worked.telling import lines, read_term
 
 
@@ -136,6 +137,18 @@ WRONG: dict[Law, tuple[Block, ...]] = {
 def test_a_page_that_breaks_a_law_is_found(law: Law) -> None:
     solution = drawn("slider-crank")[0]
     assert law in {fault.law for fault in find_faults(WRONG[law], solution)}
+
+
+def test_an_arrow_beside_its_place_is_found() -> None:
+    page = _draw([ALONG], [ACROSS, BACK])
+    (picture,) = page.pictures
+    (first, *rest) = picture.scene.primitives
+    assert isinstance(first, Strokes)
+    ((start, tip),) = first.lines
+    moved = structs.replace(first, lines=((start + Vector(0.0, 0.02), tip),))
+    torn = replace(picture, scene=structs.replace(picture.scene, primitives=(moved, *rest)))
+    for pictures, faults in ((page, []), (Pictures((torn,)), ["closed"])):
+        assert [fault.law for fault in judge_polygons((pictures,), {})] == faults
 
 
 def test_a_sentence_with_other_points_is_another_one() -> None:

@@ -1,6 +1,6 @@
 """Vectors as arrows: known ones solid with a filled head, unknown ones dashed with an open head, to
-be distinguishable in black and white; arrows that would lie on one another, or on a bold line, are
-drawn side by side.
+be distinguishable in black and white; arrows that would lie on one another are drawn side by side,
+or one as an outline around the other.
 """
 
 from __future__ import annotations
@@ -14,13 +14,17 @@ from kinegrade.figure.placing.extent import measure_symbol
 from kinegrade.figure.placing.obstacles import Segment
 from kinegrade.figure.placing.place import Floats, Wish, list_spots_around, list_spots_beside
 from kinegrade.figure.plane import length, unit
-from kinegrade.figure.scene import FIRM, THIN, Label, Outline, Pen, Primitive, Strokes
+from kinegrade.figure.scene import FIRM, Label, Outline, Pen, Primitive, Strokes
 from kinegrade.mechanics.vector import Vector
 
 _IN_PLACE = Vector(0.0, 0.0)
 _HEAD_LENGTH, _HEAD_WIDTH = 2.4, 1.4  # millimetres: larger than the heads of dimensions
 DASHED = Pen(0.3, "dashed")
+_SOLID = Pen(0.3)
 _HEAD_SHARE = 0.6  # of a short arrow that its head takes at most
+_AROUND = 1.1  # millimetres from the line of an arrow to its outline around another
+_WING = 0.8  # millimetres by which the head of an outline is wider on either side, and longer
+_SLANTED = 0.35  # sine of the angle from which on an arrow is seen to have another direction
 _SAME = 0.01  # millimetres within which two arrows start at one point
 _HEADS_APART = 3.0  # millimetres between the tips of two arrows on one line
 _CLOSE = 0.9  # millimetres: lines nearer than this over a stretch look like one
@@ -35,7 +39,7 @@ _MISTAKEN = 40.0
 @dataclass(frozen=True)
 class VectorArrow:
     """An arrow on paper, in millimetres, displaced by `aside` from its true position when another
-    line lies there.
+    line lies there, or an outline `around` so many others that lie there.
     """
 
     symbol: str
@@ -43,11 +47,21 @@ class VectorArrow:
     end: Vector
     known: bool = True
     aside: Vector = _IN_PLACE
+    around: int = 0
 
     @property
     def line(self) -> Segment:
-        """The straight line that is drawn."""
+        """The straight line that is drawn, or the middle of the outline."""
         return (self.start + self.aside, self.end + self.aside)
+
+    @property
+    def edges(self) -> tuple[Segment, ...]:
+        """The lines beside which its symbol stands: the shaft, or both sides of the outline."""
+        if not self.around:
+            return (self.line,)
+        start, tip = self.line
+        across = unit(tip - start).turned() * (_AROUND * self.around)
+        return ((start + across, tip + across), (start - across, tip - across))
 
     def shares_start(self, other: VectorArrow) -> bool:
         """Whether another arrow on one line with this one starts where it does, and has its head
@@ -58,6 +72,8 @@ class VectorArrow:
 
     def primitives(self) -> tuple[Primitive, ...]:
         """Shaft and head; the head is open where the vector is unknown."""
+        if self.around:
+            return (self._outline(),)
         start, tip = self.line
         toward, size = unit(tip - start), length(tip - start)
         head = min(_HEAD_LENGTH, _HEAD_SHARE * size)
@@ -73,13 +89,15 @@ class VectorArrow:
             )
         return (Strokes(((start, back),), DASHED), Outline(corners, Pen(0.25), "white"))
 
-    def ties(self) -> tuple[Primitive, ...]:
-        """Thin lines from the true position of the arrow to the arrow; none where it stands
-        there.
-        """
-        if self.aside == _IN_PLACE:
-            return ()
-        return (Strokes(tuple((end, end + self.aside) for end in (self.start, self.end)), THIN),)
+    def _outline(self) -> Outline:
+        start, tip = self.line
+        (left, _), (right, _) = self.edges
+        along, size = unit(tip - start), length(tip - start)
+        back = along * max(size - _HEAD_LENGTH - _WING * self.around, (1 - _HEAD_SHARE) * size)
+        wing = along.turned() * _WING
+        corners = (left, left + back, left + back + wing, tip)
+        others = (right + back - wing, right + back, right)
+        return Outline((*corners, *others), _SOLID if self.known else DASHED)
 
     def wish_beside(self, others: Iterable[VectorArrow]) -> Wish:
         """The symbol beside the middle of the arrow, nearer to it than to any other."""
@@ -109,33 +127,33 @@ class VectorArrow:
         return list_spots_around(self.symbol, end, away=end - start)
 
     def _wish(self, spots: Floats, others: Iterable[VectorArrow]) -> Wish:
-        lines = [self._find_rest(other) for other in others if other is not self]
+        lines = [line for other in others if other is not self for line in self._find_rest(other)]
         return Wish(
             self.symbol,
             spots,
             None,
-            _MISTAKEN * rate_nearness_to_lines(self.symbol, spots, self.line, lines),
+            _MISTAKEN * rate_nearness_to_lines(self.symbol, spots, self.edges, lines),
         )
 
-    def _find_rest(self, other: VectorArrow) -> Segment:
-        """The line of another arrow; of one that goes on where this one ends, its last part."""
+    def _find_rest(self, other: VectorArrow) -> tuple[Segment, ...]:
+        """The lines of another arrow; of one that goes on where this one ends, its last part."""
         (start, tip), (_, end) = self.line, other.line
-        longer = length(end - start) > length(tip - start)
+        longer = length(end - start) > length(tip - start) and not self.around + other.around
         if longer and self.shares_start(other) and look_like_one(self.line, other.line):
-            return ((tip + end) / 2, end)
-        return other.line
+            return (((tip + end) / 2, end),)
+        return other.edges
 
 
 def rate_nearness_to_lines(
-    symbol: str, spots: Floats, line: Segment, others: Sequence[Segment]
+    symbol: str, spots: Floats, own: Sequence[Segment], others: Sequence[Segment]
 ) -> Floats:
-    """For each spot 1 where a symbol would stand about as near to another line as to `line`, else
-    0.
+    """For each spot 1 where a symbol would stand about as near to another line as to its `own`,
+    else 0.
     """
     if not others:
         return np.zeros(len(spots))
     half = np.array(measure_symbol(symbol)) / 2
-    mine, theirs = (measure_distances(spots, half, lines) for lines in ([line], others))
+    mine, theirs = (measure_distances(spots, half, lines) for lines in (own, others))
     return np.asarray(theirs < mine + _NEARER, dtype=float)
 
 
@@ -168,6 +186,28 @@ def put_side_by_side(
         chosen = next((way for way in ways if _is_clear(way, placed, nested)), arrow)
         placed.append(chosen)
     return tuple(placed)
+
+
+def put_around(arrows: Sequence[VectorArrow]) -> tuple[VectorArrow, ...]:
+    """The arrows, all where they belong: each that lies on shorter ones is an outline around them,
+    and drawn before them.
+    """
+    placed: dict[int, VectorArrow] = {}
+    for place in sorted(range(len(arrows)), key=lambda at: round(_measure(arrows[at]), 6)):
+        arrow = arrows[place]
+        within = [one.around for one in placed.values() if _covers(arrow, one)]
+        placed[place] = replace(arrow, around=max(within, default=-1) + 1)
+    return tuple(sorted((placed[at] for at in range(len(arrows))), key=lambda one: -one.around))
+
+
+def _covers(arrow: VectorArrow, other: VectorArrow) -> bool:
+    """Whether two arrows look like one, and not only as the other is short."""
+    slant = unit(arrow.end - arrow.start).cross(unit(other.end - other.start))
+    return abs(slant) < _SLANTED and look_like_one(arrow.line, other.line)
+
+
+def _measure(arrow: VectorArrow) -> float:
+    return length(arrow.end - arrow.start)
 
 
 def _is_clear(arrow: VectorArrow, others: Iterable[VectorArrow], nested: bool) -> bool:

@@ -18,11 +18,13 @@ from kinegrade.round_numbers import round_down
 
 # Millimetres that the polygon alone takes at most: the rest of a figure is for symbols
 USUAL, LARGEST, HIGHEST = (52.0, 36.0), (68.0, 56.0), (68.0, 76.0)
+NEGLIGIBLE = 0.01  # of the longest vector: shorter ones are not drawn
 _TINY = 1e-12
 _PERMUTED, _ORDERS = 4, 150  # vectors of a side that may change places, orders that are tried
 _SAME = 0.05  # millimetres within which two corners coincide
 _ZERO = Vector(0.0, 0.0)
 Places: TypeAlias = Sequence[int]
+_Order: TypeAlias = tuple[Places, Places]
 
 
 @dataclass(frozen=True)
@@ -76,24 +78,33 @@ def find_order(
     left: Sequence[Arrow],
     right: Sequence[Arrow],
     vertices: Mapping[str, Vector] = MappingProxyType({}),
-) -> tuple[Places, Places]:
+) -> _Order:
     """The places of the vectors of both sides, in the order nearest to the given one in which the
     fewest run along another and, of these orders, the most corners have letters.
     """
 
-    given: tuple[Places, Places] = (range(len(left)), range(len(right)))
-    best, fewest = given, _count_overlaps(left, right)
-    if fewest == 0:
-        return given
-    most = _count_lettered(left, right, vertices)
-    for order in islice(product(_list_orders(given[0]), _list_orders(given[1])), 1, _ORDERS):
+    def rate(order: _Order) -> tuple[int, int]:
         sides = [left[place] for place in order[0]], [right[place] for place in order[1]]
-        overlaps = _count_overlaps(*sides)
-        lettered = _count_lettered(*sides, vertices) if overlaps <= fewest else 0
-        if (-overlaps, lettered) > (-fewest, most):
-            best, fewest, most = (order[0], order[1]), overlaps, lettered
-        if fewest == 0 and most == len(vertices):
+        return -_count_overlaps(*sides), _count_lettered(*sides, vertices)
+
+    given: _Order = (range(len(left)), range(len(right)))
+    best, most = given, rate(given)
+    if most[0] == 0:
+        return given
+    whole = (0, len(vertices))
+    for order in islice(product(_list_orders(given[0]), _list_orders(given[1])), 1, _ORDERS):
+        found = rate(order)
+        if found > most:
+            best, most = order, found
+        if most == whole:
             break
+    while most[0] < 0:
+        found, nearest = max(
+            ((rate(order), order) for order in _list_moves(best)), key=lambda rated: rated[0]
+        )
+        if found <= most:
+            break
+        best, most = nearest, found
     return best
 
 
@@ -101,16 +112,32 @@ def _list_orders(places: Places) -> Iterable[Places]:
     return permutations(places) if len(places) <= _PERMUTED else (places,)
 
 
+def _list_moves(order: _Order) -> Iterator[_Order]:
+    """The orders in which one vector is at another place of its side."""
+    left, right = order
+    yield from ((moved, right) for moved in _move_one(left))
+    yield from ((left, moved) for moved in _move_one(right))
+
+
+def _move_one(places: Places) -> Iterator[Places]:
+    yield places
+    for taken in places:
+        rest = [place for place in places if place != taken]
+        for at in range(len(places)):
+            yield (*rest[:at], taken, *rest[at:])
+
+
 def _count_overlaps(left: Sequence[Arrow], right: Sequence[Arrow]) -> int:
     """How many pairs of vectors run along one another, on paper of the scale that they would
     have.
     """
     scale = find_scale(left, right)
+    least = NEGLIGIBLE * max((length(arrow.value) for arrow in (*left, *right)), default=0.0)
     lines = [
         (start * scale, end * scale)
         for side in (left, right)
         for start, end in pairwise(find_corners(side))
-        if length(end - start) * scale > 1.0
+        if length(end - start) > least
     ]
     return sum(look_like_one(one, other) for one, other in combinations(lines, 2))
 

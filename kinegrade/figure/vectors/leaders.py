@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from itertools import product
 
 import numpy as np
 
@@ -47,15 +48,14 @@ def write_symbol(
 def _measure_gap(label: Label, arrow: VectorArrow) -> float:
     """Millimetres of paper between a symbol and its arrow."""
     half = np.array((label.width, label.height)) / 2
-    return float(measure_distances(np.array([label.centre]), half, [arrow.line])[0])
+    return float(measure_distances(np.array([label.centre]), half, arrow.edges)[0])
 
 
 def _find_feet(arrow: VectorArrow, others: Sequence[VectorArrow]) -> Iterator[Vector]:
     """Points of an arrow that are not points of another as well."""
-    shafts = Obstacles.of((Strokes(tuple(other.line for other in others), THIN),))
-    start, end = arrow.line
-    room = min(_APART, _APART_SHARE * length(end - start))
-    for share in _SHARES:
+    shafts = Obstacles.of((Strokes(tuple(line for other in others for line in other.edges), THIN),))
+    for share, (start, end) in product(_SHARES, arrow.edges):
+        room = min(_APART, _APART_SHARE * length(end - start))
         foot = start + (end - start) * share
         if not shafts.under_box(*foot, room, room):
             yield foot

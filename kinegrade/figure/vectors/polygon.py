@@ -15,10 +15,11 @@ from kinegrade.figure.mechanism.fitting import Room, make_scene
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.plane import length
 from kinegrade.figure.scene import Disc, Scene
-from kinegrade.figure.vectors.arrows import VectorArrow, put_side_by_side
+from kinegrade.figure.vectors.arrows import VectorArrow, put_around
 from kinegrade.figure.vectors.chains import (
     HIGHEST,
     LARGEST,
+    NEGLIGIBLE,
     USUAL,
     Arrow,
     find_corners,
@@ -31,8 +32,6 @@ from kinegrade.figure.vectors.leaders import NOTHING, ONE_ARROW, write_symbol
 from kinegrade.figure.vectors.plain_mechanism import LARGE, PICTURE
 from kinegrade.mechanics.vector import Vector
 
-_NEGLIGIBLE = 0.01  # of the longest vector: shorter ones are not drawn
-_OFFSETS = (2.0, -6.0, 8.0, -12.0, 14.0)  # millimetres between arrows that would lie on one another
 _NEXT = 2.51  # times a round number, the next one is not above it
 _LEAST = 10.0  # millimetres: no polygon is made smaller than this, whatever its symbols take
 _SHORT = 2.4  # millimetres, the length of a head
@@ -51,8 +50,8 @@ def draw_polygon(
 
     Known vectors are solid with a filled head, unknown ones dashed with an open head. Vectors
     shorter than a hundredth of the longest are not drawn. The vectors of a side follow one another
-    as they are given; those that would run along another are drawn beside it, with thin lines to
-    their true positions. `vertices` are letters (LaTeX math) for the tips of vectors from the
+    as they are given, each from the tip of another; one that runs along shorter ones is an outline
+    around them. `vertices` are letters (LaTeX math) for the tips of vectors from the
     origin; the other corners, between the components of a vector, are no point's and have none.
     The scale of the scene is millimetres per m/s (or m/s^2), a round number: `scale`, that of other
     polygons, unless this one would be too large or too small, or is hard to read at it. The figure
@@ -113,9 +112,9 @@ def _fit(
 ) -> _Drawing:
     """The polygon to a scale, or to the next smaller one with which it is within its limits."""
     while True:
-        least = _NEGLIGIBLE * max((length(arrow.value) for arrow in (*left, *right)), default=0.0)
+        least = NEGLIGIBLE * max((length(arrow.value) for arrow in (*left, *right)), default=0.0)
         laid = [arrow for side in (left, right) for arrow in _lay_arrows(side, scale, least)]
-        arrows = put_side_by_side(laid, _OFFSETS)
+        arrows = put_around(laid)
         undrawn = least * scale * (len(left) + len(right) - len(laid))
         layout = _name_arrows(arrows, name_corners(vertices, list_corners(arrows), scale, undrawn))
         scene = replace(make_scene(layout.primitives, scale), crowded=layout.crowded)
@@ -128,8 +127,8 @@ def _fit(
 
 
 def _rate_arrow(arrow: VectorArrow) -> int:
-    """How hard an arrow is to read: one that is not where it belongs, or hardly more than a dot."""
-    return (arrow.aside != _ZERO) + (length(arrow.end - arrow.start) < _SHORT / 2)
+    """How hard an arrow is to read: one that lies on others, or is hardly more than a dot."""
+    return bool(arrow.around) + (length(arrow.end - arrow.start) < _SHORT / 2)
 
 
 def _name_arrows(arrows: Sequence[VectorArrow], lettered: Mapping[str, Vector]) -> Layout:
@@ -138,9 +137,8 @@ def _name_arrows(arrows: Sequence[VectorArrow], lettered: Mapping[str, Vector]) 
     """
     corners = list_corners(arrows)
     letters = [wish_letter(*one, corners) for one in lettered.items()]
-    ties = (tie for arrow in arrows for tie in arrow.ties())
     parts = (part for arrow in arrows for part in arrow.primitives())
-    bare = Layout.of((*ties, *parts, Disc(_ZERO, 0.5, None, "black")))
+    bare = Layout.of((*parts, Disc(_ZERO, 0.5, None, "black")))
     found: list[Layout] = []
     for crossed, letters_first in product((NOTHING, ONE_ARROW), (False, True)):
         early, late = (letters, ()) if letters_first else ((), letters)

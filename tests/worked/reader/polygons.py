@@ -18,8 +18,8 @@ from kinegrade.worked.document import Block, Picture, Pictures
 from tests.worked.reader.amounts import Amount
 from tests.worked.reader.formula_reader import name_magnitude, name_symbol, read_unit
 
-_IN_PLACE = Vector(0.0, 0.0)
 _APART = 0.05  # millimetres within which two corners coincide
+_TORN = 0.01  # millimetres from the start of an arrow to the tip that it follows, at most
 _ROUNDED = 0.005  # of a length, what four digits leave open
 _CORNER = re.compile(r"[a-z]'*(_\{\d+\})?'*")  # the small letter of a corner
 _COMPONENT = re.compile(r"\^\{\\mathrm\{[nt]\}\}|,[xy]")
@@ -44,20 +44,14 @@ class PolygonFault:
 
 @dataclass(frozen=True)
 class _Arrow:
-    """An arrow as it is drawn, and how far aside it is drawn from where it belongs."""
+    """An arrow as it is drawn."""
 
     start: Vector
     tip: Vector
-    aside: Vector = _IN_PLACE
 
     @property
     def length(self) -> float:
         return hypot(*(self.tip - self.start))
-
-    @property
-    def ends(self) -> tuple[Vector, Vector]:
-        """Where its tail and its tip belong."""
-        return self.start - self.aside, self.tip - self.aside
 
 
 @dataclass(frozen=True)
@@ -120,31 +114,28 @@ def _find_origin(scene: Scene) -> Vector | None:
 
 
 def _read_arrows(scene: Scene) -> Iterator[_Arrow]:
-    """A head of three corners, the tip first, ends the line before it."""
-    asides = {
-        (round(end.x, 3), round(end.y, 3)): end - true
-        for part in scene.primitives
-        if isinstance(part, Strokes) and part.pen == THIN
-        for true, end in part.lines
-    }
-    line = (_IN_PLACE, _IN_PLACE)
+    """A head of three corners, the tip first, ends the line before it; an outline of seven goes
+    from one side of its start over its tip in the middle to the other side.
+    """
+    start = Vector(0.0, 0.0)
     for part in scene.primitives:
         match part:
-            case Strokes(lines=(shaft,)):
-                line = shaft
+            case Strokes(lines=((start, _),)):
+                pass
             case Outline(corners=(tip, _, _)):
-                place = (round(tip.x, 3), round(tip.y, 3))
-                yield _Arrow(line[0], tip, asides.get(place, _IN_PLACE))
+                yield _Arrow(start, tip)
+            case Outline(corners=(left, _, _, tip, _, _, right)):
+                yield _Arrow((left + right) / 2, tip)
 
 
 def _judge_chains(
     origin: Vector, arrows: tuple[_Arrow, ...], caption: str
 ) -> Iterator[PolygonFault]:
     """Each arrow starts at the origin or at a tip; those after which none starts end together."""
-    tails = [arrow.ends[0] for arrow in arrows]
-    tips = [arrow.ends[1] for arrow in arrows]
+    tails = [arrow.start for arrow in arrows]
+    tips = [arrow.tip for arrow in arrows]
     for tail in tails:
-        if not any(_meet(tail, place) for place in (origin, *tips)):
+        if not any(hypot(*(tail - place)) < _TORN for place in (origin, *tips)):
             yield PolygonFault("closed", f"{caption}: an arrow starts nowhere")
     last = [tip for tip in tips if not any(_meet(tip, tail) for tail in tails)]
     ending = [*last, *(tip for tip in tips if last and _meet(tip, last[0]))]
@@ -166,8 +157,8 @@ def _judge_corners(
     """
     corners = [origin]
     for arrow in arrows:
-        if not any(_meet(arrow.ends[1], corner) for corner in corners):
-            corners.append(arrow.ends[1])
+        if not any(_meet(arrow.tip, corner) for corner in corners):
+            corners.append(arrow.tip)
     named = list(_name_arrows(picture.scene, arrows))
     vectors = {_name_whole(symbol) for symbol, _ in named} - set(_find_early(named, origin))
     letters = sum(bool(_CORNER.fullmatch(label.symbol)) for label in picture.scene.labels)
@@ -197,7 +188,7 @@ def _find_early(named: Sequence[tuple[str, _Arrow]], origin: Vector) -> Iterator
     frame's point, or the base.
     """
     for symbol, arrow in named:
-        if _ROTATION.search(symbol) and _meet(arrow.ends[0], origin):
+        if _ROTATION.search(symbol) and _meet(arrow.start, origin):
             yield _name_whole(symbol)
     relative: dict[str, list[_Arrow]] = {}
     for symbol, arrow in named:
@@ -206,11 +197,9 @@ def _find_early(named: Sequence[tuple[str, _Arrow]], origin: Vector) -> Iterator
     frame = [(symbol, arrow) for symbol, arrow in named if _FRAME.search(symbol)]
     for whole, parts in relative.items():
         own = whole.replace("_{r", r"_{\mathrm{e}").removesuffix("}")
-        follows = any(_meet(part.ends[0], one.ends[1]) for part in parts for _, one in frame)
+        follows = any(_meet(part.start, one.tip) for part in parts for _, one in frame)
         parted = any(
-            own in symbol and _meet(part.ends[1], one.ends[0])
-            for part in parts
-            for symbol, one in frame
+            own in symbol and _meet(part.tip, one.start) for part in parts for symbol, one in frame
         )
         if not follows or parted:
             yield whole
