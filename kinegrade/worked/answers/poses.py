@@ -37,6 +37,7 @@ from kinegrade.worked.positions.axes import find_line, length_of
 from kinegrade.worked.positions.constructions import write_chapter
 from kinegrade.worked.positions.instance import DEGREE, METRE, Instance, add_steps, make_instance
 from kinegrade.worked.positions.leaning_lengths import measure_along
+from kinegrade.worked.vectors.arms import find_length_tree
 
 
 def is_positional(ask: Ask) -> bool:
@@ -198,7 +199,9 @@ def _reduce_length(vector: Expression, working: Working) -> tuple[Expression, Wo
 
 
 def _measure_vector(vector: Expression, working: Working) -> Expression:
-    """The length that is the answer itself: by an angle of the line where one is given."""
+    """The length that is the answer itself: by its name where the template has one, by an angle of
+    the line where one is given.
+    """
     instance = working.instance
     match vector:
         case Operation("-", Name(end), Name(start)) if {start, end} <= {
@@ -207,6 +210,9 @@ def _measure_vector(vector: Expression, working: Working) -> Expression:
             letters = join_letters(map(instance.case.naming.letter, (start, end)))
             if working.symbol and working.symbol.looks_like(letters):
                 instance.note_distance(Call("distance", (Name(start), Name(end))))
+            named = find_length_tree(start, end, instance.case)
+            if isinstance(named, Name) and named.name in instance.case.template.scheme.lengths:
+                return named
             along = measure_along(start, end, instance)
         case Operation() | Call() | Name() | Number():
             along = None

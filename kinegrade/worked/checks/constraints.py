@@ -27,7 +27,7 @@ from kinegrade.worked.checks.shares import Shares
 from kinegrade.worked.formulas.atoms import AXES, TWO, AxisName
 from kinegrade.worked.formulas.measures import double, find_sign, is_zero, length
 from kinegrade.worked.formulas.numbers import measure
-from kinegrade.worked.formulas.symbols import draw_arrow, join_letters
+from kinegrade.worked.formulas.symbols import join_letters
 from kinegrade.worked.vectors.arms import name_length
 from kinegrade.worked.vectors.magnitudes import find_track_ends
 from kinegrade.worked.vectors.stage import Stage
@@ -152,11 +152,7 @@ class _Differentiated(Multiplied):
             by, shares = point_from_base(own, self.case), self._list_normal(own)
             held = own.remainder(self.case.motion.rates) if shares else Vector(0, 0)
             value = double(by.vector.dot(held))
-            line = draw_arrow(map(self.case.naming.letter, (own.base, own.point)))
-            sides = (
-                TermSide(other, line=line),
-                TermSide(tuple(rest), tuple(shares), value, line=line),
-            )
+            sides = TermSide(other), TermSide(tuple(rest), tuple(shares), value)
             yield from self.compare(self._name_distance(own), *sides, by)
 
     def _name_distance(self, own: Term) -> Message:

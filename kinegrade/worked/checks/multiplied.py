@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
-from kinegrade.language.math.width import measure_row
 from kinegrade.language.message import Message
 from kinegrade.mechanics.relations import Term
 from kinegrade.mechanics.vector_equation import VectorEquation
@@ -15,31 +14,24 @@ from kinegrade.worked.checks.check import Check, compare
 from kinegrade.worked.checks.forms import multiply_relation
 from kinegrade.worked.checks.shares import Shares
 from kinegrade.worked.checks.sides import Side
-from kinegrade.worked.formulas.atoms import AXES, ZERO, VectorSymbol, add_terms
-from kinegrade.worked.formulas.formula import Formula
+from kinegrade.worked.formulas.atoms import AXES, ZERO
 from kinegrade.worked.formulas.measures import size
 from kinegrade.worked.formulas.numbers import measure
 from kinegrade.worked.vectors.facts import make_key
 from kinegrade.worked.vectors.summands import PLACES
 from kinegrade.worked.vectors.vectors import (
     UNITS,
-    name_by_role,
-    name_point_vector,
-    number_composition,
 )
 
 
 @dataclass(frozen=True)
 class TermSide:
-    """The terms of a side, what stands there besides, with its value, and terms taken from it;
-    the line by which the vector of their point is multiplied, where that says the same.
-    """
+    """The terms of a side, what stands there besides, with its value, and terms taken from it."""
 
     terms: tuple[Term, ...]
     own: tuple[Amount, ...] = ()
     value: float = 0.0
     without: tuple[Term, ...] = ()
-    line: Formula | None = None
 
 
 @dataclass(frozen=True)
@@ -67,8 +59,6 @@ class Multiplied:
             return
         if left.numbers == right.numbers == ZERO:
             return
-        if not _are_shorter(left, right):
-            left, right = (replace(side, short=None) for side in (left, right))
         terms = (*one.terms, *other.terms, *other.without)
         largest = size(by.vector) * max(size(self.shares.find_vector(term)) for term in terms)
         form = multiply_relation(self.equation.relation, by.vector)
@@ -82,8 +72,7 @@ class Multiplied:
         every = (*side.own, *added, *(one.signed(-1) for one in taken))
         value = self.shares.measure(side.terms, by) - self.shares.measure(side.without, by)
         letters = add_letters(every) if every else None
-        short = self._shorten(side) if side.line is not None and every else None
-        return Side(add_numbers(every), value + side.value, letters, short)
+        return Side(add_numbers(every), value + side.value, letters)
 
     def _list_shares(self, terms: Sequence[Term], by: Multiplier) -> list[Amount] | None:
         """The shares of terms: by the components of their sum where the page has these."""
@@ -99,35 +88,3 @@ class Multiplied:
             for axis in AXES
         }
         return list(by.dot(components))
-
-    def _shorten(self, side: TermSide) -> Formula:
-        """The same as the product of a line and the vector of a point, and what stands besides."""
-        own = [one.letters.signed(one.sign) for one in side.own]
-        if not side.terms or side.line is None:
-            return add_terms(own)
-        return add_terms((side.line.dot(self._name_vector(side.terms)), *own))
-
-    def _name_vector(self, terms: Sequence[Term]) -> VectorSymbol:
-        """The vector of the point to which terms lead, of a frame's point that of the transport."""
-        level, case, last = self.equation.level, self.case, terms[-1]
-        following = self._follow(terms)
-        beyond = next((one for one in self.equation.compositions if one.term in following), None)
-        if beyond is None or beyond.point != last.point:
-            return replace(name_point_vector(last.point, level, case), bold=True)
-        number = number_composition(self.equation, beyond, case)
-        return name_by_role("e", level, number, bold=True)
-
-    def _follow(self, terms: Sequence[Term]) -> Sequence[Term]:
-        """The terms that follow in the same chain."""
-        chains = [chain for chain in self.chains if chain[: len(terms)] == tuple(terms)]
-        return [one for chain in chains for one in chain[len(terms) :]]
-
-
-def _are_shorter(left: Side, right: Side) -> bool:
-    """Whether the short names of both sides are shorter than their letters."""
-    short = [side.short or side.letters for side in (left, right)]
-    return _measure(short) < _measure([left.letters, right.letters])
-
-
-def _measure(formulas: Iterable[Formula | None]) -> float:
-    return sum(measure_row(one.print()) for one in formulas if one is not None)

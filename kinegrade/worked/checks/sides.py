@@ -21,14 +21,11 @@ _EQUAL = 1e-9  # relative: far below a digit that is printed
 
 @dataclass(frozen=True)
 class Side:
-    """One side in numbers, and its value in SI; in letters first where it has such, told by the
-    `short` ones where there are.
-    """
+    """One side in numbers, and its value in SI; in letters first where it has such."""
 
     numbers: Formula
     value: Any
     letters: Formula | None = None
-    short: Formula | None = None
 
     @property
     def sum(self) -> Formula:
@@ -57,17 +54,16 @@ class Side:
 
     def work_out(self, unit: str, digits: int, notation: Notation) -> Equation:
         """The side with its value; alone where it is nothing but a value."""
-        letters = self.short or self.letters
         as_usual = self.numbers.print(notation) == self.numbers.print()
         said = self.numbers.is_decimal and (
             (digits == DIGITS and as_usual) or not double(self.value)
         )
         value = () if said else self._state_value(unit, digits, notation)
-        if letters is None:
+        if self.letters is None:
             return Equation(self.numbers, value)
         rounded = self.numbers.is_decimal and self._misses(self.numbers, notation)
         numbers = approximate(self.numbers) if rounded else equate(self.numbers)
-        return Equation(letters, (*numbers, *value))
+        return Equation(self.letters, (*numbers, *value))
 
     def _misses(self, number: Formula, notation: Notation = PLAIN) -> bool:
         """Whether what is printed is not the value, but is rounded, or made of rounded numbers."""

@@ -1,0 +1,48 @@
+"""Lengths and coordinates of a solution are derived before a check takes them, and once."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+
+from kinegrade.problem.template.library.library import find_template_names
+from tests.worked.draws import kept
+from tests.worked.telling import displayed, lines
+from tests.worked.test_checks import read_checks
+
+ROCKER = "slider-crank-relative-rotation-driver"
+COORDINATE = re.compile(r"[xy]_\{[A-Z][0-9_{}']*\}")
+
+
+@pytest.mark.sampled(12, first=1)
+@pytest.mark.parametrize("name", find_template_names())
+def test_a_check_takes_coordinates_that_the_page_has(name: str) -> None:
+    _assert_derived(name)
+
+
+def test_so_does_one_of_a_length_that_does_not_change() -> None:
+    _assert_derived(ROCKER)
+
+
+def _assert_derived(name: str) -> None:
+    """A side has the letters of its numbers, and no product of vectors instead of them."""
+    for place in (0, 1):
+        derived = {line.partition(" &=")[0] for line in displayed(kept(name, place))}
+        for check in read_checks(name, place):
+            sides = check.left + check.right
+            assert r"\overrightarrow" not in sides
+            assert set(COORDINATE.findall(sides)) <= derived
+
+
+def test_a_length_that_givens_fix_is_derived_once_with_its_reason() -> None:
+    told = tuple(lines(kept(ROCKER)))
+    (place,) = (number for number, line in enumerate(told) if "both lie on the guide" in line)
+    assert told[place].endswith(r"obeys $l_{OA}\sin\theta = l\sin\psi$:")
+    assert told[place + 1].startswith(r"    l_{OA} &= \frac{l\sin\psi}{\sin\theta} = ")
+    assert [line.count(r"{\sin\theta}") for line in told].count(1) == 1
+
+
+def test_a_named_length_that_is_asked_is_not_worked_out_again() -> None:
+    (asked,) = (line for line in displayed(kept(ROCKER)) if line.startswith("l_{2}"))
+    assert asked.startswith(r"l_{2} &= l_{OA} = ")
