@@ -57,10 +57,10 @@ def test_lines_of_code_are_lines_without_docstrings_comments_and_blanks(tmp_path
 # did when fairness came to be bounded (mistakes, follow-through, papers alike hard) and when
 # mechanisms came to move (cycles)
 FAR = {
-    "syntax nodes": 875_000,
-    "lines of code": 88_500,
-    "syntax nodes a line": 9.95,
-    "modules of more than 250 lines": 36,
+    "syntax nodes": 863_500,
+    "lines of code": 87_240,
+    "syntax nodes a line": 9.905,
+    "modules of more than 250 lines": 33,
 }
 COPIED = """
 def total(rows, key):

@@ -13,7 +13,7 @@ from kinegrade.numbers.text import write_decimal
 from kinegrade.worked.formulas.leaves import count_quarter_turns
 from kinegrade.worked.formulas.measures import bearing, is_zero
 from kinegrade.worked.formulas.symbols import join_letters, name_point
-from kinegrade.worked.positions.algebra import ZERO, is_negated, minus
+from kinegrade.worked.positions.algebra import TWO, ZERO, is_negated, minus, plus
 from kinegrade.worked.positions.instance import Instance
 from kinegrade.worked.positions.right_angles import split_right_angles
 
@@ -54,7 +54,7 @@ def find_polar_way(
     return PolarWay(
         instance.text(centre),
         distance,
-        instance.text(_put_positive_first(angle), degrees=True),
+        instance.text(_put_positive_first(_add_right_angles(angle)), degrees=True),
         None if quarters is None else _HEADINGS[(quarters + 2 * against) % 4],
         against,
     )
@@ -127,6 +127,16 @@ def write_positive(distance: Expression, instance: Instance) -> tuple[str, bool]
     """A distance without its sign, and whether it counts the other way."""
     against = instance.sign(distance) < 0
     return instance.text(minus(ZERO, distance) if against else distance), against
+
+
+def _add_right_angles(angle: Expression) -> Expression:
+    """An angle with several right angles as one with their sum in front."""
+    several = sum(part == Name("pi") for part in walk(angle)) > 1
+    sign, rest, quarters = split_right_angles(angle)
+    if not several or quarters == 0:
+        return angle
+    right = Operation("*", Number(quarters), Operation("/", Name("pi"), TWO))
+    return plus(right, rest) if sign > 0 else minus(right, rest)
 
 
 def _put_positive_first(angle: Expression) -> Expression:
