@@ -279,4 +279,5 @@ def test_the_way_is_told_in_words_with_letters_of_points_alone(name: str) -> Non
 def find_points(text: str) -> set[str]:
     """The letters of points in the formulas of a text."""
     formulas = re.findall(r"\$(.*?)\$", text)
-    return {letter for one in formulas for letter in re.findall(r"[A-Z](?:_\{?\d\}?)?'?", one)}
+    plain = [one.replace("{", "").replace("}", "") for one in formulas]
+    return {letter for one in plain for letter in re.findall(r"[A-Z](?:_\d)?'?", one)}

@@ -82,9 +82,7 @@ def require_printable(blocks: Iterable[Block], where: str) -> None:
 
 
 # Their coordinates are given quantities in symbols: no number follows from another
-SYMBOLIC = frozenset(
-    {"pole-sleeve-slider-rod", "rolling-wheel-pole-acceleration", "rolling-wheel-rim-points"}
-)
+SYMBOLIC = frozenset({"pole-sleeve-slider-rod", "rolling-wheel-rim-points"})
 
 
 def whole_chapter(solution: Solution, language: Language) -> tuple[Block, ...]:

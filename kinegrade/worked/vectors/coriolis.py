@@ -50,13 +50,17 @@ def explain_directions(turned: Iterable[Turned], case: Case) -> Iterator[Block]:
     """
     new = [one for one in turned if one.coriolis not in case.findings.directed]
     if new:
+        is_known = bool(case.findings.directed)
         case.findings.directed.update(one.coriolis for one in new)
         frames = {one.frame for one in new}
         if len(new) > 1 and len(frames) == 1:
             yield case.say(_describe_directions(new, case))
             return
         directions = list_statements(_describe_direction(one, case) for one in new)
-        yield case.say(Message("solution.coriolis-rule", directions=directions))
+        if is_known:
+            yield case.say(Message("solution.coriolis-rule-again", directions=directions))
+        else:
+            yield case.say(Message("solution.coriolis-rule", directions=directions))
 
 
 def explain_absences(absent: Sequence[tuple[Part, str]], case: Case) -> Iterator[Message]:

@@ -20,6 +20,7 @@ from kinegrade.worked.formulas.measures import NEGLIGIBLE, double, length
 from kinegrade.worked.formulas.numbers import state_number
 from kinegrade.worked.formulas.symbols import join_letters
 from kinegrade.worked.positions.stated_angles import state_bearing
+from kinegrade.worked.unlettered import is_lettered
 from kinegrade.worked.vectors.arms import name_length
 from kinegrade.worked.vectors.known_vectors import find_path_term
 from kinegrade.worked.vectors.vectors import (
@@ -124,10 +125,29 @@ def describe_direction(equation: VectorEquation, part: Part, case: Case) -> str:
     """
     heading = find_heading(part)
     how = _find_orientation(equation, part, case) or _find_axis(heading)
+    how = how or _find_arm(part, heading, case)
     if how:
         return f"${write_row(how)}$"
     angle = case.text(state_bearing(heading, part.term, case))
     return case.write(Message("solution.heading-from-axis", angle=angle))
+
+
+def _find_arm(part: Part, heading: Vector, case: Case) -> Row:
+    """From point to point of a body, where a known vector points so, as the acceleration of a rim
+    point towards the centre; nothing where it does not.
+    """
+    if part.term is not None:
+        return ()
+    points, scheme = case.motion.points, case.template.scheme
+    listed = (body.points for body in scheme.bodies if part.point in body.points)
+    for other in dict.fromkeys(name for names in listed for name in names):
+        arm = points[other] - points[part.point]
+        parallel = abs(double(arm.cross(heading))) < NEGLIGIBLE
+        if parallel and other != part.point and is_lettered(other, case):
+            ends = (part.point, other) if double(arm.dot(heading)) > 0 else (other, part.point)
+            start, end = map(case.naming.letter, ends)
+            return (*start.row, Sign(r"\to"), *end.row)
+    return ()
 
 
 def find_heading(part: Part) -> Vector:
