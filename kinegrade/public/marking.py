@@ -26,7 +26,7 @@ from kinegrade.lms.responses.answer_table import ReadingWishes
 from kinegrade.lms.responses.class_files import read_class
 from kinegrade.marks_folder.cells import Record
 from kinegrade.marks_folder.folder import MarksFolder
-from kinegrade.marks_folder.layout import CHANGES, KEPT
+from kinegrade.marks_folder.layout import CHANGES, KEPT, MARKER
 from kinegrade.marks_folder.rows import StudentTotal
 from kinegrade.public.folders import expect_own_place
 from kinegrade.public.marking_notes import (
@@ -179,7 +179,7 @@ def _find_replaced(place: Path, options: GradeOptions) -> Standing:
     earlier marking is missing, or where a log would be lost by which changes of marks are accounted
     for.
     """
-    stood = find_standing(place)
+    stood = find_standing(place, MARKER)
     if (options.since is None) != (not options.reason.strip()):
         raise OptionError(Message("terminal.since-and-reason"))
     replaced = _read_log(place)

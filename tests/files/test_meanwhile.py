@@ -13,6 +13,7 @@ import pytest
 from kinegrade.errors import OutputError
 from kinegrade.files.output import output_folder
 from kinegrade.files.placing import one_at_a_time, publishing
+from kinegrade.files.placing.standing import find_standing
 
 CHANGED = (
     "EXAM: changed while this command ran, perhaps by another one; what stands there stays - "
@@ -35,6 +36,17 @@ def add_one(path: Path) -> None:
             count = int((path / "exam.json").read_text())
             (folder / "exam.json").write_text(str(count + 1))
             break
+
+
+def test_a_folder_of_somebody_else_is_not_looked_through(tmp_path: Path) -> None:
+    """It may be a whole disk, which took half a minute before its refusal."""
+    (tmp_path / "below").mkdir()
+    (tmp_path / "below" / "deep.txt").write_text("mine")
+    (tmp_path / "top.txt").write_text("mine")
+    assert [*find_standing(tmp_path, "exam.json").files] == ["top.txt"]
+    (tmp_path / "exam.json").write_text("{}")
+    found = find_standing(tmp_path, "exam.json").files
+    assert sorted(found) == ["below/deep.txt", "exam.json", "top.txt"]
 
 
 def test_what_another_command_wrote_meanwhile_stays(tmp_path: Path) -> None:

@@ -62,7 +62,7 @@ def test_what_is_written_is_read_again(tmp_path: Path) -> None:
     writer.kept([KEPT_ANNA])
     writer.put([("7", "q1", "v", "8")])
     writer.printed({"7": ("q2", "q1")})
-    writer.open([OpenQuestion("q3", HALF, ("7",))], {"7": "=Anna, B."}, {}, "0a")
+    writer.open([OpenQuestion("q3", HALF, ("7",))], {"7": "=Anna, B."}, {}, "0a", codes={})
     mark = HandMark("7", "q2", "v", Fraction(2), Fraction(2), "=fine", Fraction(2))
     writer.by_hand([mark])
     writer.left_out([mark])

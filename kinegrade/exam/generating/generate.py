@@ -105,7 +105,7 @@ def generate(
 
     Raises KinegradeError; then nothing is written.
     """
-    wish, extras, stood = options.wish, options.extras, find_standing(output)
+    wish, extras, stood = options.wish, options.extras, find_standing(output, HEAD)
     require_tools(extras)
     old = replaced_exam(output, new_numbers=wish.new) if force else None
     begun = find_begun(output) if options.resume else None

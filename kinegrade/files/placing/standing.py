@@ -8,6 +8,7 @@ import os
 from collections.abc import Mapping
 from contextlib import suppress
 from dataclasses import dataclass
+from itertools import islice
 from pathlib import Path
 
 from kinegrade.errors import OutputError
@@ -18,17 +19,19 @@ from kinegrade.language.message import Fault, Message
 @dataclass(frozen=True)
 class Standing:
     """The files below a folder, each with its size, when it was saved, and when it came to be so
-    on this disk; none where there is no folder.
+    on this disk; none where there is no folder. Of a folder without the file `marker` only those
+    that lie in it directly.
 
     Renaming the folder changes none of them. Numbers of files are not among them: some network
     disks make them up anew.
     """
 
     files: Mapping[str, tuple[int, int, int]]
+    marker: str | None = None
 
     def require(self, folder: Path, path: Path) -> None:
         """Raises OutputError, about `path`, where something else stands there now."""
-        if find_standing(folder) != self:
+        if find_standing(folder, self.marker) != self:
             raise refuse_changed(path)
 
 
@@ -38,10 +41,13 @@ def refuse_changed(path: Path) -> OutputError:
     return OutputError(Fault(str(path), what, Message("files.one-command"), do))
 
 
-def find_standing(folder: Path) -> Standing:
-    """What stands there now."""
+def find_standing(folder: Path, marker: str | None = None) -> Standing:
+    """What stands there now. A folder without the file `marker`, which may be anybody's whole disk,
+    is not looked through: nothing there is going to be replaced.
+    """
+    is_own = marker is None or (folder / marker).exists()
     files = {}
-    for place, _, names in os.walk(folder):
+    for place, _, names in islice(os.walk(folder), None if is_own else 1):
         for name in names:
             file = Path(place, name)
             with suppress(OSError):  # taken away in this moment, or never to be seen
@@ -49,5 +55,6 @@ def find_standing(folder: Path) -> Standing:
                 stated = found.st_size, found.st_mtime_ns, found.st_ctime_ns
                 files[file.relative_to(folder).as_posix()] = stated
     return Standing(
-        {name: each for name, each in files.items() if Path(name).name not in DESKTOP_DROPPINGS}
+        {name: each for name, each in files.items() if Path(name).name not in DESKTOP_DROPPINGS},
+        marker,
     )
