@@ -35,6 +35,14 @@ class Standing:
             raise refuse_changed(path)
 
 
+def _holds(folder: Path, marker: str) -> bool:
+    """Whether a folder has the file by which kinegrade recognises its own."""
+    try:
+        return (folder / marker).exists()
+    except OSError:  # a name that is too long, which writing refuses
+        return False
+
+
 def refuse_changed(path: Path) -> OutputError:
     """The refusal to replace what has changed meanwhile."""
     what, do = Message("files.changed-meanwhile"), Message("files.give-again")
@@ -45,7 +53,7 @@ def find_standing(folder: Path, marker: str | None = None) -> Standing:
     """What stands there now. A folder without the file `marker`, which may be anybody's whole disk,
     is not looked through: nothing there is going to be replaced.
     """
-    is_own = marker is None or (folder / marker).exists()
+    is_own = marker is None or _holds(folder, marker)
     files = {}
     for place, _, names in islice(os.walk(folder), None if is_own else 1):
         for name in names:
