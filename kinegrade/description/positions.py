@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
+from typing import assert_never
 
 from kinegrade.description.determined import (
     Rank,
@@ -21,7 +22,7 @@ from kinegrade.description.directions import say_direction
 from kinegrade.description.marks import Mark, list_ends, list_marks, say_frame, say_mark, say_side
 from kinegrade.description.places import say_place
 from kinegrade.description.subject import Subject
-from kinegrade.expressions.tree import Call, Expression, find_names, walk
+from kinegrade.expressions.tree import Call, Expression, Name, Number, Operation, find_names, walk
 from kinegrade.language.message import Message
 from kinegrade.worked.construction_steps import Step
 
@@ -61,8 +62,9 @@ class Told:
 
 def choose_told(subject: Subject) -> Told:
     """Simple constructions and joints are said anyway; of the others those without which marks
-    leave a position open, then the marks that say more than constructions: what joints say on top
-    may leave two positions where a mark leaves one.
+    leave a position open, and points at a named distance from which simple ones start; then the
+    marks that say more than constructions: what joints say on top may leave two positions where a
+    mark leaves one.
     """
     simple = [step for step in subject.steps if not works_out(step.tree, subject)]
     others = [step for step in subject.steps if step not in simple]
@@ -72,11 +74,26 @@ def choose_told(subject: Subject) -> Told:
     _add_joints(rank, subject)
     for mark in list_marks(subject):
         rank.add(mark_condition(mark, subject))
-    needed = [step for step in others if rank.add(place_condition(step, subject))]
+    starts = {name for step in simple for name in find_names(step.tree)}
+    conditions = [(step, place_condition(step, subject)) for step in others]
+    needed = [step for step, one in conditions if rank.add(one) or _is_told_start(step, starts)]
     rank = _rank_steps([*simple, *needed], subject)
     marks = tuple(mark for mark in list_marks(subject) if rank.add(mark_condition(mark, subject)))
     placed = tuple(step.point for step in others if step not in needed)
     return Told(_drop_idle([*simple, *needed], marks, subject), marks, placed)
+
+
+def _is_told_start(step: Step, starts: set[str]) -> bool:
+    """Whether other constructions start from a point that lies at a named distance in a
+    direction.
+    """
+    match step.tree:
+        case Call(function="polar", arguments=(_, Name(), _)):
+            return step.point in starts
+        case Call() | Name() | Number() | Operation():
+            return False
+        case _:
+            assert_never(step.tree)
 
 
 def _rank_steps(steps: Iterable[Step], subject: Subject) -> Rank:
