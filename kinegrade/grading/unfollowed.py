@@ -12,7 +12,7 @@ from kinegrade.language.message import Message, list_all
 
 def find_unfollowed(exam: ExamFolder) -> Iterator[Complaint]:
     """A complaint for each fault of a template that the exam keeps and this version cannot read;
-    none where it keeps no templates at all, as exams of other programs.
+    none where it keeps no templates at all, so that nothing was ever to follow.
     """
     if not (exam.path / TEMPLATES).is_dir():
         return

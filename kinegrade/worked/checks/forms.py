@@ -74,11 +74,12 @@ def state_form(relation: Relation) -> Form:
     """A relation of rates; the centre of a wheel that a body carries by its velocity."""
     form: dict[Unknown, float] = {rate: double(factor) for rate, factor in relation.turning}
     along = relation.along
+    if along is None:
+        return form
     for sign, chain in ((1, relation.left), (-1, relation.right)):
-        for term in chain if along is not None else ():
-            factor = sign * _multiply(along, term) if along is not None else 0.0
+        for term in chain:
             unknown = _name(term)
-            form[unknown] = form.get(unknown, 0.0) + factor
+            form[unknown] = form.get(unknown, 0.0) + sign * _multiply(along, term)
     return form
 
 
@@ -163,15 +164,17 @@ def _list_tracks(wheel: TwoTracks, scalars: Sequence[Relation]) -> Iterator[Form
 def _list_circling(stage: Stage) -> Iterator[Form]:
     """The rotations of both points about the centre, which are that of the body."""
     triangle = find_rigid_triangle(stage)
-    parts = (triangle.known, triangle.sought) if triangle else ()
-    for part in parts:
-        if part.term is not None and triangle is not None:
+    if triangle is None:
+        return
+    for part in (triangle.known, triangle.sought):
+        if part.term is not None:
             yield {part.term.rate: 1.0, make_turning(triangle.body): -1.0}
 
 
 def _list_normals(stage: Stage) -> Iterator[Form]:
     """The speeds of both points by their distances from the pole."""
     coupler = find_coupler(stage)
-    for part in (coupler.base, coupler.point) if coupler else ():
-        if coupler is not None:
-            yield multiply_relation(coupler.equation.relation, part.value.turned())
+    if coupler is None:
+        return
+    for part in (coupler.base, coupler.point):
+        yield multiply_relation(coupler.equation.relation, part.value.turned())

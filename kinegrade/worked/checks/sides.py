@@ -71,10 +71,8 @@ class Side:
         return abs(printed - value) > _EQUAL * max(abs(value), 1e-3)
 
     def _state_value(self, unit: str, digits: int, notation: Notation) -> tuple[Link, ...]:
-        printed, zero = (
-            find_printed_value(self.numbers, notation),
-            not (digits and double(self.value)),
-        )
+        printed = find_printed_value(self.numbers, notation)
+        zero = not (digits and double(self.value))
         number = ZERO if zero else replace(round_number(self.value, digits), long="")
         away = abs(printed - find_printed_value(number))
         stated = ZERO if zero else Measured(number, unit)

@@ -124,8 +124,11 @@ def describe_direction(equation: VectorEquation, part: Part, case: Case) -> str:
     from +x, of an unknown part that of its positive sense.
     """
     heading = find_heading(part)
-    how = _find_orientation(equation, part, case) or _find_axis(heading)
-    how = how or _find_arm(part, heading, case)
+    how = (
+        _find_orientation(equation, part, case)
+        or _find_axis(heading)
+        or _find_arm(part, heading, case)
+    )
     if how:
         return f"${write_row(how)}$"
     angle = case.text(state_bearing(heading, part.term, case))
