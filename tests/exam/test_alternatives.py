@@ -13,10 +13,7 @@ from pathlib import Path
 import openpyxl
 import pytest
 from click.testing import Result
-from hypothesis import given
-from hypothesis import strategies as st
 
-from kinegrade.exam.choices import Choice
 from tests.printed_text import read_text
 from tests.small_class import contents, key_lines, kinegrade, table
 
@@ -108,20 +105,6 @@ def test_each_student_gets_one_and_equally_many_get_each(exam_folder: Path) -> N
     held = find_held(exam_folder / "EXAM")
     assert all(questions[0] == "q1" and len(questions) == 2 for questions in held.values())
     assert Counter(questions[1] for questions in held.values()) == {"q2a": 2, "q2b": 2}
-
-
-@given(st.integers(1, 26), st.data())
-def test_however_many_are_given_to_each_all_are_given_equally_often(
-    count: int, data: st.DataObject
-) -> None:
-    number = data.draw(st.integers(1, count))
-    choice = Choice(tuple(f"q1{place}" for place in range(count)), number)
-    begun, papers = data.draw(st.integers(0, 3)), data.draw(st.integers(0, 60))
-    held = [choice.choose("spring", begun * count + place) for place in range(papers)]
-    assert all(len(set(each)) == number for each in held)
-    often = Counter(dict.fromkeys(choice.questions, 0))
-    often.update(name for each in held for name in each)
-    assert max(often.values()) - min(often.values()) <= 1
 
 
 def test_a_paper_and_the_key_show_that_one_alone(exam_folder: Path) -> None:
