@@ -57,9 +57,9 @@ def test_lines_of_code_are_lines_without_docstrings_comments_and_blanks(tmp_path
 # did when fairness came to be bounded (mistakes, follow-through, papers alike hard) and when
 # mechanisms came to move (cycles)
 FAR = {
-    "syntax nodes": 863_500,
-    "lines of code": 87_240,
-    "syntax nodes a line": 9.905,
+    "syntax nodes": 876_000,
+    "lines of code": 88_500,
+    "syntax nodes a line": 9.93,
     "modules of more than 250 lines": 33,
 }
 COPIED = """
