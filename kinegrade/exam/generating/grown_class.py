@@ -13,8 +13,8 @@ from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.generating.paper_changes import compare_students
 from kinegrade.exam.printing.reprint import find_kinds
 from kinegrade.exam.roster.roster import Roster
-from kinegrade.exam.roster.student_ids import find_zero_twins
 from kinegrade.exam.roster.students import Student, choose_places, make_file_names, make_student_key
+from kinegrade.exam.roster.taken_ids import list_former_owners, list_twins
 from kinegrade.exam.setting.kept_exam import student_of
 from kinegrade.language.message import Fault, Message, Quoted
 
@@ -105,7 +105,7 @@ def _known_faults(exam: ExamFolder, known: Mapping[str, Student], late: Roster) 
         yield from list_former_owners(exam.former_ids, student.student, _place(late, student))
         if not late.odd_ids:
             where, do = _place(late, student), Message("roster.one-person")
-            yield from list_twins(exam, student.student, where, do)
+            yield from list_twins(exam.students, student.student, where, do)
 
 
 def list_neighbours(exam: ExamFolder, student: Student, where: str) -> Iterator[Fault]:
@@ -115,23 +115,6 @@ def list_neighbours(exam: ExamFolder, student: Student, where: str) -> Iterator[
             seat, whose = student.seat, Quoted(each.student)
             what = Message("exam.seat-taken", seat=seat, room=student.room, student=whose)
             yield Fault(where, what, do=Message("exam.another-seat"))
-
-
-def list_twins(exam: ExamFolder, student: str, where: str, do: Message) -> Iterator[Fault]:
-    """That a student of the exam has this id but for zeros in front."""
-    for twins in find_zero_twins((student, *exam.students)):
-        if make_student_key(student) == twins[0]:
-            what = Message("exam.zero-twin", student=Quoted(student), other=Quoted(twins[1]))
-            yield Fault(where, what, do=do)
-
-
-def list_former_owners(former_ids: Mapping[str, str], student: str, where: str) -> Iterator[Fault]:
-    """That another student had this id before, which files of answers and marks may still have."""
-    now = {make_student_key(before): owner for before, owner in former_ids.items()}
-    owner = now.get(make_student_key(student))
-    if owner is not None:
-        what = Message("exam.former-id", student=Quoted(student), now=Quoted(owner))
-        yield Fault(where, what, do=Message("exam.id-nobody-had"))
 
 
 def _require_names_kept(earlier: Sequence[Student], late: Roster) -> None:

@@ -23,12 +23,12 @@ from kinegrade.exam.folder.exam_secret import ExamSecret
 from kinegrade.exam.folder.faults import AS_GENERATED
 from kinegrade.exam.folder.head import read_head
 from kinegrade.exam.folder.records import ExamHead, KeyLine, StatedAnswer
-from kinegrade.exam.generating.grown_class import list_former_owners
 from kinegrade.exam.generating.hand_work import is_answered, refuse_edited, require_nothing_edited
 from kinegrade.exam.generating.options import GenerateOptions
 from kinegrade.exam.generating.paper_changes import PaperChanges, list_otherwise
 from kinegrade.exam.roster.roster import Roster
 from kinegrade.exam.roster.students import read_place
+from kinegrade.exam.roster.taken_ids import list_former_owners
 from kinegrade.language.message import Fault, Message, Quoted
 
 _UNKNOWN = Message("exam.unknown-before")

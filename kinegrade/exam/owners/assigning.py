@@ -16,11 +16,12 @@ from kinegrade.exam.folder.exam_folder import ExamFolder, open_exam
 from kinegrade.exam.folder.records import Candidate
 from kinegrade.exam.folder.writing import encode_line
 from kinegrade.exam.generating.adding import write_rest
-from kinegrade.exam.generating.grown_class import find_stem, list_former_owners, list_twins
+from kinegrade.exam.generating.grown_class import find_stem
 from kinegrade.exam.generating.grown_folder import copy_exam, open_grown_folder
 from kinegrade.exam.owners.papers_anew import print_anew
 from kinegrade.exam.roster.student_ids import StudentIds
 from kinegrade.exam.roster.students import Student, make_student_key
+from kinegrade.exam.roster.taken_ids import list_former_owners, list_twins
 from kinegrade.language.message import Fault, Message, Quoted, list_plainly
 
 
@@ -95,7 +96,7 @@ def make_owner(exam: ExamFolder, spare: Candidate, student: Student) -> Candidat
         raise ExamError(Fault(str(exam.head_file), what, expected, do))
     where, late = str(exam.head_file), Message("exam.other-person-late")
     others = (
-        *list_twins(exam, student.student, where, late),
+        *list_twins(exam.students, student.student, where, late),
         *list_former_owners(exam.former_ids, student.student, where),
     )
     if others:
