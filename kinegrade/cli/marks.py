@@ -147,7 +147,7 @@ def diff(
     expect_folders((before, "MARKS"), (after, "MARKS"))
     first, second = kinegrade.open_marks(before), kinegrade.open_marks(after)
     require_one_exam(first, second)
-    comparison = compare(first, second)
+    comparison = compare(first, second, second.former_ids)
     if output is not None:
         from kinegrade.files.output import write_file
 

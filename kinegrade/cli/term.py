@@ -83,7 +83,7 @@ def _list_complaints(folders: Mapping[str, MarksFolder]) -> list[Problem]:
     """Who is not marked to the end, which marks are by an earlier key, and who has two lines."""
     from kinegrade.grading.exams_beside import find_later_keys
     from kinegrade.marks_folder.open_questions import describe_unmarked
-    from kinegrade.reports.term.split_students import find_split_students
+    from kinegrade.reports.term.split_students import find_renamed_students, find_split_students
     from kinegrade.reports.unlike_names import find_unlike_names
 
     unmarked = [
@@ -92,7 +92,12 @@ def _list_complaints(folders: Mapping[str, MarksFolder]) -> list[Problem]:
         for missing in describe_unmarked(name, folder.open, folder.lacking)
     ]
     exams = {name: folder.totals for name, folder in folders.items()}
-    people = (*find_split_students(exams), *find_unlike_names(exams))
+    former_ids = {name: folder.former_ids for name, folder in folders.items()}
+    people = [
+        *find_split_students(exams),
+        *find_renamed_students(exams, former_ids),
+        *find_unlike_names(exams),
+    ]
     return [*unmarked, *find_later_keys(folders.values()), *people]
 
 

@@ -185,6 +185,7 @@ def _write_by_hand(
     identity = identify_exam(exam.head)
     folder.exam(identity)
     folder.corrections(exam.head.corrections)
+    folder.former_ids(exam.former_ids)
     folder.by_hand(settled.list_marks())
     folder.left_out(list_hand_marks(hands.left_out))
     grades = settled.grades.grades

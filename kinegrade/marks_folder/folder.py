@@ -46,6 +46,7 @@ from kinegrade.marks_folder.layout import (
     CHANGES,
     EXAM,
     FOR_PEOPLE,
+    FORMER_IDS,
     GRADES,
     MANUAL,
     MERGED,
@@ -177,6 +178,12 @@ class MarksFolder:
         """
         records = read_records_if_any(self.path, MERGED)
         return {student: restore(marks) for _, (student, marks) in records}
+
+    @cached_property
+    def former_ids(self) -> Mapping[str, str]:
+        """The students by the ids that they had before; empty where nobody's was changed."""
+        records = read_records_if_any(self.path, FORMER_IDS)
+        return {formerly: student for _, (student, formerly) in records}
 
     @cached_property
     def log(self) -> tuple[Record, ...]:

@@ -13,6 +13,7 @@ from kinegrade.marks_folder.folder import MarksFolder
 from kinegrade.marks_folder.layout import (
     ANSWERS,
     COMPLAINTS,
+    FORMER_IDS,
     GRADES,
     TABLES,
     TableFile,
@@ -30,7 +31,7 @@ def forget_marks(marks: MarksFolder, names: Mapping[str, str], target: Path) -> 
     are files for other systems.
     """
     for file in TABLES:
-        if file != GRADES and (marks.path / file.name).exists():
+        if file not in (GRADES, FORMER_IDS) and (marks.path / file.name).exists():
             rows = [] if file == COMPLAINTS else _list_rows(marks, file, names)
             write_csv(target / file.name, file.columns, rows)
     table = read_whole(marks.path, GRADES)

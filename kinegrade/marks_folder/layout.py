@@ -138,6 +138,8 @@ SUBTRACTED: Final = TableFile(
 SCALE: Final = TableFile("scale.csv", ("grade", "from", "result"))
 #: How often the key was corrected before the class was marked; only where it was.
 CORRECTIONS: Final = TableFile("corrections.csv", ("corrections",))
+#: Ids that students had before those of this folder; only where somebody's was changed.
+FORMER_IDS: Final = TableFile("former-ids.csv", ("student", "formerly"))
 #: By what the exam is known by which the class was marked: commands refuse marks of another one. It
 #: tells nothing of the secret.
 EXAM: Final = TableFile("exam.csv", ("exam",))
@@ -170,6 +172,7 @@ TABLES: Final = (
     SCALE,
     SUBTRACTED,
     CORRECTIONS,
+    FORMER_IDS,
     EXAM,
     MERGED,
     CHANGES,

@@ -37,6 +37,7 @@ from kinegrade.marks_folder.layout import (
     COMPLAINTS,
     CORRECTIONS,
     EXAM,
+    FORMER_IDS,
     GRADES,
     KEPT,
     LEFT_OUT,
@@ -139,6 +140,12 @@ class MarksWriter:
         """How often the key was corrected before."""
         if count:
             write_csv(self.path / CORRECTIONS.name, CORRECTIONS.columns, [(str(count),)])
+
+    def former_ids(self, now: Mapping[str, str]) -> None:
+        """The students by the ids that they had before."""
+        if now:
+            rows = [(student, formerly) for formerly, student in now.items()]
+            write_csv(self.path / FORMER_IDS.name, FORMER_IDS.columns, rows)
 
     def exam(self, identity: str) -> None:
         """By what the exam is known."""

@@ -69,6 +69,51 @@ def test_what_was_typed_and_marked_under_the_old_id_goes_on(exam: Path) -> None:
     assert "4711" in kinegrade("explain", exam, marks, "0012").stdout
 
 
+def test_markings_before_and_after_a_new_id_are_compared_by_student(exam: Path) -> None:
+    sheet, first, second = (exam.with_name(name) for name in ("typed.csv", "MARKS", "AGAIN"))
+    sheet.write_text(f"student,q1.v_B\n0012,{right_answer(exam, '0012')}\n", encoding="utf-8")
+    kinegrade("grade", exam, sheet, "-o", first)
+    kinegrade("exchange", exam, "0012", "4711", *NEW)
+    kinegrade("grade", exam, sheet, "-o", second)
+    assert table(second / "former-ids.csv") == [{"student": "4711", "formerly": "0012"}]
+    said = kinegrade("diff", first, second).stdout
+    assert "0 up, 0 down" in said
+    assert "4711" not in said
+    assert "0012" not in said
+
+
+def test_a_term_tells_marks_that_have_the_old_id(exam: Path) -> None:
+    sheet, first, second = (exam.with_name(name) for name in ("typed.csv", "QUIZ", "FINAL"))
+    sheet.write_text("student,q1.v_B\n0012,1\n", encoding="utf-8")
+    other = exam.with_name("OTHER")
+    assert generate(exam.parent, "OTHER", "--reproducible", "another").exit_code == 0
+    kinegrade("grade", other, sheet, "-o", first)
+    kinegrade("exchange", exam, "0012", "4711", *NEW)
+    kinegrade("grade", exam, sheet, "-o", second)
+    said = kinegrade("term", first, second, "-o", exam.with_name("term.csv"))
+    assert said.exit_code == 1
+    assert (
+        '0012: "0012" (in QUIZ) is "4711" in FINAL - give the new id to the other exams, too, by '
+        "kinegrade exchange EXAM OLD NEW --new-id, and mark them again\n"
+    ) in said.stderr
+    kinegrade("exchange", other, "0012", "4711", *NEW)
+    kinegrade("grade", other, sheet, "-o", first, "--force")
+    said = kinegrade("term", first, second, "-o", exam.with_name("term.csv"), "--force")
+    assert "0012" not in said.stderr
+
+
+def test_who_had_another_id_is_forgotten_with_it(exam: Path) -> None:
+    sheet, marks = exam.with_name("typed.csv"), exam.with_name("MARKS")
+    sheet.write_text("student,q1.v_B\n0012,1\n", encoding="utf-8")
+    kinegrade("exchange", exam, "0012", "4711", *NEW)
+    kinegrade("grade", exam, sheet, "-o", marks)
+    done = kinegrade("forget", exam, marks, "--yes")
+    assert done.exit_code == 0, done.stderr
+    for name, text in {**contents(exam), **contents(marks)}.items():
+        assert b"4711" not in text, name
+        assert b"0012" not in text, name
+
+
 def test_an_id_whose_zeros_come_back_is_no_other_person(exam: Path) -> None:
     done = kinegrade("exchange", exam, "0012", "12", "--new-id")
     assert done.exit_code == 0, done.stderr
