@@ -31,7 +31,7 @@ from kinegrade.marks_folder.cells import (
 from kinegrade.marks_folder.check import refuse_changed_totals
 from kinegrade.marks_folder.complaints import read_complaints
 from kinegrade.marks_folder.corrections import read_corrections
-from kinegrade.marks_folder.earlier import find_named_mistakes, names_policy
+from kinegrade.marks_folder.earlier import find_mistakes, names_policy
 from kinegrade.marks_folder.hand_marks import (
     ByHand,
     are_edited,
@@ -50,8 +50,6 @@ from kinegrade.marks_folder.layout import (
     GRADES,
     MANUAL,
     MERGED,
-    MISTAKE,
-    NAMES_BETWEEN,
     PRINTED,
     PUT,
     QUESTIONS_BETWEEN,
@@ -212,7 +210,7 @@ class MarksFolder:
                 mark.points if mark else amount,
                 read_amount(out_of, path, line, "out_of"),
                 reason,
-                _find_mistakes(verdict, mistakes, reason),
+                find_mistakes(verdict, mistakes, reason),
                 rule == BY_POLICY or names_policy(reason),
                 mark,
             )
@@ -248,9 +246,3 @@ def open_marks(path: Path, *, to_mark_again: bool = False) -> MarksFolder:
     if not (to_mark_again and are_edited(path)):
         refuse_changed_totals(path, folder.totals, folder.sums, folder.scale)
     return folder
-
-
-def _find_mistakes(verdict: str, listed: str, reason: str) -> tuple[str, ...]:
-    if verdict != MISTAKE:
-        return ()
-    return tuple(listed.split(NAMES_BETWEEN)) if listed else find_named_mistakes(reason)
