@@ -2,8 +2,14 @@
 
 from __future__ import annotations
 
-from kinegrade.worked.document import TermTable
-from tests.worked.draws import stated
+from itertools import pairwise
+
+import pytest
+
+from kinegrade.language import Language
+from kinegrade.problem.template.signs import write_sign
+from kinegrade.worked.document import Prose, TermTable
+from tests.worked.draws import drawn, kept, stated
 from tests.worked.telling import boxed, displayed, proses
 
 PRESS = {"l": "290", "m": "280", "beta": "-35", "v": "140"}
@@ -24,3 +30,30 @@ def test_a_guided_point_moves_positive_in_the_sense_of_the_question() -> None:
     assert line.endswith(r"\approx -196.1\,\unit{mm/s}\quad\text{(upwards)}")
     assert r"-196.1\,\unit{mm/s}" in boxed(blocks)
     assert not any("asked for" in text for text in proses(blocks))
+
+
+@pytest.mark.parametrize(
+    ("name", "symbol"),
+    [
+        ("belt-driven-bicycle", "n_{A}"),
+        ("pin-in-two-rings", r"a_{\mathrm{r},1}^{\mathrm{t}}"),
+        ("rod-ground-and-incline", "v_{B,s}"),
+        ("square-on-two-fixed-points", r"v_{\mathrm{r},B}"),
+    ],
+)
+def test_what_is_counted_against_a_letter_of_the_page_has_its_sign_told(
+    name: str, symbol: str
+) -> None:
+    """n_A was negative and counter-clockwise, beside rotations positive counter-clockwise."""
+    asks = drawn(name)[0].template.asks.values()
+    (ask,) = (ask for ask in asks if ask.symbol == symbol)
+    for language in map(Language, ("en", "zh")):
+        blocks = kept(name, language=language)
+        before = next(
+            first
+            for first, block in pairwise(blocks)
+            if any(line.startswith(f"{symbol} &=") for line in displayed((block,)))
+        )
+        told = write_sign(ask.sign, language)
+        assert isinstance(before, Prose)
+        assert told in before.text

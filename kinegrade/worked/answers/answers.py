@@ -14,6 +14,7 @@ from kinegrade.problem.quantities.motion_functions import MOTION_FUNCTIONS
 from kinegrade.problem.template.signs import write_sign
 from kinegrade.problem.template.template import Ask
 from kinegrade.problem.template.translated import Translated
+from kinegrade.sign_conventions import UNSIGNED
 from kinegrade.worked.answers.angles_between import explain_between
 from kinegrade.worked.answers.asked_vectors import (
     explain_prerequisites,
@@ -27,8 +28,9 @@ from kinegrade.worked.answers.quantity_formulas import find_value, work_out
 from kinegrade.worked.answers.stated_values import explain_value
 from kinegrade.worked.case import Case
 from kinegrade.worked.document import Block
-from kinegrade.worked.formulas.atoms import ZERO
+from kinegrade.worked.formulas.atoms import ZERO, Symbol, VectorSymbol
 from kinegrade.worked.formulas.equation import Equation, Link, drop_repetition, equate
+from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.measures import double
 from kinegrade.worked.formulas.numbers import state_number, state_quantity
 from kinegrade.worked.formulas.rotational_speeds import (
@@ -70,6 +72,8 @@ def explain_answer(ask: Ask, case: Case) -> Iterator[Block]:
             yield from _count_as_asked(ask, case)
     elif not working.symbols.looks_like(symbol):  # else a step has already given it
         yield from explain_between(ask, case)
+        if _is_counted_against(ask, working.symbols):
+            yield case.say(_name_convention(ask, case))
         yield case.show(_state_last_line(ask, working, case))
         _note_size(ask, case)
 
@@ -96,6 +100,12 @@ def _count_as_asked(ask: Ask, case: Case) -> Iterator[Block]:
     rounded = tuple(link for link in value if link.relation == r"\approx")
     yield case.say(_name_convention(ask, case))
     yield case.show(Equation(-symbol, rounded or value))
+
+
+def _is_counted_against(ask: Ask, symbols: Formula) -> bool:
+    """Whether the question counts a letter's opposite, in a sense of its own."""
+    usual = ask.sign in ("ccw", "+x", "+y", *UNSIGNED)
+    return not usual and symbols.sign < 0 and isinstance(symbols.size, Symbol | VectorSymbol)
 
 
 def _name_convention(ask: Ask, case: Case) -> Message:

@@ -36,6 +36,7 @@ from kinegrade.worked.rates.driven import is_assumed
 from kinegrade.worked.rates.rims import say_of_carrier
 from kinegrade.worked.rates.rolling import group_rolls, tell_rolls
 from kinegrade.worked.steps.couplers import Coupler, choose_method, find_coupler, find_pole_body
+from kinegrade.worked.steps.flat_faces import find_curved_body
 from kinegrade.worked.steps.rigid import explain_choice, find_rigid_triangle
 from kinegrade.worked.steps.titles import find_rotations, select_scalars
 from kinegrade.worked.steps.two_tracks import find_two_tracks
@@ -250,6 +251,7 @@ def _explain_frames(stage: Stage, accelerated: bool) -> Iterator[Message]:
     point = case.naming.point(compositions[0].point) if compositions else ""
     frames = [case.naming.body(part.frame) for part in compositions]
     unknown = len(stage.equations[0].unknowns)
+    yield from _replace_profiles(compositions, case)
     if unknown == 1 and len(frames) == 1:
         yield Message("solution.idea-composed-known", point=point, frame=frames[0])
     if unknown != 2 or not frames:
@@ -272,6 +274,15 @@ def _explain_frames(stage: Stage, accelerated: bool) -> Iterator[Message]:
             other=frames[1],
             **way,
         )
+
+
+def _replace_profiles(compositions: Iterable[Part], case: Case) -> Iterator[Message]:
+    """Why the circle of curvature serves where no more of a profile is known."""
+    for relative in compositions:
+        curved = find_curved_body(relative, case)
+        if curved is not None:
+            point, body = case.naming.point(relative.point), case.naming.body(curved)
+            yield Message("solution.idea-curvature", point=point, body=body)
 
 
 def _describe_directions(equation: VectorEquation, accelerated: bool) -> Message:

@@ -30,6 +30,7 @@ from kinegrade.worked.rates.scalars import explain_scalar_step, state_relations
 from kinegrade.worked.senses import state_way
 from kinegrade.worked.steps.base_points import start_from_known
 from kinegrade.worked.steps.compositions import describe_meanings
+from kinegrade.worked.steps.flat_faces import explain_flat_face
 from kinegrade.worked.steps.polygons import (
     has_corner,
     name_shared_corner,
@@ -83,7 +84,7 @@ def explain_step(step: Step, stage: Stage) -> Iterator[Block]:
     for equation in stage.equations:
         yield from _explain_earlier_vectors(equation, case)
     for equation in stage.equations:
-        yield from _explain_contact(equation, case)
+        yield from explain_flat_face(equation, case)
         yield case.say(introduce_with_lengths(equation, stage))
         yield from _explain_mark(equation, case)
         yield make_term_table(equation, case)
@@ -137,25 +138,6 @@ def _explain_earlier_vectors(equation: VectorEquation, case: Case) -> Iterator[B
             continue
         letters = _name_together(equation, part, case)
         yield from find_point(part.together, letters, case, equation.level)
-
-
-def _explain_contact(equation: VectorEquation, case: Case) -> Iterator[Block]:
-    """Why the centre of a circle is the moving point where the circle touches a flat face."""
-    for relative in equation.compositions:
-        sentence = case.joint(relative.term) if relative.term else None
-        if (
-            sentence
-            and sentence.stated.TOUCHES
-            and relative.part == ""
-            and equation.level == "velocity"
-        ):
-            yield case.say(
-                Message(
-                    "solution.contact-face",
-                    point=case.naming.point(relative.point),
-                    frame=case.naming.body(relative.frame),
-                )
-            )
 
 
 def _same_path(equation: VectorEquation) -> bool:
