@@ -80,7 +80,7 @@ class _Line:
         return self.left.width + self.right.width
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)  # known by itself, as it is looked up for many rooms
 class MeasuredDisplay:
     """The equations of a display, measured once for rooms of any width."""
 
@@ -93,6 +93,7 @@ def measure_display(display: Display) -> MeasuredDisplay:
     return MeasuredDisplay(tuple(map(_measure_line, _join_continued(display.lines))))
 
 
+@lru_cache(maxsize=1024)
 def arrange_equations(
     display: MeasuredDisplay, room: float, *, folds: bool = False
 ) -> tuple[Equations, ...]:
@@ -147,12 +148,21 @@ def _fold_lines(lines: Sequence[_Line], room: float) -> Iterator[_Line]:
     short = [line.left.width for line in lines if line.left.width <= _LONG_LEFT * room]
     beside = room - max((_INDENT_WIDTH, *short))
     for line in lines:
-        pieces = [
-            fold(part, beside - piece.signed * (_INDENT_WIDTH + _BEFORE_SIGN))
-            for piece in line.pieces
-            for part in (part_remark(piece.row) if piece.width > beside else [piece.row])
-        ]
-        yield _measure_line(EquationLine(fold(line.left.row, room), tuple(pieces)))
+        left = fold(line.left.row, room)
+        pieces = tuple(row for piece in line.pieces for row in _fold_piece(piece, beside))
+        yield line if _is_same(left, pieces, line) else _measure_line(EquationLine(left, pieces))
+
+
+def _fold_piece(piece: _Piece, beside: float) -> Iterator[Row]:
+    """A piece that has so much room, its remark apart where it is wider."""
+    room = beside - piece.signed * (_INDENT_WIDTH + _BEFORE_SIGN)
+    for part in part_remark(piece.row) if piece.width > beside else [piece.row]:
+        yield fold(part, room)
+
+
+def _is_same(left: Row, pieces: tuple[Row, ...], line: _Line) -> bool:
+    """Whether nothing of a line has been folded."""
+    return left == line.left.row and pieces == tuple(piece.row for piece in line.pieces)
 
 
 def _align(lines: Sequence[_Line], room: float) -> Iterator[Equations]:

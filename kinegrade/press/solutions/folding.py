@@ -44,12 +44,16 @@ def fold(row: Row, room: float) -> Row:
     >>> fold(quotient, 99.0) == quotient, fold(quotient, 5.0)[1].above[0].row.count(LineBreak())
     (True, 1)
     """
-    for place in sorted(range(len(row)), key=lambda place: -_measure(row[place : place + 1])):
+    excess = _measure(row) - room
+    if excess <= 0:
+        return row
+    widths = [_measure((node,)) for node in row]
+    for place in sorted(range(len(row)), key=lambda place: -widths[place]):
+        folded = _fold_node(row[place], widths[place] - excess)
+        row = (*row[:place], folded, *row[place + 1 :])
         excess = _measure(row) - room
         if excess <= 0:
-            break
-        inner = _measure(row[place : place + 1]) - excess
-        row = (*row[:place], _fold_node(row[place], inner), *row[place + 1 :])
+            return row
     return row
 
 
