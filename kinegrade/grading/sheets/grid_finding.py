@@ -22,8 +22,9 @@ def find_grid_entries(answers: AnswerFile, columns: Columns, exam: Sitting) -> G
     beside = answers.put or answers.lines or answers.submitted or columns.codes
     if not isinstance(rows, CellGrid) or beside or len(asks) < len(columns.asks):
         return None
-    ids: Sequence[str | None] = rows.column(columns.student)
-    if (*ids,) != exam.students:  # in most files, which `generate` wrote, they are
+    # In most files, which `generate` wrote, they are those of the roster, and are held once
+    ids: Sequence[str | None] = exam.students
+    if (*rows.column(columns.student),) != ids:
         ids = StudentIds(exam.students, exam.codes).all_exact(rows.column(columns.student))
     places = dict(zip(filter(None, ids), range(len(ids)), strict=False))
     if len(places) < len(ids):

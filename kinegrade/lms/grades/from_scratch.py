@@ -59,7 +59,7 @@ def new_file(dialect: Dialect, grades: ClassGrades, options: ExportOptions) -> F
     known = [each for each in students if known_as(each, plan.key)]
     header = [header for _, header, _ in plan.columns]
     cells = [map(_choose_writer(plan, column, item), known) for column, _, item in plan.columns]
-    rows = list(zip(*cells, strict=True))
+    rows = zip(*cells, strict=True)  # each is written as soon as it is made
     text = (
         write_quoted_csv_text(header, rows) if layout.quotes_all else write_csv_text(header, rows)
     )

@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
-from typing import NamedTuple, assert_never
+from typing import assert_never
 
 import msgspec
 
@@ -84,14 +84,6 @@ def known_as(grade: StudentGrade, field: Field) -> str:
             assert_never(field)
 
 
-class _Possible(NamedTuple):
-    """The maxima of a student's questions and of the total, and whether anything was answered."""
-
-    student: str
-    out_of: Mapping[str, Fraction]
-    answered: bool
-
-
 def read_grades(marks: MarksFolder, exam: ExamFolder | None = None) -> ClassGrades:
     """The grades of a marks folder; e-mails and the title from an exam folder.
 
@@ -100,10 +92,16 @@ def read_grades(marks: MarksFolder, exam: ExamFolder | None = None) -> ClassGrad
     TableError for a folder that `grade` cannot have written, ExamError for a damaged exam.
     """
     totals, orders = marks.totals, marks.printed
-    possible = {each.student: each for each in _read_possible(marks.sums)}
+    maxima, absent = dict(_list_maxima(marks.sums)), _find_absent(marks)
+    nothing = {TOTAL: Fraction(0)}  # the maxima of one without lines in marks.csv
     students = tuple(
         _make_student_grade(
-            total, points, possible.get(total.student), orders.get(total.student, ()), marks.bonus
+            total,
+            points,
+            maxima.get(total.student, nothing),
+            orders.get(total.student, ()),
+            marks.bonus,
+            handed_in=total.student not in absent,
         )
         for total, points in zip(totals.students, _add_totals(totals.students), strict=True)
     )
@@ -111,9 +109,22 @@ def read_grades(marks: MarksFolder, exam: ExamFolder | None = None) -> ClassGrad
     return found if exam is None else _add_exam(found, exam)
 
 
-def _read_possible(sums: Iterable[StudentSums]) -> Iterator[_Possible]:
-    """What could be had by each student; neighbours with the same maxima share them, as a class of
-    any size does.
+def _find_absent(marks: MarksFolder) -> Set[str]:
+    """Who handed in nothing."""
+    totals = marks.totals.students
+    absent = {each.student for each in totals if not each.is_present}
+    unsaid = [each for each in totals if each.status is None and not each.total > 0]
+    if not unsaid:
+        return absent
+    answered = {each.student for each in marks.sums if each.answered}
+    return absent.union(each.student for each in unsaid if each.student not in answered)
+
+
+def _list_maxima(
+    sums: Iterable[StudentSums],
+) -> Iterator[tuple[str, Mapping[str, Fraction]]]:
+    """What could be had by each student for the questions and in total; neighbours with the same
+    maxima share them, as a class of any size does.
     """
     shared: Mapping[str, Fraction] = {}
     known: QuestionSums | None = None
@@ -122,7 +133,7 @@ def _read_possible(sums: Iterable[StudentSums]) -> Iterator[_Possible]:
             known = each.out_of
             out_of = {**known.by_question, TOTAL: each.total_out_of}
             shared = shared if out_of == shared else out_of
-        yield _Possible(each.student, shared, each.answered)
+        yield each.student, shared
 
 
 def _add_totals(totals: Sequence[StudentTotal]) -> Iterator[Mapping[str, Fraction]]:
@@ -139,18 +150,16 @@ def _add_totals(totals: Sequence[StudentTotal]) -> Iterator[Mapping[str, Fractio
 def _make_student_grade(
     total: StudentTotal,
     points: Mapping[str, Fraction],
-    possible: _Possible | None,
+    out_of: Mapping[str, Fraction],
     printed: tuple[str, ...],
     bonus: Set[str],
+    *,
+    handed_in: bool,
 ) -> StudentGrade:
-    """A student's grade for an export; the maxima of one without lines in marks.csv are zero."""
-    out_of = {TOTAL: Fraction(0)} if possible is None else possible.out_of
-    if total.status is None:
-        handed_in = (possible is not None and possible.answered) or total.total > 0
-    else:
-        handed_in = total.status != "absent" or total.kept is not None
+    """A student's grade for an export."""
     name = neutralise(total.name)
-    held = frozenset(bonus & out_of.keys())  # one object where it is empty
+    # An empty set is made anew each time, and takes more than all the rest
+    held = frozenset(bonus & out_of.keys()) if bonus else bonus
     return StudentGrade(
         total.student,
         name,

@@ -84,14 +84,15 @@ def _find_sums(student: str, lines: Sequence[_Line], path: Path) -> StudentSums:
     """The sums of the lines of one student, as the machine gave them."""
     records = [cells for _, cells in lines]
     questions = tuple(map(_read_question, records))
-    points, out_of = (_add_up(questions, tuple(map(read, records))) for read in _AMOUNTS.values())
+    points, out_of = (
+        _add_up_once(questions, tuple(map(read, records))) for read in _AMOUNTS.values()
+    )
     if points is None or out_of is None:
         raise TableError(next(_find_damaged(lines, path)))
     answered = any(is_answered(restore(response)) for response in map(_read_response, records))
     return StudentSums(lines[-1][0], student, points, out_of, answered)
 
 
-@lru_cache(maxsize=4096)  # few students have points that nobody else has
 def _add_up(questions: tuple[str, ...], cells: tuple[str, ...]) -> QuestionSums | None:
     """The sums of amounts, each with its question; None where one is no amount."""
     listed = defaultdict[str, list[Fraction]](list)
@@ -100,8 +101,16 @@ def _add_up(questions: tuple[str, ...], cells: tuple[str, ...]) -> QuestionSums 
         if amount is None:
             return None
         listed[question].append(amount)
-    added = {name: add_amounts(each) for name, each in listed.items()}
-    return QuestionSums(added, _count(questions))
+    return _share(questions, tuple((name, add_amounts(each)) for name, each in listed.items()))
+
+
+_add_up_once = lru_cache(maxsize=4096)(_add_up)  # few students have points that nobody else has
+
+
+@lru_cache(maxsize=4096)  # far fewer than ways to get them, ask by ask
+def _share(questions: tuple[str, ...], added: tuple[tuple[str, Fraction], ...]) -> QuestionSums:
+    """Sums by question, held once."""
+    return QuestionSums(dict(added), _count(questions))
 
 
 @lru_cache(maxsize=256)  # most papers ask the same
