@@ -21,6 +21,7 @@ from kinegrade.press.solutions.settings import (
     EquationGroups,
     Paragraph,
     Setting,
+    Terms,
     fits,
 )
 from kinegrade.press.solutions.terms import arrange_terms
@@ -213,12 +214,29 @@ def test_closer_blocks_and_lines_take_less_room_but_a_line_is_as_high_as_before(
     assert saved[1] - saved[0] == pytest.approx(lines * 0.15 * 0.62 * EM)
 
 
-def test_a_table_stays_above_its_drawings() -> None:
+def test_a_table_stands_beside_its_drawings_where_that_takes_less_of_the_page() -> None:
+    """Where what follows from the table is too wide, nothing stood beside the drawings."""
+    row, *_ = course(SAID, long_equation(2), pictures(1), SAID)
+    assert isinstance(row, DrawingRow)
+    assert [type(setting.body) for setting in row.beside] == [Paragraph, Terms, Paragraph]
+
+
+def test_a_table_too_wide_stays_above_its_drawings() -> None:
     """It stood at the foot of a page, and all that is done with it on the next."""
-    table, *others = course(long_equation(2), pictures(1), SAID)
+    table, *others = course(long_equation(5), pictures(1), SAID)
     assert isinstance(table, Setting)
     assert table.stays
     assert isinstance(others[0], DrawingRow)
+
+
+def test_equations_go_on_on_the_next_page_rather_than_leave_one_half_empty() -> None:
+    rows = read_display([LONG.replace("x", name) for name in "xyz"])
+    question = WorkedQuestion(1, "q1", "A crank", "It turns.", (SAID, rows), None)
+    parted, whole = (
+        arrange_courses([question], TextArea(PAGE, 40.0, parts_equations=parts)).pages
+        for parts in (True, False)
+    )
+    assert parted < whole - 0.05
 
 
 def test_the_givens_of_a_chapter_stay_with_its_first_step() -> None:

@@ -42,7 +42,7 @@ def write_solution_body(sheet: SolutionSheet) -> str:
     texts = (sheet.title, sheet.course, sheet.date, sheet.student, sheet.name, sheet.code)
     head = write_command("solutionhead", *map(write_plain, texts))
     column = Column(_WIDTH, words.raw("language", "page.")["script"])
-    courses = arrange_courses(sheet.questions, TextArea(column, _HEIGHT))
+    courses = arrange_courses(sheet.questions, TextArea(column, _HEIGHT, parts_equations=False))
     questions = convert_each(
         lambda pair: _write_question(*pair, words, where),
         zip(sheet.questions, courses.parts, strict=True),

@@ -6,18 +6,21 @@ from __future__ import annotations
 
 from collections.abc import Generator, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from itertools import pairwise
 from typing import assert_never
 
 from kinegrade.press.sheet import WorkedQuestion
 from kinegrade.press.solutions.chains import Chain, Placed, chain_blocks, join_sentences
-from kinegrade.press.solutions.drawing_rows import GAP, Drawing, DrawingRow
-from kinegrade.press.solutions.settings import Column, Setting, add_heights, fits
+from kinegrade.press.solutions.drawing_rows import Drawing, DrawingRow
+from kinegrade.press.solutions.row_choice import choose_row, measure_passage
+from kinegrade.press.solutions.settings import (
+    Column,
+    Setting,
+    add_heights,
+    find_beginning,
+)
 from kinegrade.worked.document import Heading, Pictures, Prose, TermTable
 
 _MASTHEAD, _QUESTION_HEAD = 4.0, 8.0  # millimetres at the top of the first page, of a question
-_NARROWEST = 72.0  # millimetres that text beside drawings has at least
-_WORTH_IT = 0.75  # of the height below, which blocks beside a drawing may add at most
 
 
 Part = Setting | DrawingRow
@@ -25,10 +28,13 @@ Part = Setting | DrawingRow
 
 @dataclass(frozen=True)
 class TextArea:
-    """The printed area of a page: its column, and its height in millimetres."""
+    """The printed area of a page: its column, its height in millimetres, and whether pages may end
+    between the rows of equations.
+    """
 
     column: Column
     height: float
+    parts_equations: bool = True
 
 
 @dataclass(frozen=True)
@@ -69,13 +75,23 @@ class _Filling:
             self.used += part.height
             yield part
 
+    def _part(self, settings: Sequence[Setting]) -> Iterator[Part]:
+        """Settings of which the last goes on, on the next page."""
+        self.used += add_heights(settings) - self.area.height
+        self.full += 1
+        yield from settings
+
     def place_chain(self, chain: Chain, below: float = 0.0) -> Iterator[Part]:
         """Blocks that stay together over the whole width, with so much of what is `below` them: on
         a new page where not all have room.
         """
         settings = self.area.column.set_chain(chain)
         height = add_heights(settings) + below
-        if not self.has_room(height) and height <= self.area.height:
+        if self.has_room(height):
+            return self.place(settings)
+        if not below and self.has_room(self._find_beginning(settings)):
+            return self._part(settings)
+        if height <= self.area.height:
             self._turn_page()
         return self.place(settings)
 
@@ -87,9 +103,13 @@ class _Filling:
         """Whether what is that high has room on this page."""
         return self.used + height <= self.area.height
 
-    def holds(self, chain: Chain) -> bool:
-        """Whether a chain has room on this page."""
-        return self.has_room(self.measure(chain))
+    def begins(self, chain: Chain) -> bool:
+        """Whether a chain may begin on this page, and go on, on the next one."""
+        return self.has_room(self._find_beginning(self.area.column.set_chain(chain)))
+
+    def _find_beginning(self, settings: Sequence[Setting]) -> float:
+        """How high settings that stay together are before a page may end."""
+        return (find_beginning if self.area.parts_equations else add_heights)(settings)
 
     def measure(self, chain: Chain) -> float:
         """How high a chain is over the whole width."""
@@ -104,7 +124,7 @@ def _arrange(question: WorkedQuestion, filling: _Filling) -> Iterator[Part]:
     if question.figure is not None:
         chains = list(_take_text(items))
         figure = Drawing(question.figure, None, question.title)
-        row, place = _choose_row((figure,), chains, filling.area.column)
+        row, place = choose_row((figure,), chains, filling.area.column)
         yield from filling.place([replace(row, whole=True)])
     heading: Chain = ()  # what stays beside the drawings that follow
     above: Chain = ()  # what stays above them
@@ -121,8 +141,12 @@ def _arrange(question: WorkedQuestion, filling: _Filling) -> Iterator[Part]:
                 chains = list(_take_section(items[place:]))
                 if not chains:
                     yield from filling.place_chain(heading)
-                passage = _prepend(heading, chains)
-                place += yield from _set_passage(_list_drawings(item), passage, filling, above)
+                drawings, passage = _list_drawings(item), _prepend(heading, chains)
+                if above and _saves_room(drawings, above, chains, filling):
+                    passage = (above, *chains)
+                    place += (yield from _set_passage(drawings, passage, filling, ())) - 1
+                else:
+                    place += yield from _set_passage(drawings, passage, filling, above)
                 heading = above = ()
             case _:
                 assert_never(item)
@@ -172,14 +196,14 @@ def _set_passage(
     has no room on the page, the text goes on above it, except for what ends it. What stands above
     the drawings is on the page on which they or the text begin.
     """
-    first, _ = _choose_row(drawings, chains, filling.area.column)
+    first, _ = choose_row(drawings, chains, filling.area.column)
     text = map(filling.measure, chains[:1] if len(chains) > 1 else ())
     yield from filling.place_chain(above, min((first.height, *text)) if above else 0.0)
     taken = 0
     while drawings:
-        row, beside = _choose_row(drawings, chains[taken:], filling.area.column)
+        row, beside = choose_row(drawings, chains[taken:], filling.area.column)
         late, more = not filling.has_room(row.height), len(chains) - taken > 1
-        if late and more and filling.holds(chains[taken]):
+        if late and more and filling.begins(chains[taken]):
             yield from filling.place_chain(chains[taken])
             taken += 1
             continue
@@ -189,74 +213,15 @@ def _set_passage(
     return taken
 
 
-def _choose_row(
-    drawings: tuple[Drawing, ...], chains: Sequence[Chain], page: Column
-) -> tuple[DrawingRow, int]:
-    """The first row of drawings one by one or side by side, whichever takes least of the page, and
-    how many of the chains stand beside it. Where none would, captions are narrow, then equations
-    are folded.
+def _saves_room(
+    drawings: tuple[Drawing, ...], above: Chain, chains: Sequence[Chain], filling: _Filling
+) -> bool:
+    """Whether a table takes less of the page beside its drawings than above them; beside drawings
+    that have no room on the page it would be parted from what is done with it.
     """
-    narrow = tuple(replace(drawing, narrow=True) for drawing in drawings)
-    for shown, folds in ((drawings, False), (narrow, False), (narrow, True)):
-        row, taken = _choose_lowest(shown, chains, page, folds=folds)
-        if taken:
-            return row, taken
-    return _choose_lowest(drawings, chains, page, folds=False)
-
-
-def _choose_lowest(
-    drawings: tuple[Drawing, ...], chains: Sequence[Chain], page: Column, *, folds: bool
-) -> tuple[DrawingRow, int]:
-    choices = [_fill(rows, chains, page, folds=folds) for rows in _list_rows(drawings, page)]
-    most = max(sum(taken for _, taken in choice) for choice in choices)
-
-    def find_height(choice: Sequence[tuple[DrawingRow, int]]) -> float:
-        taken = sum(taken for _, taken in choice)
-        rest = (page.set_chain(chain) for chain in chains[taken:most])
-        return sum(row.height for row, _ in choice) + sum(map(add_heights, rest))
-
-    return min(choices, key=find_height)[0]
-
-
-def _list_rows(
-    drawings: tuple[Drawing, ...], page: Column
-) -> Iterator[tuple[tuple[Drawing, ...], ...]]:
-    """The ways of setting drawings in rows that are not too wide."""
-    count = len(drawings)
-    for cuts in range(2 ** (count - 1)):
-        ends = [0, *(place for place in range(1, count) if cuts >> (place - 1) & 1), count]
-        rows = tuple(drawings[begin:end] for begin, end in pairwise(ends))
-        if len(rows) == count or all(DrawingRow(row, ()).width <= page.width for row in rows):
-            yield rows
-
-
-def _fill(
-    rows: Sequence[tuple[Drawing, ...]], chains: Sequence[Chain], page: Column, *, folds: bool
-) -> list[tuple[DrawingRow, int]]:
-    """Each row with the next chains beside it, and how many they are."""
-    filled: list[tuple[DrawingRow, int]] = []
-    for drawings in rows:
-        taken = sum(taken for _, taken in filled)
-        row = DrawingRow(drawings, (), page.spread)
-        filled.append(_fill_row(row, chains[taken:], page, folds=folds))
-    return filled
-
-
-def _fill_row(
-    row: DrawingRow, chains: Sequence[Chain], page: Column, *, folds: bool
-) -> tuple[DrawingRow, int]:
-    """A row with chains beside it, as long as that takes less of the page than to set them below,
-    and how many they are.
-    """
-    column = replace(page, width=page.width - row.width - GAP, folds=folds)
-    chains = chains if column.width >= _NARROWEST else ()
-    for taken, chain in enumerate(chains):
-        if not column.has_width_for(chain):
-            return row, taken
-        settings = column.set_chain(chain)
-        longer = replace(row, beside=(*row.beside, *settings))
-        below = add_heights(page.set_chain(chain))
-        if not all(map(fits, settings)) or longer.height - row.height > _WORTH_IT * below:
-            return row, taken
-        row = longer
-    return row, len(chains)
+    column = filling.area.column
+    row, taken = choose_row(drawings, (above, *chains), column)
+    if not taken or not filling.has_room(row.height):
+        return False
+    high = filling.measure(above) + measure_passage(drawings, chains, column)
+    return measure_passage(drawings, (above, *chains), column) < high

@@ -30,6 +30,7 @@ _GAP = 1.7  # millimetres between two blocks
 _REACHING = 1.2  # em: an equation that is higher reaches beyond the line of its sentence
 _TALL_ROOM = 1.2  # millimetres more above and below it, as in the layouts
 _COMPACT = 2.5  # lines of a compact paragraph, which formulas that are not broken make one more
+_KEPT_ROWS = 2  # of equations, that stand on a page before the others go on, on the next
 _FOLDS = 1  # of a row beside a drawing: more lines of a fraction are hard to read
 _BEFORE_HEADING: dict[int, float] = {1: 2.4, 2: 1.6}
 
@@ -90,6 +91,21 @@ class Setting:
 def add_heights(settings: Iterable[Setting]) -> float:
     """Millimetres that settings take one below another."""
     return sum(setting.height for setting in settings)
+
+
+def find_beginning(settings: Sequence[Setting]) -> float:
+    """Millimetres that settings that stay together take before the page may end: all of them, but
+    of equations that are the last a few rows.
+    """
+    last = settings[-1]
+    match last.body:
+        case EquationGroups(groups):
+            rows = sum(len(group.rows) for group in groups)
+            return add_heights(settings) - last.height * max(0.0, 1 - _KEPT_ROWS / rows)
+        case Paragraph() | Terms():
+            return add_heights(settings)
+        case _:
+            assert_never(last.body)
 
 
 @dataclass(frozen=True)
@@ -164,7 +180,7 @@ class Column:
             case EquationGroups(groups):
                 return sum(group.height * EM + gap for group in groups)
             case Terms(bands):
-                return find_bands_height(bands) + gap
+                return find_bands_height(bands, min(self.spread.blocks, 1.0)) + gap
             case _:
                 assert_never(body)
 

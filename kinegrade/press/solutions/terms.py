@@ -25,6 +25,7 @@ _NARROWEST = 7.0
 _BETWEEN = 6.8  # millimetres that sign and gaps take with each term
 _LABELS = 17.0  # millimetres of the column that says "magnitude" and "direction"
 _HEAD, _ROW, _LINE = 6.4, 1.2, 3.6  # millimetres: the symbols, a row without its lines, a line
+_ROOM = 8.4  # millimetres above and below the three rows, as in the layouts
 
 
 @dataclass(frozen=True)
@@ -70,9 +71,9 @@ def arrange_terms(table: TermTable, room: float) -> tuple[Band, ...]:
     return tuple((_set_column(term, _LIMITS[-1]),) for term in terms)
 
 
-def find_bands_height(bands: Sequence[Band]) -> float:
-    """Millimetres that the bands of a table take."""
-    return sum(map(_find_height, bands))
+def find_bands_height(bands: Sequence[Band], spread: float = 1.0) -> float:
+    """Millimetres that the bands of a table take with that share of the usual room around rows."""
+    return sum(_find_height(band) - (1 - spread) * _ROOM for band in bands)
 
 
 def _find_height(band: Band) -> float:
