@@ -9,20 +9,34 @@ from typing import Literal
 
 from kinegrade.language import Language
 from kinegrade.language.message import Message
+from kinegrade.mechanics.rates import make_turning
 from kinegrade.worked.case import Case
 from kinegrade.worked.document import Block, Prose, TermTable, say
 
 _Tables = Literal["turned", "straight"]  # whether directions are told by a turn
 
 
-def find_conventions(blocks: Sequence[Block], case: Case) -> tuple[Prose, Prose]:
+def find_conventions(
+    blocks: Sequence[Block], case: Case, *, accelerated: bool
+) -> tuple[Prose, Prose]:
     """The sense in which rotations are positive, with the sense of vectors' letters where tables
     have vectors, and the sign of a turn where one has it; and that values are rounded.
     """
-    first, *others = (Message("solution.positive"), *_explain_letters(blocks))
+    first, *others = (_state_senses(case, accelerated), *_explain_letters(blocks))
     for following in others:
         first = Message("solution.sentences", first=first, next=following)
     return case.say(first), state_rounding(case.language)
+
+
+def _state_senses(case: Case, accelerated: bool) -> Message:
+    """The sense in which rotations are positive, and where bodies have angular accelerations what
+    their letters stand for.
+    """
+    bodies = case.motion.frames.mechanism.bodies
+    turns = any(make_turning(body.name) in case.motion.rates for body in bodies)
+    if accelerated and turns:
+        return Message("solution.positive-accelerated")
+    return Message("solution.positive")
 
 
 def state_rounding(language: Language) -> Prose:

@@ -134,7 +134,8 @@ def _write_blocks(case: Case, asked: Sequence[Ask], boxes: AnswerBoxes) -> Itera
     # In boxes before their turn: an answer is missing until its line has got its box
     later = tuple(boxes.frame(chapters))
     if velocities:
-        later = (later[0], *find_conventions(later, case), *later[1:])
+        said = find_conventions(later, case, accelerated=bool(accelerations))
+        later = (later[0], *said, *later[1:])
     checks = () if moving else tuple(check_places(still, case))
     used = (*list_lines((*poses, *later)), *case.findings.told[told:])
     if case.motion.rates:

@@ -217,7 +217,8 @@ def test_an_acceleration_about_a_base_point_that_moves_itself() -> None:
     solution = solve_small(LINK, a_B="magnitude(acceleration(B)) in m/s^2")
     assert not find_untold(
         r"""
-        $A$ is a point of the arm $OA$, which turns about $O$:
+        As $\alpha_{OA} = 0$, the acceleration of $A$ has only its normal part (n).
+            $A$ is a point of the arm $OA$, which turns about $O$:
         a_{A}^{\mathrm{n}} &= OA \cdot \omega_{OA}^{2} = 3\,\unit{m} \cdot (2\,\unit{rad/s})^{2} =
             12\,\unit{m/s^2}\quad\text{(to the left)}
         $B$ is a point of link, base point $A$:

@@ -131,7 +131,7 @@ def test_rolling_inside_a_circle() -> None:
     )
     assert read_chapter("# Velocities", solution) == as_read(
         r"""
-        Rotations are positive counter-clockwise.
+        Angular velocities $\omega$ and angular accelerations $\alpha$ are positive counter-clockwise.
         Values are rounded in print alone.
         Given: the angular velocity of the wheel.
         \omega_{\text{wheel}} &= 3\,\unit{rad/s}\quad\text{(counter-clockwise)}
@@ -168,7 +168,7 @@ def test_a_centre_that_is_driven_on_its_circle() -> None:
     solution = solve_small(DRIVEN_ROUND, omega="omega(W) in rad/s", alpha="alpha(W) in rad/s^2")
     assert read_chapter("# Velocities", solution) == as_read(
         r"""
-        Rotations are positive counter-clockwise.
+        Angular velocities $\omega$ and angular accelerations $\alpha$ are positive counter-clockwise.
         Values are rounded in print alone.
         Given: the velocity of $A$ on its circle about $O$.
         v_{A} &= 6\,\unit{m/s}\quad\text{(counter-clockwise about }O\text{)}
@@ -190,8 +190,8 @@ def test_the_given_tangential_acceleration() -> None:
         a_{A}^{\mathrm{t}} &= 3\,\unit{m/s^2}\quad\text{(counter-clockwise about }O\text{)}
         ## The wheel rolls without slipping on a fixed circle
         The condition of no slip holds at all times; differentiated with respect to time, it links
-            the motion of $A$ ($a_{A}^{\mathrm{t}}$ positive counter-clockwise about $O$) and the
-            rotation of the wheel:
+            the tangential acceleration of $A$ ($a_{A}^{\mathrm{t}}$ positive counter-clockwise
+            about $O$) and the rotation of the wheel:
         \alpha &= -\frac{a_{A}^{\mathrm{t}}}{1\,\unit{m}} = -\frac{3\,\unit{m/s^2}}{1\,\unit{m}} =
             -3\,\unit{rad/s^2}\quad\text{(clockwise)}
         """

@@ -115,6 +115,8 @@ WRONG: dict[Law, tuple[Block, ...]] = {
         Display((read_math(r"\psi = 30^\circ", ""),)),
         Prose(r"The angle between $OA$ and $OB$ is $180^\circ - \psi$."),
     ),
+    "marked": (Display((read_math(r"a_{B}^{\mathrm{n}} = 2\,\unit{m/s^2}", ""),)),),
+    "named": (Display((read_math(r"\alpha_{AB} = 2\,\unit{rad/s^2}", ""),)),),
     "redone": (
         Prose(
             r"Check by Pythagoras: left side $(2\,\unit{m/s})^{2} + (1.333\,\unit{m/s})^{2} \approx"

@@ -60,7 +60,7 @@ def test_two_points_on_circles_about_one_centre_turn_with_it_as_a_rigid_triangle
     (speed,) = find_lines(name, "v_{B} &=")
     assert speed.startswith(r"v_{B} &= OB \cdot \omega_{AB} = ")
     assert any("$OAB$ is a rigid triangle: $AB$ turns about" in text for text in proses(kept(name)))
-    turning = r"$AB$ ($\omega_{AB}$): rotation about the fixed"
+    turning = r"$AB$ ($\omega_{AB}$, $\alpha_{AB}$): rotation about the fixed"
     assert any(text.startswith(turning) for text in proses(kept(name)))
     assert not [block for block in kept(name) if isinstance(block, Pictures)]
 
@@ -125,7 +125,7 @@ def test_equal_rim_speeds_are_solved_in_symbols() -> None:
 
 def test_a_wheel_has_the_number_of_the_figure() -> None:
     assert any(
-        text.startswith("$AB$") and r"wheel 1 ($\omega_{1}$): plane" in text
+        text.startswith("$AB$") and r"wheel 1 ($\omega_{1}$, $\alpha_{1}$): plane" in text
         for text in proses(kept("two-wheels-on-cylinder"))
     )
 

@@ -16,7 +16,7 @@ def test_a_coordinate_that_no_later_line_uses_is_not_told_where_a_place_is_asked
 def test_the_letter_of_a_rotation_stands_where_a_formula_uses_it() -> None:
     told = tuple(lines(kept("scissor-lift")))
     motions = told[told.index("# Types of motion") + 1]
-    assert r"$BC$ ($\omega_{BC}$): plane motion" in motions
+    assert r"$BC$ ($\omega_{BC}$, $\alpha_{BC}$): plane motion" in motions
     assert r"the platform: translation" in motions
 
 

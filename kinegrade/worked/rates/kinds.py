@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Set
 from typing import assert_never
 
 from kinegrade.language.math.tree import Node, Row
-from kinegrade.language.message import Message, list_all, list_statements
+from kinegrade.language.message import Message, list_all, list_plainly, list_statements
 from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.laws import NoSlip
 from kinegrade.mechanics.mechanism import Body, Mechanism
@@ -21,8 +21,8 @@ from kinegrade.worked.positions.parts import find_symbols, is_met
 
 def describe_motions(case: Case, later: Iterable[Row], steps: Iterable[Step]) -> Iterator[Block]:
     """Under its title, a sentence that says how each body moves, with the letter of its angular
-    velocity where a formula `later` refers to it or to its change; that it rolls where that is
-    used, in one of the steps or because its point of contact is its pole.
+    velocity where a formula `later` refers to it or to its change, and that of this; that it rolls
+    where that is used, in one of the steps or because its point of contact is its pole.
     """
     mechanism, met = case.motion.frames.mechanism, find_symbols(later)
     used = frozenset(index for step in steps for index in step.relations)
@@ -36,7 +36,7 @@ def describe_motions(case: Case, later: Iterable[Row], steps: Iterable[Step]) ->
 def _describe_motion(
     body: Body, mechanism: Mechanism, met: Set[Node], used: Set[int], case: Case
 ) -> Message:
-    """How one body moves, with the letter of its angular velocity where that is used."""
+    """How one body moves, with the letters of its rotation that are used."""
     name = case.naming.body(body.name)
     if body.name in mechanism.resting:
         return Message("solution.rests", body=name)
@@ -47,7 +47,9 @@ def _describe_motion(
         return Message("solution.translates", body=name)
     letters = case.naming.omega(body.name), case.naming.alpha(body.name)
     if any(is_met(letter, met) for letter in letters):
-        name = Message("solution.turning-body", body=name, omega=case.text(letters[0]))
+        told = [letters[0], *(one for one in letters[1:] if is_met(one, met))]
+        listed = list_plainly(f"${case.text(letter)}$" for letter in told)
+        name = Message("solution.turning-body", body=name, letters=listed)
     pivot = mechanism.find_pivots().get(body.name) or _find_common_centre(body, case)
     if pivot is not None:
         return Message("solution.rotates", body=name, point=case.naming.point(pivot))

@@ -125,11 +125,14 @@ def _name_motion_along_path(roll: NoSlip, term: Term, case: Case, level: Level) 
     centre = case.naming.point(roll.circle.centre)
     if term.frame != GROUND:
         return Message("solution.motion-along-path", centre=centre)
+    symbol = name_speed(term, case, level)
+    way = _describe_positive_sense(term, case, level)
+    if symbol.part:
+        return Message(
+            "solution.tangential-motion", centre=centre, speed=case.text(symbol), way=way
+        )
     return Message(
-        "solution.motion-along-path-positive",
-        centre=centre,
-        speed=case.text(name_speed(term, case, level)),
-        way=_describe_positive_sense(term, case, level),
+        "solution.motion-along-path-positive", centre=centre, speed=case.text(symbol), way=way
     )
 
 

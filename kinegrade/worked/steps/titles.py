@@ -22,9 +22,6 @@ _TOGETHER: Mapping[int, Message] = {
 }
 
 
-_PLAIN = ("solution.equal-motion", "solution.same-acceleration")  # what has no such indices
-
-
 def select_scalars(step: Step, case: Case) -> tuple[Relation, ...]:
     """The relations of a step that are not vector equations."""
     relations = (case.motion.frames.relations[index] for index in step.relations)
@@ -86,7 +83,7 @@ def introduce_equation(equation: VectorEquation, case: Case) -> Message:
     """The theorem by which the equation holds, and once what the indices of its parts mark."""
     said = _introduce_theorem(equation, case)
     marked = any(part.part and not vanishes(part) for part in equation.parts)
-    if not marked or case.findings.parts_explained or said.key in _PLAIN:
+    if not marked or case.findings.parts_explained:
         return said
     case.findings.parts_explained = True
     if said.key == "solution.base-equation-acceleration":

@@ -11,6 +11,7 @@ from itertools import product
 from typing import Any
 
 from kinegrade.language.math.tree import Row, Sign
+from kinegrade.language.message import Message
 from kinegrade.mechanics.relations import Term
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Level, find_term_value
@@ -18,7 +19,7 @@ from kinegrade.worked.case import Case
 from kinegrade.worked.contacts import needs_components
 from kinegrade.worked.document import Block
 from kinegrade.worked.findings import Fact, Piece
-from kinegrade.worked.formulas.atoms import TWO, AxisName, VectorSymbol, add_terms
+from kinegrade.worked.formulas.atoms import TWO, ZERO, AxisName, VectorSymbol, add_terms
 from kinegrade.worked.formulas.equation import Equation, equate, lead_to
 from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.measures import bearing, double, is_zero, length
@@ -69,12 +70,45 @@ def state_carried_component(
     return add_summands(name_component(name, axis), summands, value, level)
 
 
-def explain_turning(term: Term, name: VectorSymbol, case: Case) -> Generator[Block, None, Fact]:
-    """Both parts, as far as they are not zero, and the arm where it has to be worked out."""
+def explain_turning(
+    term: Term, name: VectorSymbol, announced: Message, case: Case
+) -> Generator[Block, None, Fact]:
+    """Both parts, as far as they are not zero, and the arm where it has to be worked out, after the
+    sentence that announces them and says why one of them is missing.
+    """
+    yield case.say(_name_missing(term, announced, case))
     arms = introduce_lengths(((term.base, term.point),), case)
     yield case.show(*arms, *_state_parts(term, name, case))
     normal, tangential = _find_parts(term, name, case)
     return Fact(name, normal.value + tangential.value, False, (normal, tangential))
+
+
+def mark_parts(said: Message, case: Case) -> Message:
+    """A sentence that leads to normal and tangential parts, after what their indices mark where
+    that has not been said.
+    """
+    if case.findings.parts_explained:
+        return said
+    case.findings.parts_explained = True
+    return Message("solution.sentences", first=Message("solution.normal-and-tangential"), next=said)
+
+
+def _name_missing(term: Term, announced: Message, case: Case) -> Message:
+    """The sentence after the reason why one of the parts is missing, where the other is not."""
+    omega, alpha = case.naming.omega(term.rate.body), case.naming.alpha(term.rate.body)
+    point = case.naming.point(term.point)
+    turns, changes = (
+        double(values[term.rate]) for values in (case.motion.rates, case.motion.changes)
+    )
+    if turns and not changes:
+        zero = case.tell(Equation(alpha, equate(ZERO)))
+        first = Message("solution.no-tangential-part", zero=zero, point=point)
+    elif changes and not turns:
+        zero = case.tell(Equation(omega, equate(ZERO)))
+        first = Message("solution.no-normal-part", zero=zero, point=point)
+    else:
+        return mark_parts(announced, case)
+    return Message("solution.sentences", first=first, next=announced)
 
 
 def _find_parts(term: Term, name: VectorSymbol, case: Case) -> tuple[Piece, Piece]:

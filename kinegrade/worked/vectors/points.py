@@ -74,8 +74,7 @@ def find_point(chain: Chain, name: VectorSymbol, case: Case, level: Level) -> It
     elif len(chain) == 1 and last.kind == "arc":
         fact = yield from _explain_circling(last, name, case)
     elif len(chain) == 1 and last.kind == "rotation":
-        yield case.say(_announce_rotation(last, "point", case))
-        fact = yield from explain_turning(last, name, case)
+        fact = yield from explain_turning(last, name, _announce_rotation(last, "point", case), case)
     else:
         fact = yield from _explain_sum(chain, name, case, level)
     case.findings.facts[make_key(chain, level)] = fact

@@ -36,6 +36,8 @@ KNOWN: Mapping[Law, frozenset[str]] = {
     "sense": frozenset(),
     "early": frozenset(),
     "way": frozenset(),
+    "marked": frozenset(),
+    "named": frozenset(),
     "redone": frozenset(),
     "figure": frozenset(),
 }

@@ -37,6 +37,7 @@ from tests.worked.reader.formula_reader import (
 )
 from tests.worked.reader.givens import find_introduced, find_letters, read_givens
 from tests.worked.reader.inclined import find_underived
+from tests.worked.reader.meanings import find_unmarked, find_unnamed
 from tests.worked.reader.polygons import judge_polygons
 from tests.worked.reader.tables import find_early, find_without_sense
 
@@ -62,6 +63,8 @@ Law: TypeAlias = Literal[
     "sense",
     "early",
     "way",
+    "marked",
+    "named",
 ]
 LAWS: dict[Law, str] = {
     "equal": "a sign of equality joins equal values, to within what rounding can do",
@@ -83,6 +86,8 @@ LAWS: dict[Law, str] = {
     "sense": "a vector in a table has a direction, not the line alone",
     "early": "the length of an arm in a table is given, or has been found before the table",
     "way": "words beside the box of an answer with a sign say where it points",
+    "marked": "what the indices n and t mark is said before them, or is asked for",
+    "named": "the letters of angular accelerations are told in a sentence before equations have them",
     "redone": "whoever works out a check with its printed numbers gets what it prints, to one of the last digit",
     "figure": "the printed numbers of a line amount to the rounded figure said of them, to one of its last digit",
 }
@@ -146,6 +151,8 @@ def find_faults(blocks: Sequence[Block], solution: Solution) -> Iterator[Fault]:
     yield from (Fault("early", length) for length in find_early(blocks, solution))
     yield from (Fault("way", line) for line in find_without_way(blocks, solution))
     yield from (Fault("inclined", line) for line in find_underived(blocks, solution))
+    yield from (Fault("marked", formula) for formula in find_unmarked(blocks, solution))
+    yield from (Fault("named", formula) for formula in find_unnamed(blocks, solution))
     misnamed = find_misnamed(blocks, solution, known.worth)
     yield from (Fault("between", angle) for angle in misnamed)
     yield from (Fault("redone", check) for check in find_unrepeatable(blocks))

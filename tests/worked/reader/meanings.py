@@ -1,0 +1,67 @@
+"""What the letters of a page stand for is said before they are used, and is kept to."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+
+from kinegrade.language.math.tree import Letter, Row, Scripts, list_nodes
+from kinegrade.problem.solution import Solution
+from kinegrade.worked.case import write_row
+from kinegrade.worked.document import Block, Display, Heading, Pictures, Prose, TermTable
+from tests.worked.reader.equations import Line, Said, read_page
+from tests.worked.reader.formula_reader import name_symbol
+from tests.worked.reader.givens import read_givens
+
+# How the languages name the normal and the tangential part of an acceleration
+_PARTS = {
+    "n": re.compile(r"\(n\)|（n|n and t|n und t|n、t|ormal accel|ormalbeschleun|法向加速度"),
+    "t": re.compile(
+        r"\(t\)|（t|，t |n and t|n und t|n、t|angential accel|angentialbeschl|切向加速度"
+    ),
+}
+_PART = re.compile(r"\^\{\\mathrm\{([nt])\}\}")
+
+
+def find_unmarked(blocks: Sequence[Block], solution: Solution) -> Iterator[str]:
+    """The first formulas with a normal or tangential part that no words have named, unless an
+    answer has this symbol.
+    """
+    told = {part for ask in solution.template.asks.values() for part in _PART.findall(ask.symbol)}
+    for block in blocks:
+        match block:
+            case Prose(text) | Heading(text, _):
+                told.update(part for part, named in _PARTS.items() if named.search(text))
+                formulas = [text]
+            case Display(lines):
+                formulas = list(map(write_row, lines))
+            case TermTable(terms):
+                formulas = [write_row(term.symbol) for term in terms]
+            case Pictures():
+                formulas = []
+        for formula in formulas:
+            missing = {*_PART.findall(formula)} - told
+            told |= missing
+            yield from (f"{part} in {formula}" for part in sorted(missing))
+
+
+def find_unnamed(blocks: Sequence[Block], solution: Solution) -> Iterator[str]:
+    """The angular accelerations in equations whose letters no sentence has told before."""
+    named = {symbol for symbol, _ in read_givens(solution)}
+    for part in read_page(blocks):
+        match part:
+            case Said(row):
+                named.update(_find_changes(row))
+            case Line(left, sides):
+                rows = (left, *(side.row for side in sides))
+                missing = {symbol for row in rows for symbol in _find_changes(row)} - named
+                named |= missing
+                yield from (f"{symbol} in {part.text}" for symbol in sorted(missing))
+
+
+def _find_changes(row: Row) -> Iterator[str]:
+    """The angular accelerations in a formula."""
+    for node in list_nodes(row):
+        base = node.base if isinstance(node, Scripts) else node
+        if base == Letter("alpha"):
+            yield name_symbol((node,))
