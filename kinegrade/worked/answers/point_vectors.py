@@ -6,10 +6,8 @@ from collections.abc import Generator, Iterable, Iterator
 from dataclasses import replace
 from typing import TypeAlias
 
-from kinegrade.errors import ExpressionError
 from kinegrade.expressions.tree import Expression, Name
 from kinegrade.figure.vectors.mechanism import PointArrow
-from kinegrade.language.math.tree import Sign
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Level
 from kinegrade.problem.quantities.functions import find_motion_calls
@@ -19,6 +17,7 @@ from kinegrade.worked.case import Case
 from kinegrade.worked.document import Block
 from kinegrade.worked.findings import Fact
 from kinegrade.worked.formulas.atoms import VectorSymbol
+from kinegrade.worked.owners import index_owner
 from kinegrade.worked.vectors.facts import make_key
 from kinegrade.worked.vectors.points import find_point
 from kinegrade.worked.vectors.vectors import name_point_vector
@@ -65,16 +64,4 @@ def _name_vector(point: str, body: str, level: Level, case: Case) -> VectorSymbo
     apart.
     """
     plain = name_point_vector(point, level, case)
-    if is_usual_owner(point, body, case):
-        return plain
-    return replace(plain, lower=(*plain.lower, Sign("("), *case.naming.letters(body), Sign(")")))
-
-
-def is_usual_owner(point: str, body: str, case: Case) -> bool:
-    """Whether a point is meant that moves with a body unless another is named."""
-    chain = case.motion.frames.chain
-    try:
-        usual = case.reader.owner(point, None)
-    except ExpressionError:
-        return False
-    return usual == body or chain(usual, point) == chain(body, point)
+    return replace(plain, lower=index_owner(plain.lower, point, body, case))

@@ -15,7 +15,6 @@ from kinegrade.mechanics.vector_equation import Level
 from kinegrade.worked.answers.point_vectors import (
     Found,
     explain_point_vector,
-    is_usual_owner,
     keep_fact,
 )
 from kinegrade.worked.case import Case
@@ -73,19 +72,22 @@ def _explain_rest(motion: Relative, name: VectorSymbol, level: Level, case: Case
         coriolis = yield from explain_coriolis(motion, case)
         yield from _explain_components(coriolis, motion, case)
         parts.append(coriolis)
-    yield case.say(_say_whose(motion, _state_difference(name, parts), level, case))
+    difference = _state_difference(name, parts)
+    yield case.say(_say_whose(motion, absolute, difference, level, case))
     yield case.show(*(add_components(axis, name, parts, case, "-") for axis in AXES))
     return Fact(name, absolute.value - add_vectors(part.value for part in parts[1:]), True)
 
 
-def _say_whose(motion: Relative, difference: Equation, level: Level, case: Case) -> Message:
-    """Which point has the relative vector: that of the body, where others have one there too."""
+def _say_whose(
+    motion: Relative, absolute: Fact, difference: Equation, level: Level, case: Case
+) -> Message:
+    """Which point has the relative vector: that of the body, where the letter is another one's."""
     named: dict[str, Text] = {
         "point": case.naming.point(motion.point),
         "frame": case.naming.body(motion.frame),
         "difference": case.tell(difference),
     }
-    if is_usual_owner(motion.point, motion.body, case):
+    if absolute.symbol.lower == case.naming.letter(motion.point).row:
         return Message(f"solution.relative-of-{level}", **named)
     return Message(f"solution.relative-at-{level}", body=case.naming.body(motion.body), **named)
 

@@ -24,6 +24,7 @@ from kinegrade.worked.formulas.atoms import TWO, ZERO, add_terms
 from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.measures import bearing, double, length
 from kinegrade.worked.formulas.numbers import measure
+from kinegrade.worked.owners import name_owned_point
 from kinegrade.worked.unlettered import is_lettered
 from kinegrade.worked.vectors.components import find_heading
 from kinegrade.worked.vectors.facts import make_key
@@ -109,7 +110,11 @@ def _check_pair(pair: _Pair, level: Level, case: Case) -> Iterator[Check]:
     those in which nothing is left of the second one's vector.
     """
     start, end = (case.motion.points[point] for point in pair.points)
-    first, second = map(case.naming.point, pair.points)
+    first, second = (
+        name_owned_point(point, pair.body, fact.symbol, case)
+        for point, fact in zip(pair.points, pair.facts, strict=True)
+    )
+    letters = "".join(map(case.naming.point, pair.points))
     arm = _Arm(pair.points, end - start, case)
     for way, across in (("along", False), ("across", True)):
         turning = _state_turning(pair, arm, level, case, across=across)
@@ -117,7 +122,7 @@ def _check_pair(pair: _Pair, level: Level, case: Case) -> Iterator[Check]:
         if before is not None and after is not None and double(after.value):
             line = arm.vector.turned() if across else arm.vector
             check = compare(
-                Message(f"solution.check-{way}-{level}", first=first, second=second),
+                Message(f"solution.check-{way}-{level}", first=first, second=second, line=letters),
                 after,
                 Side(_add(before.numbers, turning.numbers), before.value + turning.value),
                 _UNITS[level],

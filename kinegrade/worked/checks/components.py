@@ -19,6 +19,7 @@ from kinegrade.worked.checks.sides import Side
 from kinegrade.worked.findings import Fact
 from kinegrade.worked.formulas.atoms import AXES, AxisName, add_terms
 from kinegrade.worked.formulas.measures import double, is_zero
+from kinegrade.worked.owners import name_owned_point
 from kinegrade.worked.vectors.components import (
     find_heading,
     list_component,
@@ -53,12 +54,12 @@ def list_component_checks(turned: Turned, level: Level, case: Case) -> Iterator[
         before, after = (list(list_component(fact, axis, case)) for fact in turned.facts)
         before += list_turning_summands(axis, rotation, case, level)
         value = double(turned.facts[1].value[PLACES[axis]])
-        way = Message(
-            f"solution.component-check-{level}",
-            axis=axis,
-            first=case.naming.point(start),
-            second=case.naming.point(end),
+        first, second = (
+            name_owned_point(point, turned.body, fact.symbol, case)
+            for point, fact in zip(turned.points, turned.facts, strict=True)
         )
+        kind = f"solution.component-check-{level}"
+        way = Message(kind, axis=axis, first=first, second=second)
         form = compare_points(turned.body, turned.points, turned.facts, _ALONG[axis], case)
         sides = _add(after, value), _add(before, value)
         yield compare(way, *sides, UNITS[level, False], form=form)
