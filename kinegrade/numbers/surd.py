@@ -43,10 +43,13 @@ class Surd:
     (3, 2, 1)
     """
 
-    __slots__ = ("a", "b", "root")
+    __slots__ = ("_double", "_hash", "a", "b", "root")
 
     def __init__(self, root: Root, a: Real, b: Real) -> None:
         self.root, self.a, self.b = root, a, b
+        # Found when they are asked for: of most numbers on the way nobody asks
+        self._double: float | None = None
+        self._hash: int | None = None
 
     def __add__(self, other: Real) -> Real:
         if isinstance(other, Surd) and other.root.level >= self.root.level:
@@ -114,7 +117,9 @@ class Surd:
         return self.root == other.root and self.a == other.a and self.b == other.b
 
     def __hash__(self) -> int:
-        return hash((self.root.level, self.a, self.b))
+        if self._hash is None:
+            self._hash = hash((self.root.level, self.a, self.b))
+        return self._hash
 
     def __lt__(self, other: Real) -> bool:
         return sign(self - other) < 0
@@ -132,7 +137,9 @@ class Surd:
         return -self if sign(self) < 0 else self
 
     def __float__(self) -> float:
-        return float(enclose(self, 96))
+        if self._double is None:
+            self._double = float(enclose(self, 96))
+        return self._double
 
     def ball(self) -> Any:
         """The number as an enclosure at the working precision."""
@@ -150,6 +157,9 @@ class Surd:
                 return 1 if value > 0 else -1
             precision *= 2
         raise ArithmeticError("the sign of an exact number could not be separated from zero")
+
+    def __reduce__(self) -> tuple[type[Surd], tuple[Root, Real, Real]]:
+        return Surd, (self.root, self.a, self.b)
 
     def height(self) -> int:
         """The bits of the longest numerator or denominator among the rational coefficients."""

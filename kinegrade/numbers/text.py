@@ -5,6 +5,8 @@ number of digits.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import lru_cache
+from math import floor, log10
 from typing import Any
 
 from flint import arb, ctx, fmpq
@@ -38,6 +40,7 @@ class Form(Struct, frozen=True):
         return self.fraction.format(above, product if single else self.bracket.format(product))
 
 
+_LOG_TWO = log10(2)
 _FURTHER = 12  # digits by which a ball is narrower than the decimals between which it lies
 
 _PLAIN = Form("sqrt({})", "*", "{}/{}", "pi", "{}**{}", "atan({})", "({})")
@@ -211,6 +214,19 @@ def write_decimal(number: Any, digits: int, degrees: bool = False) -> str:
         number = fmpq(*number.as_integer_ratio())
     if isinstance(number, fmpq):
         return _write_rounded(number, digits)
+    if isinstance(number, Surd):
+        return _write_surd(number, digits)
+    return _write_certified(number, digits, degrees)
+
+
+@lru_cache(maxsize=4096)
+def _write_surd(number: Surd, digits: int) -> str:
+    """A number with roots, of which solutions ask for the same digits again and again."""
+    return _write_certified(number, digits)
+
+
+def _write_certified(number: Any, digits: int, degrees: bool = False) -> str:
+    """A number that is no fraction, by bounds that are closer and closer to it."""
     for precision in (64 + 4 * digits, 256 + 8 * digits, 4096):
         low, high = find_bounds(number, precision, degrees)
         if isinstance(number, arb) and (middle := _find_middle(low, high, digits)) is not None:
@@ -268,18 +284,26 @@ def _round(value: Any, digits: int) -> tuple[int, int]:
     """
     if value == 0:
         return 0, 0
-    exponent = _find_magnitude(abs(value)) - digits + 1
-    scaled_value = abs(value) * fmpq(10) ** -exponent
-    whole = int((scaled_value + fmpq(1, 2)).floor())
-    if scaled_value + fmpq(1, 2) == whole and whole % 2:
-        whole -= 1
+    above, below = abs(int(value.p)), int(value.q)
+    exponent = _find_magnitude(above, below) - digits + 1
+    if exponent < 0:
+        above *= 10**-exponent
+    else:
+        below *= 10**exponent
+    whole, rest = divmod(above, below)
+    if 2 * rest > below or (2 * rest == below and whole % 2):
+        whole += 1
     return (-whole if value < 0 else whole), exponent
 
 
-def _find_magnitude(value: Any) -> int:
-    """The decimal exponent of a positive rational: 10^n <= value < 10^(n+1)."""
-    guess = len(str(value.p)) - len(str(value.q))
-    return guess if value >= fmpq(10) ** guess else guess - 1
+def _find_magnitude(above: int, below: int) -> int:
+    """The decimal exponent of a positive fraction: 10^n <= above/below < 10^(n+1)."""
+    guess = floor((above.bit_length() - below.bit_length()) * _LOG_TWO)
+    while above * 10 ** max(-guess, 0) < below * 10 ** max(guess, 0):
+        guess -= 1
+    while above * 10 ** max(-guess - 1, 0) >= below * 10 ** max(guess + 1, 0):
+        guess += 1
+    return guess
 
 
 def _write_plainly(digits: str, exponent: int) -> str:

@@ -24,6 +24,7 @@ from kinegrade.problem.template.sentences import JointSentence
 from kinegrade.problem.template.template import Method, Template
 from kinegrade.worked.construction_steps import Step, list_steps
 from kinegrade.worked.document import Display, Prose, say
+from kinegrade.worked.drawings import Drawings
 from kinegrade.worked.findings import Findings
 from kinegrade.worked.formulas.equation import Equation
 from kinegrade.worked.formulas.formula import Formula
@@ -36,8 +37,8 @@ from kinegrade.worked.words.naming import Naming
 @dataclass(frozen=True)
 class Case:
     """A solved instance, the language and method of its solution, the unit in which it counts
-    lengths, the numbers that print with more digits than usual, whether it has
-    pictures, and what it has found so far.
+    lengths, the numbers that print with more digits than usual, its drawings, and what it has
+    found so far.
 
     Chapters are written in order; `findings` is their notebook.
     """
@@ -47,7 +48,7 @@ class Case:
     method: Method | None = None
     length: str = "m"
     finer: Mapping[str, int] = field(default_factory=dict)
-    draws: bool = True
+    drawings: Drawings = field(default_factory=Drawings, compare=False, repr=False)
     findings: Findings = field(default_factory=Findings)
 
     @property

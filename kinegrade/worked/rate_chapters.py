@@ -145,8 +145,7 @@ def _write_step(
     if blocks:
         yield _head(stage, title)
         asked = tuple(list_asked_velocities(due, stage.case))
-        drawn = draw_stage(stage, scale, asked) if stage.case.draws else ()
-        yield from _place_pictures(blocks, drawn)
+        yield from _place_pictures(blocks, draw_stage(stage, scale, asked))
     for equation in stage.equations:
         note_equation(equation, stage.case)
 

@@ -70,9 +70,11 @@ def write_worked_solution(
     stated = count_as_asked(restate(counted), names)
     case = Case(stated, language, method or stated.template.about.method, length)
     asked = tuple(stated.template.asks[name] for name in names)
-    rough = replace(case, draws=False, findings=Findings())
-    _write(rough, asked, method)  # which numbers lose digits shows in the finished text
-    return _write(replace(case, finer=find_finer(rough.findings.printed)), asked, method)
+    written = _write(case, asked, method)
+    finer = find_finer(case.findings.printed)  # which numbers lose digits shows when all is written
+    if not finer:
+        return written
+    return _write(replace(case, finer=finer, findings=Findings()), asked, method)
 
 
 def _write(case: Case, asked: Sequence[Ask], method: Method | None) -> WorkedSolution:

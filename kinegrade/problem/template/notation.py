@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
+from functools import lru_cache
 
 from kinegrade.language.math.letters import GREEK
 
@@ -54,6 +55,7 @@ def _write_subscripts(parts: Sequence[str]) -> Iterator[str]:
         yield _PARTS.get(part, write_point_symbol(part))
 
 
+@lru_cache(maxsize=4096)
 def write_point_symbol(name: str) -> str:
     """A point or body name in LaTeX math: O1 becomes O_{1}, Bp becomes B'.
 

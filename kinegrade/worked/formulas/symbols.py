@@ -6,6 +6,7 @@ The letters come from templates and their notation as LaTeX math, which is read 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from functools import lru_cache
 
 from msgspec.structs import replace
 
@@ -21,16 +22,19 @@ INFINITY = Symbol((Sign(r"\infty"),))
 _WHERE = Message("typesetting.place-worked-solution")
 
 
+@lru_cache(maxsize=4096)
 def read_symbol(latex: str) -> Symbol:
     """The symbol that a template gives in LaTeX math. Raises TypesetError for what is no math."""
     return Symbol(read_math(latex, _WHERE))
 
 
+@lru_cache(maxsize=4096)
 def name_quantity(name: str) -> Symbol:
     """The symbol of a quantity by its name in templates, "l_1"."""
     return PI if name == "pi" else read_symbol(write_symbol(name))
 
 
+@lru_cache(maxsize=4096)
 def name_point(name: str) -> Symbol:
     """The letter of a point by its name in templates, "O1"."""
     return read_symbol(write_point_symbol(name))

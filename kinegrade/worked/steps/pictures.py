@@ -12,6 +12,7 @@ from kinegrade.figure.vectors.mechanism import PointArrow, draw_with_vectors
 from kinegrade.figure.vectors.pole_construction import Pole, draw_pole_construction
 from kinegrade.language.math.tree import Text, list_nodes
 from kinegrade.language.message import Message
+from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.rates import Rate, make_turning
 from kinegrade.mechanics.vector_equation import Part, VectorEquation
 from kinegrade.problem.template.hints import Turning
@@ -67,7 +68,6 @@ def _draw_velocities(
     too short for it named below, and the rotations that are worked out.
     """
     case = stage.case
-    mechanism = case.motion.frames.mechanism.map(float)
     arrows = {
         (arrow.symbol, arrow.at): arrow
         for equation in equations
@@ -81,11 +81,10 @@ def _draw_velocities(
     rates = dict.fromkeys(
         rate for equation in equations for rate in equation.unknowns if not stage.leaves_out(rate)
     )
-    scene = draw_with_vectors(
-        mechanism,
-        case.template.figure,
-        tuple(arrows.values()),
-        _find_turnings(rates, case),
+    shown, turnings = tuple(arrows.values()), _find_turnings(rates, case)
+    scene = case.drawings.find(
+        (draw_with_vectors, shown, turnings),
+        lambda: draw_with_vectors(_find_mechanism(case), case.template.figure, shown, turnings),
     )
     symbols = [arrow.symbol for arrow in arrows.values()]
     return describe(scene, Message("solution.picture-velocities"), symbols, case)
@@ -133,12 +132,21 @@ def _is_short(rate: Rate, case: Case) -> bool:
     return not any(isinstance(node, Text) for node in list_nodes(symbol.row))
 
 
-def _draw_pole(body: str, rays: Sequence[PointArrow], case: Case) -> Picture:
+def _find_mechanism(case: Case) -> Mechanism:
+    """The mechanism in doubles."""
+    return case.motion.frames.mechanism.map(float)
+
+
+def _draw_pole(body: str, rays: tuple[PointArrow, ...], case: Case) -> Picture:
     """The construction of a pole from the velocities of points of the body."""
-    mechanism = case.motion.frames.mechanism.map(float)
     at = make_floats(case.motion.pole(body, case.arithmetic))
     rotation = next(iter(_find_turnings([make_turning(body)], case)), None)
     pole = Pole(case.naming.point(name_pole(body, case)), at)
-    scene = draw_pole_construction(mechanism, case.template.figure, pole, rays, rotation)
+    scene = case.drawings.find(
+        (draw_pole_construction, pole, rays, rotation),
+        lambda: draw_pole_construction(
+            _find_mechanism(case), case.template.figure, pole, rays, rotation
+        ),
+    )
     caption = Message("solution.picture-pole", body=case.naming.body(body))
     return Picture(scene, case.write(caption))

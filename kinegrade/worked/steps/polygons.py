@@ -46,7 +46,9 @@ def draw_equation(equation: VectorEquation, stage: Stage, scale: float | None) -
     """The polygon of a vector equation, to a scale that its caption states."""
     case = stage.case
     sides = _list_sides(order_vectors(equation, case), case)
-    scene = draw_polygon(*sides, _name_vertices(equation, case), scale)
+    vertices = _name_vertices(equation, case)
+    shown = (draw_polygon, *map(tuple, sides), tuple(vertices.items()), scale)
+    scene = case.drawings.find(shown, lambda: draw_polygon(*sides, vertices, scale))
     scale_words = Message(
         f"solution.polygon-{stage.level}",
         scale=Decimal(f"{1 / scene.scale:.3g}"),
