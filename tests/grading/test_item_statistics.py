@@ -28,6 +28,7 @@ from kinegrade.reports.classes.item_statistics import (
 
 SHARES = st.lists(st.floats(0, 100), max_size=60)
 FEW_LEVELS = st.lists(st.integers(0, 4), min_size=3, max_size=40)
+ONE_EACH = np.array([1.0, 1.0])
 
 
 def test_facility_is_the_mean_share_of_the_points() -> None:
@@ -40,20 +41,26 @@ def test_discrimination_leaves_the_ask_itself_out_of_the_total() -> None:
     points = np.array([[1.0, 3.0, 2.0], [0.0, 1.0, 2.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])
     rest = [5.0, 3.0, 0.0, 1.0]
     expected = np.corrcoef([1.0, 0.0, 1.0, 0.0], rest)[0, 1]
-    assert find_discriminations(points)[0] == pytest.approx(expected)
-    assert find_discriminations(np.array([[1.0, 1.0], [0.0, 0.0], [1.0, 1.0]])) == pytest.approx(
-        (1.0, 1.0)
-    )
-    assert find_discriminations(np.array([[1.0, 0.0], [0.0, 1.0], [1.0, 0.0]])) == pytest.approx(
-        (-1.0, -1.0)
-    )
+    assert find_discriminations(points, np.array([1.0, 3.0, 2.0]))[0] == pytest.approx(expected)
+    agreeing = np.array([[1.0, 1.0], [0.0, 0.0], [1.0, 1.0]])
+    assert find_discriminations(agreeing, ONE_EACH) == pytest.approx((1.0, 1.0))
+    against = np.array([[1.0, 0.0], [0.0, 1.0], [1.0, 0.0]])
+    assert find_discriminations(against, ONE_EACH) == pytest.approx((-1.0, -1.0))
+
+
+def test_papers_that_ask_for_more_are_no_better_papers() -> None:
+    none = np.nan
+    heavy = [[1.0, 10.0, none], [0.0, 0.0, none]]
+    light = [[1.0, none, 1.0], [0.0, none, 0.0]]
+    points = np.array([*heavy, *light])
+    assert find_discriminations(points, np.array([1.0, 10.0, 1.0]))[0] == pytest.approx(1)
 
 
 @pytest.mark.parametrize(
     "points", [np.empty((0, 2)), np.ones((1, 2)), np.eye(2), np.ones((5, 2)), np.full((7, 2), 0.1)]
 )
 def test_what_too_few_or_too_equal_students_cannot_tell_is_none(points: np.ndarray) -> None:
-    assert find_discriminations(points) == (None, None)
+    assert find_discriminations(points, ONE_EACH) == (None, None)
     assert find_reliability(points) is None
 
 

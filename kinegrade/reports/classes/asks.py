@@ -50,7 +50,7 @@ def list_asks(
 ) -> Iterator[AskLine]:
     """One line for each ask; the points of questions that are a `bonus` have a plus sign."""
     facilities = find_facilities(counts.points, counts.out_of)
-    discriminations = find_discriminations(counts.points)
+    discriminations = find_discriminations(counts.points, counts.out_of)
     before, students = "", len(counts.answered)
     for place, column in enumerate(counts.columns):
         facility, discrimination = facilities[place], discriminations[place]

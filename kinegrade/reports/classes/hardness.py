@@ -34,6 +34,7 @@ from kinegrade.reports.classes.tally import ClassTally
 from kinegrade.reports.classes.words import name_question
 
 _MOST_TRENDS = 8
+_DIGITS = 9  # of shares: equal ones of different maxima are ties
 _TOO_FEW = Message("report.too-few", enough=ENOUGH)
 
 
@@ -91,7 +92,9 @@ def _name_version(letter: str, figures: Summary, catalogue: Catalogue) -> str:
 def _judge_versions(counts: ClassTally, catalogue: Catalogue) -> Text:
     if len(counts.answered) < ENOUGH:
         return _TOO_FEW
-    test = compare_groups(np.nansum(counts.points, axis=1), counts.versions)
+    lost = np.round(counts.lost, _DIGITS)  # papers may be out of different points
+    known = np.isfinite(lost)
+    test = compare_groups(lost[known], np.array(counts.versions)[known].tolist())
     if test is None:
         return ""
     differ = test.p < SIGNIFICANT

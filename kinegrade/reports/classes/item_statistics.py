@@ -69,22 +69,29 @@ def find_facilities(points: Points, out_of: Points) -> tuple[float | None, ...]:
     )
 
 
-def find_discriminations(points: Points) -> tuple[float | None, ...]:
-    """For each ask the correlation (Pearson) of its points with the total of all other asks.
+def find_discriminations(points: Points, out_of: Points) -> tuple[float | None, ...]:
+    """For each ask the correlation (Pearson) of its points with the share of those of all other
+    asks, as papers may ask different ones.
 
     None for fewer than three students, or if all have the same points for the ask or for the
     others.
     """
-    totals = np.nansum(points, axis=1)
-    return tuple(_discriminate(column, totals) for column in points.T)
+    asked = ~np.isnan(points)
+    totals, maxima = np.nansum(points, axis=1), asked @ out_of
+    return tuple(
+        _discriminate(column, totals - column, maxima - most)
+        for column, most in zip(points.T, out_of.tolist(), strict=True)
+    )
 
 
-def _discriminate(column: Points, totals: Points) -> float | None:
-    """The correlation for one ask, of the students who were asked it."""
-    asked = ~np.isnan(column)
-    if asked.sum() < _FEWEST:
+def _discriminate(column: Points, others: Points, maxima: Points) -> float | None:
+    """The correlation for one ask with the others, which are out of `maxima`, of the students who
+    were asked it and something else.
+    """
+    known = ~np.isnan(column) & (maxima > 0)
+    if known.sum() < _FEWEST:
         return None
-    return correlate(column[asked], totals[asked] - column[asked])
+    return correlate(column[known], others[known] / maxima[known])
 
 
 def correlate(first: Points, second: Points) -> float | None:

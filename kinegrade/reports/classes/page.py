@@ -110,7 +110,9 @@ def _make_figures(
     wording: Wording,
     catalogue: Catalogue,
 ) -> ClassFigures:
-    out_of = write_plain(float(max(each.out_of for each in counts.answered)), catalogue)
+    maxima = {float(each.out_of) for each in counts.answered}
+    bounds = dict.fromkeys(write_plain(each, catalogue) for each in (min(maxima), max(maxima)))
+    out_of = " … ".join(bounds)
     return ClassFigures(
         _write_maximum(out_of, exam, marks, catalogue),
         _list_cards(counts, figures, exam, catalogue),
@@ -155,7 +157,8 @@ def _list_cards(
     """The distribution of the totals in figures."""
     spread = _write_span(figures.lower, figures.upper, catalogue)
     span = _write_span(figures.minimum, figures.maximum, catalogue)
-    alpha = find_reliability(counts.merge_alternatives(exam.head.choices))
+    alike = len({each.out_of for each in counts.answered}) == 1  # else papers differ in weight
+    alpha = find_reliability(counts.merge_alternatives(exam.head.choices)) if alike else None
     return (
         (write_percent(figures.mean, catalogue), catalogue.text("report.page.mean")),
         (write_percent(figures.median, catalogue), catalogue.text("report.median")),

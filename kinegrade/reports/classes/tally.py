@@ -71,7 +71,9 @@ class ClassTally:
 
     @property
     def lost(self) -> Points:
-        """Each student's share of the points that were lost, of those that there were."""
+        """Each student's share of the points that were lost, of those that there were; NaN where
+        there were none.
+        """
         given = np.where(np.isnan(self.points), 0.0, self.out_of).sum(axis=1)
         lost: Points = 1 - np.nansum(self.points, axis=1) / np.where(given > 0, given, nan)
         return lost
