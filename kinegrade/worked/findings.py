@@ -19,10 +19,8 @@ from kinegrade.worked.formulas.formula import Formula
 Ways: TypeAlias = tuple[tuple[Rate, str, str], ...]  # what distinguishes chains of terms
 Key: TypeAlias = tuple[Level, Ways]
 Pair: TypeAlias = frozenset[frozenset[object]]  # of lines, by their points, or of one and the axes
-# What an equation says of rates: what multiplies each of them, all on one side. The velocity along
-# its circle that a rate gives a point is one by itself where that stands alone
-Unknown: TypeAlias = Rate | tuple[Rate, str]
-Form: TypeAlias = Mapping[Unknown, float]
+# What an equation says of rates: what multiplies each of them, all on one side
+Form: TypeAlias = Mapping[Rate, float]
 Stated: TypeAlias = tuple[Formula, int, float]  # an angle, its sign, its degrees
 
 

@@ -11,6 +11,7 @@ import pytest
 
 from kinegrade.language import ENGLISH
 from kinegrade.mechanics.rates import Rate
+from kinegrade.numbers.number import Number
 from kinegrade.problem.solution import Solution
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.library.library import find_template_names, load_template
@@ -18,21 +19,34 @@ from kinegrade.worked.document import WorkedSolution
 from kinegrade.worked.findings import Form
 from kinegrade.worked.solution import write_worked_solution
 from tests.worked.draws import drawn
-from tests.worked.test_checks import find_checks
+from tests.worked.test_checks import Check, find_checks
 
 # Templates whose published instance has no check, as no second equation has what is asked: a law
-# of gears, a composition of which one projection is solved. To be shrunk, never to grow
+# of gears, a composition of which one projection is solved, points of one body, found from one
+# another. To be shrunk, never to grow
 WITHOUT = frozenset(
     (
+        "belt-driven-bicycle",
         "bent-rod-tangent-disc",
         "bent-rod-two-sleeves",
+        "crossed-belt-drive",
+        "flat-faced-follower-curvature-radius",
         "flat-faced-follower-eccentric-circle",
         "guide-tube-rod-fixed-centrode",
         "guided-rack-and-gear",
         "hoist-with-gears",
+        "pole-sleeve-slider-rod",
+        "rod-sliding-on-driven-wheel",
+        "rolling-wheel-pole-acceleration",
+        "rolling-wheel-rim-points",
+        "square-on-two-fixed-points",
         "toggle-press",
+        "two-link-robot-arm",
+        "wheel-inside-circular-track",
+        "wheel-on-circular-track",
     )
 )
+PRIMES = (11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47, 53)
 FINE = 10**9  # parts of a ratio
 
 
@@ -41,22 +55,15 @@ def write(solution: Solution) -> WorkedSolution:
     return write_worked_solution(solution, solution.template.asked(), ENGLISH)
 
 
-def tidy(form: Form) -> dict[Rate, float]:
-    """What multiplies each rate; a velocity along a circle as the rate that gives it."""
-    sums: dict[Rate, float] = {}
-    for unknown, one in form.items():
-        rate = unknown if isinstance(unknown, Rate) else unknown[0]
-        sums[rate] = sums.get(rate, 0.0) + one
-    return sums
-
-
 def are_multiples(first: Mapping[object, float], second: Mapping[object, float]) -> bool:
-    """Whether all products of two coefficients, taken crosswise, are the same."""
+    """Whether all products of two coefficients, taken crosswise, are the same; nothing is a
+    multiple of anything.
+    """
     every = {*first, *second}
     size = max(map(abs, first.values()), default=0) * max(map(abs, second.values()), default=0)
-    return bool(size) and all(
+    return all(
         abs(first.get(one, 0) * second.get(other, 0) - first.get(other, 0) * second.get(one, 0))
-        < 1e-9 * size
+        <= 1e-9 * size
         for one in every
         for other in every
     )
@@ -72,6 +79,34 @@ def test_no_check_says_what_one_step_has_said(name: str) -> None:
             assert not any(are_multiples(checked.check, one) for one in checked.steps)
 
 
+def alter(rates: Mapping[Rate, Number]) -> dict[Rate, Number]:
+    """Other values, each off by a share of its own, so that no equation holds but by its letters."""
+    names = sorted(rates, key=str)
+    return {rate: rates[rate] * prime / 10 for rate, prime in zip(names, PRIMES, strict=False)}
+
+
+def still_holds(check: Check) -> bool:
+    """Whether both sides amount to the same, as far as their numbers tell."""
+    left, right = (worth[0] for worth in check.sides)
+    return abs(left.value - right.value) <= left.room + right.room
+
+
+@pytest.mark.sampled(12, first=1)
+@pytest.mark.parametrize("name", find_template_names())
+def test_no_check_holds_whatever_the_rates_are(name: str) -> None:
+    """What has been found of F by v_F = v_O + omega x OF fulfils this with any v_O and omega."""
+    solution = drawn(name)[0]
+    motion = solution.motion
+    if not write(solution).checked:
+        return
+    other = replace(motion, rates=alter(motion.rates), changes=alter(motion.changes))
+    # By the base point: a pole cannot be drawn for velocities that are not those of a body
+    asked = solution.template.asked()
+    told = write_worked_solution(replace(solution, motion=other), asked, ENGLISH, "base-point")
+    altered = find_checks(told.blocks)
+    assert [check.way for check in altered if still_holds(check)] == []
+
+
 @pytest.mark.sampled(12, first=1)
 @pytest.mark.parametrize("name", find_template_names())
 def test_every_solution_has_a_check_but_those_listed(name: str) -> None:
@@ -80,7 +115,7 @@ def test_every_solution_has_a_check_but_those_listed(name: str) -> None:
 
 def list_slips(solution: Solution, held: Form, sought: set[Rate]) -> Iterator[Mapping[Rate, float]]:
     """Wrong rates that one equation lets pass: two of them off, so that it holds again."""
-    rates, form = solution.motion.rates, tidy(held)
+    rates, form = solution.motion.rates, held
     bound = sorted((rate for rate in form if abs(form[rate]) > 1e-9 and rate in sought), key=str)
     free = next((rate for rate in sorted(sought, key=str) if rate not in bound), None)
     if free is not None:
@@ -105,9 +140,8 @@ def list_slips(solution: Solution, held: Form, sought: set[Rate]) -> Iterator[Ma
 def test_a_slip_that_one_step_lets_pass_shows(name: str) -> None:
     solution = drawn(name)[0]
     (checked, *_) = write(solution).checked
-    steps = [tidy(one) for one in checked.steps]
-    sought = {rate for rate in tidy(checked.check) if any(one.get(rate) for one in steps)}
-    for step in steps:
+    sought = {rate for rate in checked.check if any(one.get(rate) for one in checked.steps)}
+    for step in checked.steps:
         for wrong in list_slips(solution, step, sought):
             slipped = replace(solution, motion=replace(solution.motion, rates=wrong))
             check = find_checks(write(slipped).blocks)[0]

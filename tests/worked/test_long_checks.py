@@ -18,7 +18,6 @@ _DRAWS = {
     # eight and eight vectors stand in every projection: there was no check at all
     "pin-in-two-rings": {},
     "two-wheels-on-cylinder": {"r1": "0.17", "r2": "0.15", "R": "0.46", "L": "0.52", "a_A": "4"},
-    "wheel-on-circular-track": {"theta": "-30", "beta": "-45", "omega": "-2", "alpha": "-5"},
 }
 
 

@@ -16,7 +16,7 @@ from kinegrade.worked.checks.bodies import list_body_checks, list_new_body_check
 from kinegrade.worked.checks.carriers import list_carrier_checks
 from kinegrade.worked.checks.check import Check, choose_check
 from kinegrade.worked.checks.constraints import list_constraint_checks
-from kinegrade.worked.checks.forms import is_nothing, is_told, list_rates, list_solved
+from kinegrade.worked.checks.forms import is_told, leave_out, list_rates, list_solved
 from kinegrade.worked.checks.places import list_place_checks
 from kinegrade.worked.checks.poles import list_pole_checks
 from kinegrade.worked.checks.theorems import list_theorem_checks
@@ -74,26 +74,32 @@ def _list_rate_checks(stages: Mapping[Step, Stage], level: Level, case: Case) ->
 
 @dataclass(frozen=True)
 class _Sought:
-    """What is asked for: rates, and the motions of points."""
+    """What is asked for: rates, and the motions of points; `held` are rates known to be zero."""
 
     rates: Collection[Rate]
     points: Collection[str]
+    held: Collection[Rate]
 
     def choose(self, checks: Iterable[Check], solved: Collection[Form]) -> Check | None:
-        """The check that serves best, of those that tell something and have not been solved."""
-        others = (one for one in checks if one.is_telling and not is_told(one.form, solved))
+        """The check that serves best, of those that tell something, do not hold whatever the rates
+        are, and have not been solved.
+        """
+        told = [leave_out(form, self.held) for form in solved]
+        others = (
+            one
+            for one in checks
+            if one.is_telling and not is_told(leave_out(one.form, self.held), told)
+        )
         return max(others, key=self._rank, default=None)
 
-    def _rank(self, check: Check) -> tuple[bool, int, int]:
-        """Not by what has been found of one body alone, with much of what is asked and read at a
-        glance, with all digits.
-        """
+    def _rank(self, check: Check) -> tuple[int, int]:
+        """With much of what is asked and read at a glance, with all digits."""
         met = len(list_rates(check.form) & {*self.rates}) + len(check.points & {*self.points})
-        return not is_nothing(check.form), met - (not check.is_short), check.digits
+        return met - (not check.is_short), check.digits
 
 
 def _find_sought(asked: Sequence[Ask], case: Case) -> _Sought:
     calls = [call for ask in asked for call in find_motion_calls(ask.quantity)]
     points = {point for call in calls for _, point in find_references(call, case.reader).points}
     rates = {rate for ask in asked for rate in find_needs(ask.quantity, case.reader).rates}
-    return _Sought(rates, points)
+    return _Sought(rates, points, case.held_rates)

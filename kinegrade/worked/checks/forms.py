@@ -5,17 +5,18 @@ not told.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from math import sqrt
 from typing import assert_never
 
 from kinegrade.mechanics.plan import Step
 from kinegrade.mechanics.rates import Rate, make_turning
-from kinegrade.mechanics.relations import Chain, Relation, Term
+from kinegrade.mechanics.relations import Chain, Relation, Term, add_vectors
 from kinegrade.mechanics.vector import Vector
+from kinegrade.mechanics.vector_equation import Level, find_term_value
 from kinegrade.worked.case import Case
-from kinegrade.worked.findings import Fact, Form, Unknown
-from kinegrade.worked.formulas.measures import double
+from kinegrade.worked.findings import Fact, Form
+from kinegrade.worked.formulas.measures import double, is_zero
 from kinegrade.worked.steps.couplers import find_coupler
 from kinegrade.worked.steps.methods import find_way
 from kinegrade.worked.steps.rigid import find_rigid_triangle
@@ -25,6 +26,7 @@ from kinegrade.worked.vectors.projection import find_deductions
 from kinegrade.worked.vectors.stage import Stage
 
 _SAME = 1e-9  # what is left of a form, relative to its size, where it is nothing
+_LEVELS: Mapping[str, Level] = {"v": "velocity", "a": "acceleration"}
 
 
 def multiply_relation(relation: Relation, by: Vector) -> Form:
@@ -34,7 +36,7 @@ def multiply_relation(relation: Relation, by: Vector) -> Form:
 
 def multiply_chain(chain: Chain, by: Vector) -> Form:
     """The vector of a chain times a vector."""
-    form: dict[Unknown, float] = {}
+    form: dict[Rate, float] = {}
     for term in chain:
         form[term.rate] = form.get(term.rate, 0.0) + _multiply(by, term)
     return form
@@ -47,7 +49,7 @@ def compare_points(
     both points.
     """
     first, second = (
-        _multiply_fact(fact, case.motion.frames.chain(body, point), by)
+        multiply_chain(_find_source(fact, case.motion.frames.chain(body, point), case), by)
         for point, fact in zip(points, facts, strict=True)
     )
     start, end = (case.motion.points[point] for point in points)
@@ -55,13 +57,17 @@ def compare_points(
     return subtract(subtract(second, first), {make_turning(body): turned})
 
 
-def _multiply_fact(fact: Fact, chain: Chain, by: Vector) -> Form:
-    """A point's velocity times a vector: its parts as they stand, else the terms that make it."""
-    terms = [piece.term for piece in fact.pieces if piece.term is not None]
-    if fact.by_components or len(terms) < len(fact.pieces) or not terms:
-        return multiply_chain(chain, by)
-    once = {_name(term): term for term in terms}
-    return {name: _multiply(by, term) for name, term in once.items()}
+def _find_source(fact: Fact, chain: Chain, case: Case) -> Chain:
+    """The terms of a point's vector: those by which another body has led to it, else those of this
+    one, of which a part may have only the direction.
+    """
+    terms = {piece.term.rate: piece.term for piece in fact.pieces if piece.term is not None}
+    own, of_body = tuple(terms.values()), {term.rate for term in chain}
+    if fact.by_components or terms.keys() <= of_body:
+        return chain
+    level = _LEVELS[fact.symbol.letter]
+    added = add_vectors(find_term_value(term, case.motion, level) for term in own)
+    return own if is_zero(added - fact.value) else chain
 
 
 def subtract(first: Form, second: Form) -> Form:
@@ -72,14 +78,13 @@ def subtract(first: Form, second: Form) -> Form:
 
 def state_form(relation: Relation) -> Form:
     """A relation of rates; the centre of a wheel that a body carries by its velocity."""
-    form: dict[Unknown, float] = {rate: double(factor) for rate, factor in relation.turning}
+    form: dict[Rate, float] = {rate: double(factor) for rate, factor in relation.turning}
     along = relation.along
     if along is None:
         return form
     for sign, chain in ((1, relation.left), (-1, relation.right)):
         for term in chain:
-            unknown = _name(term)
-            form[unknown] = form.get(unknown, 0.0) + sign * _multiply(along, term)
+            form[term.rate] = form.get(term.rate, 0.0) + sign * _multiply(along, term)
     return form
 
 
@@ -87,29 +92,19 @@ def _multiply(by: Vector, term: Term) -> float:
     return float(by.map(double).dot(term.coefficient().map(double)))
 
 
-def _name(term: Term) -> Unknown:
-    match term.kind:
-        case "rotation":
-            return term.rate, term.point
-        case "sliding" | "arc":
-            return term.rate
-        case _:
-            assert_never(term.kind)
+def leave_out(form: Form, held: Collection[Rate]) -> Form:
+    """What an equation says of rates without those that are known to be zero."""
+    return {rate: one for rate, one in form.items() if rate not in held}
 
 
 def is_told(form: Form, told: Collection[Form]) -> bool:
-    """Whether an equation is a multiple of one of others."""
-    return any(_are_multiples(form, one) for one in told)
-
-
-def is_nothing(form: Form) -> bool:
-    """Whether every rate drops out."""
-    return not _normalize(form)
+    """Whether an equation holds for any rates, or is a multiple of one of others."""
+    return not _normalize(form) or any(_are_multiples(form, one) for one in told)
 
 
 def list_rates(form: Form) -> set[Rate]:
     """The rates that do not drop out."""
-    return {one if isinstance(one, Rate) else one[0] for one in _normalize(form)}
+    return {*_normalize(form)}
 
 
 def _are_multiples(first: Form, second: Form) -> bool:
