@@ -37,24 +37,7 @@ def test_checks_name_the_body_of_a_point_that_belongs_to_several(name: str) -> N
         assert list(find_confused(kept(name, place))) == []
 
 
-@pytest.mark.parametrize(
-    ("name", "way"),
-    [
-        ("flat-faced-follower-curvature-radius", r"theorem for $K$ and $A(\text{cam})$"),
-        ("guided-rack-and-gear", r"the base point $C(\text{rack})$ for"),
-    ],
-)
-def test_a_check_of_the_cam_takes_the_point_of_the_cam(name: str, way: str) -> None:
-    """It took A, which the follower has, with the velocity of the point of the cam."""
-    assert any(way in text for text in proses(kept(name)))
-
-
 def test_a_point_does_not_coincide_with_itself() -> None:
     told = list(proses(kept("flat-faced-follower-curvature-radius")))
     assert any(text.startswith("Relative to the cam, $A$ has the velocity") for text in told)
     assert not any("the point of $BC$ that coincides with $A$" in text for text in told)
-
-
-def test_a_pinned_point_is_one_point() -> None:
-    checks = [text for text in proses(kept("crank-rocker-towed-wheel")) if "Check by" in text]
-    assert any("the base point $B$ for the velocity of $D$" in text for text in checks)
