@@ -102,6 +102,27 @@ def test_a_term_tells_marks_that_have_the_old_id(exam: Path) -> None:
     assert "0012" not in said.stderr
 
 
+def test_a_policy_may_have_the_old_id(exam: Path) -> None:
+    sheet, policy, marks = (exam.with_name(name) for name in ("typed.csv", "p.toml", "MARKS"))
+    sheet.write_text("student,submitted,q1.v_B\n0012,2027-05-04 12:00,7\n", encoding="utf-8")
+    rules = """late = { due = "2027-05-03 12:00", penalty = "1/2", extensions = { %s } }
+[questions.q1.asks.v_B]
+accept = [{ value = "7", student = "0012" }]
+"""
+    policy.write_text(rules % '0012 = "2 days"', encoding="utf-8")
+    kinegrade("exchange", exam, "0012", "4711", *NEW)
+    done = kinegrade("grade", exam, sheet, "-o", marks, "--policy", policy)
+    assert marks.exists(), done.stderr
+    totals = {row["student"]: row for row in table(marks / "grades.csv")}
+    assert (totals["4711"]["total"], totals["4711"]["subtracted"]) == ("3", "0")
+    policy.write_text(rules % '0012 = "2 days", 4711 = "1 day"', encoding="utf-8")
+    twice = kinegrade("grade", exam, sheet, "-o", marks, "--policy", policy, "--force")
+    assert (
+        'p.toml: late.extensions.0012: is student "4711", who has an entry, too - leave one of the '
+        "two\n"
+    ) in twice.stderr
+
+
 def test_who_had_another_id_is_forgotten_with_it(exam: Path) -> None:
     sheet, marks = exam.with_name("typed.csv"), exam.with_name("MARKS")
     sheet.write_text("student,q1.v_B\n0012,1\n", encoding="utf-8")

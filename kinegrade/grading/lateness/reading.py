@@ -27,7 +27,7 @@ from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.files.fields.table import Table
 from kinegrade.files.fields.values import choice, found, share
 from kinegrade.grading.lateness.rule import Base, LateRule, Penalties, Per, TryRule
-from kinegrade.language.message import Message
+from kinegrade.language.message import Message, Quoted
 
 LATE = (
     #: When it is due; where it is not stated, the date of the bank.
@@ -89,7 +89,8 @@ def _read_extensions(
     """When it is due for students who have more time."""
     table = stated.table("extensions", '{ 1002 = "2 days" }')
     unknown = Message("deadline.unknown-student")
-    known = table.only(*exam.students, unknown=unknown) if table else table
+    ids = (*exam.students, *exam.former_ids)
+    known = table.only(*ids, unknown=unknown) if table else table
 
     def read(value: object) -> datetime:
         moment = parse_moment(value.strip()) if isinstance(value, str) else None
@@ -100,7 +101,18 @@ def _read_extensions(
             raise FieldError(found(value), Message("deadline.as-due"))
         return moment
 
-    return known.entries(read)
+    return _by_present_ids(known.entries(read), exam.former_ids, known)
+
+
+def _by_present_ids(
+    read: Mapping[str, datetime], former_ids: Mapping[str, str], table: Table
+) -> Mapping[str, datetime]:
+    """What was read by the ids that students have now; notes who has two entries."""
+    for before, now in former_ids.items():
+        if {before, now} <= read.keys():
+            what = Message("deadline.same-student", student=Quoted(now))
+            table.fault(before, what, do=Message("deadline.one-entry"))
+    return {former_ids.get(student, student): moment for student, moment in read.items()}
 
 
 def _read_more_time(value: object) -> timedelta:

@@ -62,13 +62,14 @@ class AcceptedReader:
         return frozenset() if student is None else frozenset({student})
 
     def _student(self, value: object) -> str:
-        """The id of a student of the exam."""
+        """The id of a student of the exam, who may be called by a former one."""
         if not isinstance(value, str) or isinstance(value, Digits):
             raise FieldError(found(value), Message("policy.quoted-id"))
-        if value not in self.students:
+        student = self.exam.former_ids.get(value, value)
+        if student not in self.students:
             unknown = Message("policy.no-student", student=found(value))
             raise FieldError(unknown, do=_suggest_student(value, self.students))
-        return value
+        return student
 
     def _scale(self, entry: Table, ask: Ask, tree: Expression) -> Conversion:
         """The factor for the value: for a number by its unit.
