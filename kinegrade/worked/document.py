@@ -30,12 +30,14 @@ class Heading:
 @dataclass(frozen=True)
 class Prose:
     """A paragraph; `formulas` are those in it that were written as trees; a `compact` one has the
-    full width of the page rather than many lines beside a drawing.
+    full width of the page rather than many lines beside a drawing; one `on_polygon` says something
+    of the letters in a polygon alone.
     """
 
     text: str  # prose
     formulas: tuple[Row, ...] = field(default=(), compare=False, repr=False)
     compact: bool = field(default=False, compare=False, repr=False)
+    on_polygon: bool = field(default=False, compare=False, repr=False)
 
 
 def say(message: Message, language: Language) -> Prose:
@@ -73,10 +75,13 @@ class TermTable:
 
 @dataclass(frozen=True)
 class Picture:
-    """A drawing with a short caption."""
+    """A drawing with a short caption. A long solution can spare polygons and further sketches of
+    velocities.
+    """
 
     scene: Scene
     caption: str  # prose, one line
+    kind: Literal["velocities", "polygon", "other"] = "other"
 
 
 @dataclass(frozen=True)

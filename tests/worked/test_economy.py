@@ -72,3 +72,12 @@ def test_shipped_solutions_find_no_coordinate_for_nothing(
     template = load_template(name)
     blocks = write_worked_solution(solve_template(template, {}), template.asked(), "en").blocks
     assert not [line for line in displayed(blocks) if line.startswith(unused)]
+
+
+def test_a_projection_of_many_vectors_is_not_written_twice_in_symbols() -> None:
+    template = load_template("pin-in-two-rings")
+    blocks = write_worked_solution(solve_template(template, {}), template.asked(), "en").blocks
+    (solved,) = (
+        line for line in displayed(blocks) if line.startswith(r"a_{\mathrm{r}1}^{\mathrm{t}} &=")
+    )
+    assert r"a_{\mathrm{e}1}" not in solved

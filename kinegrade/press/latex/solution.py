@@ -31,6 +31,7 @@ from kinegrade.press.solutions.settings import (
     Setting,
     Terms,
 )
+from kinegrade.press.solutions.shortening import shorten
 from kinegrade.press.solutions.terms import Band, Cell, TermColumn
 
 _WIDTH, _HEIGHT = 170.0, 234.0  # millimetres that every paper has, as in the style
@@ -42,10 +43,11 @@ def write_solution_body(sheet: SolutionSheet) -> str:
     texts = (sheet.title, sheet.course, sheet.date, sheet.student, sheet.name, sheet.code)
     head = write_command("solutionhead", *map(write_plain, texts))
     column = Column(_WIDTH, words.raw("language", "page.")["script"])
-    courses = arrange_courses(sheet.questions, TextArea(column, _HEIGHT, parts_equations=False))
+    area = TextArea(column, _HEIGHT, parts_equations=False)
+    short = [shorten(question, area) for question in sheet.questions]
     questions = convert_each(
         lambda pair: _write_question(*pair, words, where),
-        zip(sheet.questions, courses.parts, strict=True),
+        zip(short, arrange_courses(short, area).parts, strict=True),
     )
     lines = (write_comment(words.write(where)), write_title(sheet.title), head, *questions)
     return write_environment("sheet", lines) + "\n"

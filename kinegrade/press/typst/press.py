@@ -91,21 +91,15 @@ class TypstPress(Press):
         return [page for page in pages if page is not None]
 
     def solution(self, sheet: SolutionSheet) -> bytes:
-        """One student's worked solutions as PDF, set tighter where that saves a page, and looser
-        where it does not and the last one would hold a few lines only; names are printed and
-        errors raised as by `paper`.
+        """One student's worked solutions as PDF, as short as `set_short` makes them; names are
+        printed and errors raised as by `paper`.
         """
-        from kinegrade.press.solutions.settings import TIGHT, USUAL
-        from kinegrade.press.typst.solution import SolutionLayouts
+        from kinegrade.press.typst.solution_pages import set_short
 
-        layouts = SolutionLayouts(self._legible(sheet), self._size)
-        where, spread = locate_solutions(sheet.code), layouts.choose_spread()
-        usual = self._explaining(layouts.write(spread), where)
-        pages = count_pages(usual)
-        if pages == 1 or spread != USUAL or not layouts.may_take_fewer(pages):
-            return usual
-        tight = self._explaining(layouts.write(TIGHT), where)
-        return tight if count_pages(tight) < pages else usual
+        where = locate_solutions(sheet.code)
+        return set_short(
+            self._legible(sheet), self._size, lambda source: self._explaining(source, where)
+        )
 
     def key(self, book: KeyBook) -> Printout:
         """The instructor's key; names are printed and errors raised as by `paper`."""

@@ -26,7 +26,6 @@ from kinegrade.press.solutions.chains import UNKNOWN, name_question
 from kinegrade.press.solutions.course import (
     Courses,
     Part,
-    TextArea,
     arrange_courses,
 )
 from kinegrade.press.solutions.drawing_rows import Drawing, DrawingRow
@@ -36,7 +35,6 @@ from kinegrade.press.solutions.settings import (
     TIGHT,
     USUAL,
     Body,
-    Column,
     EquationGroups,
     Paragraph,
     Setting,
@@ -45,15 +43,12 @@ from kinegrade.press.solutions.settings import (
 )
 from kinegrade.press.solutions.terms import Cell, TermColumn
 from kinegrade.press.typst.layout_call import Sheet, write_layout_call
+from kinegrade.press.typst.solution_area import find_area
 from kinegrade.worked.document import Heading
 
 _DOUBT = 0.05  # pages by which tight solutions may turn out shorter than their parts are high
 _SURE = 0.05  # pages by which heights of parts are never wrong
 _NEARLY_EMPTY = 0.4  # of a last page: what it holds is less than that
-# Millimetres, as in the layouts: left and right, above and below
-_MARGINS, _LARGE_MARGINS = (34.0, 33.5), (40.0, 66.0)
-_LARGER = 2.0  # letters of 18 points, where tables of terms have nine
-_PAPER: dict[PaperSize, tuple[float, float]] = {"a4": (210.0, 297.0), "letter": (215.9, 279.4)}
 
 
 @dataclass(frozen=True)
@@ -109,11 +104,7 @@ class SolutionLayouts:
 
 
 def _arrange(sheet: SolutionSheet, size: PaperSize, spread: Spread) -> Courses:
-    script = open_catalogue(sheet.language).raw("language", "page.")["script"]
-    (width, height), scale = _PAPER[size], _LARGER if sheet.large else 1.0
-    across, along = _LARGE_MARGINS if sheet.large else _MARGINS
-    column = Column((width - across) / scale, script, spread)
-    return arrange_courses(sheet.questions, TextArea(column, (height - along) / scale))
+    return arrange_courses(sheet.questions, find_area(sheet, size, spread))
 
 
 def _write_question(

@@ -28,6 +28,7 @@ from kinegrade.worked.vectors.stage import Stage, find_share_cosine
 from kinegrade.worked.vectors.vectors import name_part
 
 _RIGHT_ANGLE = 90.0
+_MOST_SOLVED = 6  # vectors of a projection that is solved in symbols
 
 
 def explain_deduction(
@@ -103,14 +104,17 @@ def _state_projection(
 def show_solution(
     stage: Stage, projection: Projection, solved: Collection[Rate], rate: Rate
 ) -> Display:
-    """A projection with one unknown, solved for it in symbols, then in numbers, and its result."""
+    """A projection with one unknown, solved for it in symbols, then in numbers, and its result. One
+    of many vectors is solved in numbers alone: over several lines, symbols would be read twice.
+    """
     first, *others = state_results(stage, rate)
     symbols, numbers = (stage.solve(projection, rate, rates) for rates in (None, solved))
     if symbols is None or numbers is None:
         return stage.case.show(*_state_projection(stage, projection, solved), first, *others)
-    links = lead_to(first.left, (symbols, numbers), first.links)
     case, stated = stage.case, stage.project(projection, None)
     alone = first.left in (stated.left, stated.links[0].right)
+    told = alone or len(projection.shares) <= _MOST_SOLVED
+    links = lead_to(first.left, (symbols, numbers) if told else (numbers,), first.links)
     return Display(
         (
             *(() if alone else (case.print_line(stated),)),

@@ -5,6 +5,7 @@ of accelerations the polygon alone; the construction of a pole.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
 from typing import assert_never
 
 from kinegrade.figure.plane import length
@@ -87,7 +88,8 @@ def _draw_velocities(
         lambda: draw_with_vectors(_find_mechanism(case), case.template.figure, shown, turnings),
     )
     symbols = [arrow.symbol for arrow in arrows.values()]
-    return describe(scene, Message("solution.picture-velocities"), symbols, case)
+    picture = describe(scene, Message("solution.picture-velocities"), symbols, case)
+    return replace(picture, kind="velocities")
 
 
 def _are_same(one: PointArrow, other: PointArrow) -> bool:

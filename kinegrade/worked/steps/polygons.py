@@ -54,7 +54,8 @@ def draw_equation(equation: VectorEquation, stage: Stage, scale: float | None) -
         scale=Decimal(f"{1 / scene.scale:.3g}"),
         unit=read_unit(case.notation.name(UNITS[stage.level, False])).printed,
     )
-    return describe(scene, scale_words, [arrow.symbol for side in sides for arrow in side], case)
+    symbols = [arrow.symbol for side in sides for arrow in side]
+    return replace(describe(scene, scale_words, symbols, case), kind="polygon")
 
 
 def describe(scene: Scene, caption: Message, symbols: Iterable[str], case: Case) -> Picture:

@@ -286,7 +286,8 @@ def _explain_corner(equation: VectorEquation, case: Case) -> Iterator[Block]:
         if corner not in explained and has_corner(corner, equation, case):
             case.findings.corners.add(corner)
             point, frame = case.naming.point(relative.point), case.naming.body(relative.frame)
-            yield case.say(Message("solution.corner", corner=corner, point=point, frame=frame))
+            said = case.say(Message("solution.corner", corner=corner, point=point, frame=frame))
+            yield replace(said, on_polygon=True)
 
 
 def _list_equations(equations: Iterable[Text]) -> Text:

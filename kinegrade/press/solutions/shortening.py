@@ -1,0 +1,66 @@
+"""A worked solution takes at most two pages where it does so without pictures that it can spare:
+polygons first, whose vectors stand in tables and are found by projections, then sketches of
+velocities after the first.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from math import ceil
+
+from kinegrade.press.sheet import WorkedQuestion
+from kinegrade.press.solutions.course import TextArea, arrange_courses
+from kinegrade.worked.document import Block, Pictures, Prose
+
+MOST_PAGES = 2
+
+
+def shorten(question: WorkedQuestion, area: TextArea) -> WorkedQuestion:
+    """The question with as many of its pictures as have room on two pages, by the heights of its
+    parts; with all of them where too few pages would be saved.
+    """
+    longest = _count_pages(question, area)
+    if longest <= MOST_PAGES:
+        return question
+    shorter = ((one, _count_pages(one, area)) for one in list_shorter(question))
+    return next((one for one, pages in shorter if pages <= MOST_PAGES), question)
+
+
+def list_shorter(question: WorkedQuestion) -> Iterator[WorkedQuestion]:
+    """What is left of the question with fewer and fewer pictures."""
+    without = tuple(_leave_out_polygons(question.blocks))
+    if without != question.blocks:
+        yield replace(question, blocks=without)
+    once = tuple(_leave_out_later_sketches(without))
+    if once != without:
+        yield replace(question, blocks=once)
+
+
+def _count_pages(question: WorkedQuestion, area: TextArea) -> int:
+    return ceil(arrange_courses([question], area).pages)
+
+
+def _leave_out_polygons(blocks: Sequence[Block]) -> Iterator[Block]:
+    """The blocks without polygons, and without what is said of their corners."""
+    for block in blocks:
+        match block:
+            case Pictures(pictures):
+                left = tuple(one for one in pictures if one.kind != "polygon")
+                yield from [Pictures(left)] if left else []
+            case Prose(on_polygon=True):
+                continue
+            case _:
+                yield block
+
+
+def _leave_out_later_sketches(blocks: Sequence[Block]) -> Iterator[Block]:
+    """The blocks with the first sketch of velocities alone."""
+    sketched = False
+    for block in blocks:
+        if not isinstance(block, Pictures):
+            yield block
+            continue
+        left = tuple(one for one in block.pictures if one.kind != "velocities" or not sketched)
+        sketched = sketched or any(one.kind == "velocities" for one in left)
+        yield from [Pictures(left)] if left else []
