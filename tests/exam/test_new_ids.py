@@ -118,7 +118,7 @@ accept = [{ value = "7", student = "0012" }]
     policy.write_text(rules % '0012 = "2 days", 4711 = "1 day"', encoding="utf-8")
     twice = kinegrade("grade", exam, sheet, "-o", marks, "--policy", policy, "--force")
     assert (
-        'p.toml: late.extensions.0012: is student "4711", who has an entry, too - leave one of the '
+        'p.toml:1: late.extensions.0012: is student "4711", who has an entry, too - leave one of the '
         "two\n"
     ) in twice.stderr
 
