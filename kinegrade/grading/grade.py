@@ -153,7 +153,7 @@ def _mark(
     folder.policy(rules.text)
     folder.printed(orders)
     _write_by_hand(folder, settled, hands, exam)
-    return replace(grades, notes=(*hands.notes, *counts.describe()))
+    return replace(grades, notes=(*hands.notes, *by_hand.describe_silent(), *counts.describe()))
 
 
 def _require_same_exam(exam: ExamFolder, wishes: MarkingWishes, sources: HandSources) -> None:

@@ -12,10 +12,11 @@ import msgspec
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.keys import list_questions
 from kinegrade.exam.folder.records import ExamHead
+from kinegrade.files.cell_text import is_answered
 from kinegrade.files.tables import Complaint
 from kinegrade.grading.marks import ClassGrades, MarkedBlock, list_points
 from kinegrade.grading.policy.policy import Policy
-from kinegrade.language.message import Message, Quoted, list_all
+from kinegrade.language.message import Message, Quoted, list_all, list_first
 from kinegrade.marks_folder.grade_list import GradeList
 from kinegrade.marks_folder.hand_marks import (
     EXTRA,
@@ -32,13 +33,15 @@ from kinegrade.marks_folder.rows import Grade
 from kinegrade.numbers.amounts import add_amounts, write_amount
 from kinegrade.question_numbers import sort_as_in_bank
 
+_NAMED = 5  # students that a message names
+
 
 @dataclass(frozen=True)
 class HandMarking:
     """The marks `by_hand` of a class, with what the machine gave when they were decided; `machine`
     is what it gives now to the asks they are for, by student and column, as far as the class has
     been marked. Everybody has the points of asks `given_to_all`, and questions `dropped` are not
-    waited for.
+    waited for. Of those with marks by hand, `silent` have typed nothing.
     """
 
     by_hand: ByHand
@@ -46,6 +49,7 @@ class HandMarking:
     given_to_all: Mapping[str, Fraction] = field(default_factory=dict)
     dropped: Set[str] = frozenset()
     machine: dict[str, Mapping[str, Fraction]] = field(default_factory=dict)
+    silent: list[str] = field(default_factory=list)
 
     @classmethod
     def under(cls, policy: Policy, exam: ExamFolder, by_hand: ByHand) -> HandMarking:
@@ -61,6 +65,9 @@ class HandMarking:
                 if marks := self.by_hand.get(paper.student):
                     found = list_points(block.judged, block.asks, row, marks)
                     self.machine[paper.student] = found
+                    _, entry = block.judged.rows[row]
+                    if not any(map(is_answered, entry.responses)):
+                        self.silent.append(paper.student)
             yield block
             del block  # so that the next takes its place
 
@@ -80,6 +87,21 @@ class HandMarking:
     def _questions(self) -> tuple[str, ...]:
         """All of both."""
         return sort_as_in_bank((*self._marked, *self._only)) if self._only else self._marked
+
+    def describe_silent(self) -> Iterator[Message]:
+        """Who typed nothing and has no point by hand, but counts as present by these marks; after
+        all blocks have been watched.
+        """
+        nothing = [
+            Quoted(student)
+            for student in self.silent
+            if not any(mark.points for mark in self.by_hand[student].values())
+        ]
+        if nothing:
+            named = list_first(nothing, _NAMED)
+            yield Message(
+                "marking.present-by-zeros", count=len(nothing), students=named, file=MANUAL.name
+            )
 
     @property
     def bonus(self) -> Set[str]:
