@@ -39,7 +39,7 @@ SCALE = (
     #: which on it is given: `{ A = "85 %", B = "65 %", C = "50 %", D = 0 }`.
     "grades",
     #: The share of the points from which on one passes; of a kind 50 % (`"german"`) or 60 % where
-    #: it is not stated.
+    #: it is not stated. Of `"hundred"` the whole number has to reach it: 59.5 % is 60, and passes.
     "pass",
     #: What a share of the points counts as, by two points of a straight line: with
     #: `{ "45 %" = "50 %", "90 %" = "95 %" }` whoever reached 45 % has 50 %.
