@@ -160,4 +160,4 @@ def test_what_is_asked_of_points_is_checked() -> None:
     """The speed of D, found from the base point A, goes by B too."""
     solution = solve_template(load_template("elliptic-trammel-end-driven"), {})
     check = find_checks(write(solution).blocks)[0]
-    assert check.way.startswith("the base point $B$ for the velocity of $D$")
+    assert check.way.startswith("the projection theorem for $D$ and $B$")

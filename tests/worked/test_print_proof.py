@@ -117,6 +117,18 @@ WRONG: dict[Law, tuple[Block, ...]] = {
     ),
     "marked": (Display((read_math(r"a_{B}^{\mathrm{n}} = 2\,\unit{m/s^2}", ""),)),),
     "named": (Display((read_math(r"\alpha_{AB} = 2\,\unit{rad/s^2}", ""),)),),
+    "lettered": (
+        Prose(
+            r"Check by Pythagoras: left side $(2\,\unit{m})^{2} = 4\,\unit{m^2}$, right side"
+            r" $4\,\unit{m^2}$; they agree."
+        ),
+    ),
+    "doubled": (
+        Prose(
+            r"Check by Pythagoras: left side $a^{2} \approx 4\,\unit{m^2} \approx"
+            r" 4\,\unit{m^2}$, right side $b^{2} = 4\,\unit{m^2}$; they agree."
+        ),
+    ),
     "redone": (
         Prose(
             r"Check by Pythagoras: left side $(2\,\unit{m/s})^{2} + (1.333\,\unit{m/s})^{2} \approx"

@@ -5,30 +5,32 @@ multiplied by the distance, so that no angle is needed.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations
-from typing import Any
 
 from kinegrade.language.message import Message
 from kinegrade.mechanics.rates import make_turning
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Level
 from kinegrade.worked.case import Case
+from kinegrade.worked.checks.amounts import Amount, add_letters, add_numbers
+from kinegrade.worked.checks.arms import point_from
 from kinegrade.worked.checks.check import Check, compare
 from kinegrade.worked.checks.components import Turned, list_component_checks
 from kinegrade.worked.checks.forms import compare_points
 from kinegrade.worked.checks.sides import Side
 from kinegrade.worked.findings import Fact, Piece
-from kinegrade.worked.formulas.atoms import TWO, ZERO, add_terms
-from kinegrade.worked.formulas.formula import Formula
-from kinegrade.worked.formulas.measures import bearing, double, length
+from kinegrade.worked.formulas.atoms import AXES, ZERO
+from kinegrade.worked.formulas.measures import bearing, double, find_sign, length
 from kinegrade.worked.formulas.numbers import measure
 from kinegrade.worked.owners import name_owned_point
 from kinegrade.worked.unlettered import is_lettered
-from kinegrade.worked.vectors.components import find_heading
+from kinegrade.worked.vectors.arms import name_length
+from kinegrade.worked.vectors.components import find_heading, state_signed
 from kinegrade.worked.vectors.facts import make_key
 from kinegrade.worked.vectors.inclinations import find_cosine, is_line_found, name_along
+from kinegrade.worked.vectors.summands import PLACES, name_component
 from kinegrade.worked.vectors.vectors import UNITS
 
 _UNITS: Mapping[Level, str] = {"velocity": "m^2/s", "acceleration": "m^2/s^2"}
@@ -117,18 +119,22 @@ def _check_pair(pair: _Pair, level: Level, case: Case) -> Iterator[Check]:
     letters = "".join(map(case.naming.point, pair.points))
     arm = _Arm(pair.points, end - start, case)
     for way, across in (("along", False), ("across", True)):
-        turning = _state_turning(pair, arm, level, case, across=across)
         before, after = (arm.multiply(fact, across=across) for fact in pair.facts)
-        if before is not None and after is not None and double(after.value):
-            line = arm.vector.turned() if across else arm.vector
-            check = compare(
-                Message(f"solution.check-{way}-{level}", first=first, second=second, line=letters),
-                after,
-                Side(_add(before.numbers, turning.numbers), before.value + turning.value),
-                _UNITS[level],
-                form=compare_points(pair.body, pair.points, pair.facts, line, case),
-            )
-            yield replace(check, points=frozenset(pair.points))
+        line = arm.vector.turned() if across else arm.vector
+        if before is None or not after or not double(line.dot(pair.facts[1].value)):
+            continue
+        turning = list(_list_turning(pair, arm, level, case, across=across))
+        moved = [line.map(double).dot(fact.value.map(double)) for fact in pair.facts]
+        check = compare(
+            Message(f"solution.check-{way}-{level}", first=first, second=second, line=letters),
+            _add(after, moved[1]),
+            _add([*before, *turning], moved[0] + _measure_turning(pair, arm, level, across=across)),
+            _UNITS[level],
+            form=compare_points(pair.body, pair.points, pair.facts, line, case),
+        )
+        measured = turning or not all(fact.by_components for fact in pair.facts)
+        ends = pair.points if measured else None
+        yield replace(check, points=frozenset(pair.points), arm=ends)
 
 
 @dataclass(frozen=True)
@@ -140,67 +146,72 @@ class _Arm:
     case: Case
 
     @property
-    def number(self) -> Formula:
+    def length(self) -> Amount:
         """Its length."""
-        return measure(length(self.vector, self.case.arithmetic), "m")
+        far = measure(length(self.vector, self.case.arithmetic), "m")
+        return Amount(name_length(*self.ends, self.case), far)
 
-    def multiply(self, fact: Fact, *, across: bool) -> Side | None:
+    def multiply(self, fact: Fact, *, across: bool) -> list[Amount] | None:
         """The product of a vector with the arm, with the arm turned by 90 degrees where `across`:
         by components, else its length times what lies along it; None where a part is slanting to
         it by no angle that is known.
         """
-        line = self.vector.turned() if across else self.vector
-        value = double(line.map(float).dot(fact.value.map(float)))
         if fact.by_components:
-            return Side(self._multiply_components(line, fact), value)
+            return self._multiply_components(fact, across=across)
+        line = self.vector.turned() if across else self.vector
         telling = (piece for piece in fact.parts if double(line.dot(piece.value)))
-        terms = [self._multiply_piece(line, piece) for piece in telling]
-        return None if None in terms else Side(add_terms(filter(None, terms)), value)
+        products = [self._multiply_piece(line, piece) for piece in telling]
+        found = [one for one in products if one is not None]
+        return found if len(found) == len(products) else None
 
-    def _multiply_piece(self, line: Vector, piece: Piece) -> Formula | None:
-        size = measure(length(piece.value, self.case.arithmetic), piece.symbol.unit)
-        product = self.number.dot(size)
+    def _multiply_piece(self, line: Vector, piece: Piece) -> Amount | None:
+        product = self.length.times(Amount(piece.symbol, state_signed(piece, self.case)))
         if not double(line.cross(piece.value)):
-            return product.signed(_sign(line.dot(piece.value)))
+            return product.signed(find_sign(line.dot(piece.positive)))
         heading = find_heading(piece, self.case)
         along = name_along(bearing(line), self.ends, self.case)
         cosine = find_cosine(heading, along) if heading and along else None
         if cosine is None or not is_line_found(cosine.value, self.case):
             return None
-        return product.dot(cosine.state(True)).signed(
-            cosine.sign * _sign(piece.value.dot(piece.positive))
-        )
+        return product.times(Amount(cosine.state(False), cosine.state(True), cosine.sign))
 
-    def _multiply_components(self, line: Vector, fact: Fact) -> Formula:
-        pairs = zip(line, fact.value, strict=True)
-        return add_terms(
-            measure(abs(one), "m")
-            .dot(measure(abs(other), fact.symbol.unit))
-            .signed(_sign(one * other))
-            for one, other in pairs
-            if double(one * other)
-        )
-
-
-def _sign(number: Any) -> int:
-    return 1 if double(number) > 0 else -1
+    def _multiply_components(self, fact: Fact, *, across: bool) -> list[Amount]:
+        by = point_from(*self.ends, self.case)
+        components = {
+            axis: Amount(
+                name_component(fact.symbol, axis),
+                measure(fact.value[PLACES[axis]], fact.symbol.unit),
+            )
+            for axis in AXES
+        }
+        products = (by.turned() if across else by).dot(components)
+        return [one for one in products if one.numbers != ZERO]
 
 
-def _add(first: Formula, second: Formula) -> Formula:
-    """The sum, without what is zero."""
-    return add_terms(one for one in (first, second) if one != ZERO)
+def _add(amounts: Sequence[Amount], value: float) -> Side:
+    """A side in letters and in numbers."""
+    return Side(add_numbers(amounts), value, add_letters(amounts) if amounts else None)
 
 
-def _state_turning(pair: _Pair, arm: _Arm, level: Level, case: Case, *, across: bool) -> Side:
+def _list_turning(
+    pair: _Pair, arm: _Arm, level: Level, case: Case, *, across: bool
+) -> Iterator[Amount]:
     """What the rotation about the first point adds: across the line the rate, along it, towards the
     first point, the square of the angular velocity, times the square of the distance.
     """
-    square, far = arm.number**TWO, double(arm.vector.squared())
+    square, omega = arm.length.squared(), case.motion.omega(pair.body)
+    rate = case.rates(level)[make_turning(pair.body)]
+    if across and double(rate):
+        turning = measure(rate, UNITS[level, True])
+        yield Amount(case.naming.turning(pair.body, level), turning).times(square)
+    elif not across and level == "acceleration" and double(omega):
+        turning = measure(omega, "rad/s")
+        yield Amount(case.naming.omega(pair.body), turning).squared().times(square).signed(-1)
+
+
+def _measure_turning(pair: _Pair, arm: _Arm, level: Level, *, across: bool) -> float:
+    """What that amounts to."""
+    case, far = arm.case, double(arm.vector.squared())
     if across:
-        rate = double(case.rates(level)[make_turning(pair.body)])
-        number = measure(abs(rate), UNITS[level, True]).dot(square).signed(_sign(rate))
-        return Side(number if rate else ZERO, rate * far)
-    omega = double(case.motion.omega(pair.body))
-    if level == "velocity" or not omega:
-        return Side(ZERO, 0.0)
-    return Side(-(measure(abs(omega), "rad/s") ** TWO).dot(square), -(omega**2) * far)
+        return double(case.rates(level)[make_turning(pair.body)]) * far
+    return -(double(case.motion.omega(pair.body)) ** 2) * far if level == "acceleration" else 0.0

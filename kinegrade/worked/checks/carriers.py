@@ -5,7 +5,7 @@ each other move alike, those of gears that a third one joins too.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import chain, combinations, product
 
 from kinegrade.expressions.tree import find_names
@@ -16,6 +16,7 @@ from kinegrade.mechanics.rates import make_turning
 from kinegrade.mechanics.shapes import Circle
 from kinegrade.mechanics.vector_equation import Level
 from kinegrade.worked.case import Case
+from kinegrade.worked.checks.amounts import Amount
 from kinegrade.worked.checks.check import Check, compare
 from kinegrade.worked.checks.forms import subtract
 from kinegrade.worked.checks.sides import Side
@@ -23,6 +24,10 @@ from kinegrade.worked.findings import Form
 from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.measures import double, length
 from kinegrade.worked.formulas.numbers import measure
+from kinegrade.worked.rates.rims import state_radii
+from kinegrade.worked.rates.rolling import state_rolled_radius
+from kinegrade.worked.rates.speeds import name_relative_rotation, state_radius
+from kinegrade.worked.vectors.arms import name_length
 from kinegrade.worked.vectors.vectors import UNITS
 
 
@@ -56,38 +61,50 @@ def _check_rims(
     turning, frame = (rates[make_turning(body)] for body in (roll.body, carrier))
     if not double(turning - frame):
         return
-    gear = _Gear(roll.body, roll.circle)
+    gear = _Gear(roll.body, roll.circle, state_rolled_radius(roll, case))
     turned, unit = UNITS[level, True], UNITS[level, False]
-    rim = _state_track_radius(roll, track, case).dot(measure(-frame, turned)).signed(sense)
+    radius, ends = _state_track_radius(roll, track, case)
+    rim = radius.numbers.dot(measure(frame, turned)).signed(-sense)
+    letters = radius.letters * name_relative_rotation(carrier, GROUND, case, level)
     body, other = map(case.naming.body, (roll.body, carrier))
-    yield compare(
+    check = compare(
         Message(f"solution.rims-{level}", body=body, carrier=other),
         _state_rim(gear, carrier, level, case),
-        Side(rim, -track.radius * frame * sense),
+        Side(rim, -track.radius * frame * sense, letters.signed(-sense)),
         unit,
         form=subtract(
             _form_rim(gear, carrier), {make_turning(carrier): -double(track.radius) * sense}
         ),
     )
+    yield replace(check, arm=ends)
 
 
-def _state_track_radius(roll: NoSlip, track: Circle, case: Case) -> Formula:
-    """The radius of a fixed circle: as it is given, else by the arm and the radius of the gear."""
+def _state_track_radius(
+    roll: NoSlip, track: Circle, case: Case
+) -> tuple[Amount, tuple[str, str] | None]:
+    """The radius of a fixed circle: as it is given, else by the arm, whose ends are told too, and
+    the radius of the gear.
+    """
     on = case.template.scheme.joints[roll.joint].on
     given = case.template.parameters
     if on is None or {*find_names(on.arguments[1])} <= {*given}:
-        return measure(track.radius, "m")
-    points = case.motion.points
-    arm = length(points[roll.circle.centre] - points[track.centre], case.arithmetic)
-    return measure(arm, "m") + measure(roll.circle.radius, "m").signed(1 if roll.inside else -1)
+        stated = state_radius(on, track.radius, case)
+        return Amount(stated, measure(track.radius, "m")), None
+    points, ends = case.motion.points, (track.centre, roll.circle.centre)
+    arm = length(points[ends[1]] - points[ends[0]], case.arithmetic)
+    sign = 1 if roll.inside else -1
+    letters = name_length(*ends, case) + state_rolled_radius(roll, case).signed(sign)
+    numbers = measure(arm, "m") + measure(roll.circle.radius, "m").signed(sign)
+    return Amount(letters, numbers), ends
 
 
 @dataclass(frozen=True)
 class _Gear:
-    """A body with the circle on which it meshes."""
+    """A body with the circle on which it meshes, whose radius has these letters."""
 
     body: str
     circle: Circle
+    radius: Formula
 
     def is_same(self, other: _Gear) -> bool:
         """Whether the other one is this circle of this body."""
@@ -112,14 +129,15 @@ def _list_joined(level: Level, case: Case) -> Iterator[Check]:
     sources = (relation.source for relation in case.motion.frames.relations)
     found = (source.find_rims() for source in sources if source)
     for one, other in combinations(filter(None, found), 2):
-        for first, second in product(_list_pairs(one), _list_pairs(other)):
+        for first, second in product(_list_pairs(one, case), _list_pairs(other, case)):
             if first.carrier == second.carrier and first.second.is_same(second.second):
                 yield from _check_joined(first, second, level, case)
 
 
-def _list_pairs(mesh: EqualRimSpeed) -> tuple[_Pair, _Pair]:
+def _list_pairs(mesh: EqualRimSpeed, case: Case) -> tuple[_Pair, _Pair]:
     """Two gears in mesh, in either order."""
-    one, other = _Gear(mesh.body, mesh.circle), _Gear(mesh.of, mesh.on)
+    radii = state_radii(mesh, case)
+    one, other = _Gear(mesh.body, mesh.circle, radii[0]), _Gear(mesh.of, mesh.on, radii[1])
     sense = -1 if mesh.is_opposite else 1
     return _Pair(one, other, mesh.carrier, sense), _Pair(other, one, mesh.carrier, sense)
 
@@ -138,7 +156,7 @@ def _check_joined(one: _Pair, other: _Pair, level: Level, case: Case) -> Iterato
         idler=name(one.second.body),
         carrier=name(one.carrier),
     )
-    turned = Side(right.numbers.signed(sense), right.value * sense)
+    turned = Side(right.numbers.signed(sense), right.value * sense, right.sum.signed(sense))
     form = subtract(_form_rim(one.first, one.carrier), _form_rim(other.first, other.carrier, sense))
     yield compare(way, left, turned, UNITS[level, False], form=form)
 
@@ -149,7 +167,8 @@ def _state_rim(gear: _Gear, carrier: str, level: Level, case: Case) -> Side:
     rate, radius = rates[make_turning(gear.body)], gear.circle.radius
     frame = rates[make_turning(carrier)]
     spin = measure(rate, turned) - measure(frame, turned)
-    return Side(measure(radius, "m").dot(spin), radius * (rate - frame))
+    letters = gear.radius * name_relative_rotation(gear.body, carrier, case, level)
+    return Side(measure(radius, "m").dot(spin), radius * (rate - frame), letters)
 
 
 def _form_rim(gear: _Gear, carrier: str, sense: int = 1) -> Form:

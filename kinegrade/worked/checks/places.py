@@ -15,6 +15,7 @@ from kinegrade.language.message import Message
 from kinegrade.problem.template.template import Ask
 from kinegrade.worked.answers.pose_working import AXIS_X, AXIS_Y
 from kinegrade.worked.case import Case
+from kinegrade.worked.checks.arms import point_from
 from kinegrade.worked.checks.check import Check, compare
 from kinegrade.worked.checks.sides import Side
 from kinegrade.worked.formulas.atoms import ZERO, add_squares
@@ -23,7 +24,7 @@ from kinegrade.worked.formulas.measures import length
 from kinegrade.worked.formulas.numbers import measure, state_angle, state_quantity
 from kinegrade.worked.formulas.symbols import collect_symbols, read_symbol
 from kinegrade.worked.positions.instance import make_instance
-from kinegrade.worked.vectors.arms import find_stated_length
+from kinegrade.worked.vectors.arms import find_stated_length, name_length
 
 _X, _Y = Call("", AXIS_X), Call("", AXIS_Y)
 
@@ -42,10 +43,14 @@ class _Distance:
         sides = [state_difference(*pair) for pair in zip(start, end, strict=True)]
         across = [side for side in sides if side != ZERO]
         numbers = add_squares(across) if len(across) > 1 else across[0]
+        pair = point_from(self.first, self.second, case).pair.values()
+        letters = add_squares(one.letters for one in pair)
         value, given = length(end - start, case.arithmetic), make_instance(case).value(self.given)
         first, second = map(case.naming.point, (self.first, self.second))
         way = Message("solution.check-distance", first=first, second=second)
-        return compare(way, Side(numbers, value), Side(measure(given, "m"), given), "m")
+        stated = name_length(self.first, self.second, case)
+        found = Side(numbers, value, letters)
+        return compare(way, found, Side(measure(given, "m"), given, stated), "m")
 
 
 def list_place_checks(asked: Sequence[Ask], case: Case) -> Iterator[Check]:
@@ -131,7 +136,9 @@ def _check_cosine(angle: Ask, cosine: Ask, case: Case) -> Iterator[Check]:
     sign = -1 if turned and axis == _X else 1
     value = sign * {"cos": cos, "sin": sin}[ratio](radians(turn))
     *_, decimal = state_quantity(answer)
-    symbols = [case.text(read_symbol(ask.symbol)) for ask in (cosine, angle)]
-    way = Message("solution.check-cosine", cosine=symbols[0], angle=symbols[1])
-    side = Function(ratio, state_angle(turn)).signed(sign)
-    yield compare(way, Side(decimal.right, answer.value), Side(side, value), "1")
+    symbols = [read_symbol(ask.symbol) for ask in (cosine, angle)]
+    names = map(case.text, symbols)
+    way = Message("solution.check-cosine", cosine=next(names), angle=next(names))
+    side, letters = (Function(ratio, one).signed(sign) for one in (state_angle(turn), symbols[1]))
+    left = Side(decimal.right, answer.value, symbols[0])
+    yield compare(way, left, Side(side, value, letters), "1")

@@ -63,6 +63,8 @@ class Side:
             return Equation(self.numbers, value)
         rounded = self.numbers.is_decimal and self._misses(self.numbers, notation)
         numbers = approximate(self.numbers) if rounded else equate(self.numbers)
+        if value and self.numbers.is_decimal:
+            return Equation(self.letters, value)
         return Equation(self.letters, (*numbers, *value))
 
     def _misses(self, number: Formula, notation: Notation = PLAIN) -> bool:

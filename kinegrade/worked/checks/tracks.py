@@ -34,7 +34,8 @@ def list_track_checks(step: Step, stage: Stage) -> Iterator[Check]:
     )
     unit, value = UNITS[stage.level, False], wheel.measure_centre()
     found = Side(measure(value, unit), value, wheel.centre)
-    followed = Side(wheel.find_centre_from(other), wheel.measure_from(other))
+    letters = wheel.name_centre_from(other)
+    followed = Side(wheel.find_centre_from(other), wheel.measure_from(other), letters)
     for relation in select_scalars(step, stage.case):
         if relation.source and relation.source.find_rolling() == other.roll:
             check = compare(way, found, followed, unit, form=state_form(relation))

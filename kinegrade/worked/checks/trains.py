@@ -20,6 +20,8 @@ from kinegrade.worked.findings import Form
 from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.measures import double
 from kinegrade.worked.formulas.numbers import measure
+from kinegrade.worked.rates.rims import state_radii
+from kinegrade.worked.rates.speeds import name_rotation
 from kinegrade.worked.vectors.vectors import UNITS
 
 
@@ -40,6 +42,7 @@ class _Link:
     driver: str
     driven: str
     radii: tuple[Number, Number]
+    letters: tuple[Formula, Formula]
     sense: int
 
 
@@ -49,7 +52,7 @@ def _list_links(case: Case) -> Iterator[_Link]:
         rims = relation.source.find_rims() if relation.source else None
         if rims is not None and rims.carrier == GROUND:
             radii, sense = (rims.circle.radius, rims.on.radius), -1 if rims.is_opposite else 1
-            yield _Link(rims.body, rims.of, radii, sense)
+            yield _Link(rims.body, rims.of, radii, state_radii(rims, case), sense)
 
 
 def _find_train(links: Sequence[_Link]) -> tuple[_Link, ...]:
@@ -72,9 +75,20 @@ def _check_train(train: Sequence[_Link], level: Level, case: Case) -> Check:
     ratio: Number = 1
     for link in train:
         ratio = ratio * link.radii[0] / link.radii[1] * link.sense
-    numbers = (above / below).dot(measure(start, unit)).signed(1 if double(ratio) > 0 else -1)
+    sense = 1 if double(ratio) > 0 else -1
+    numbers = (above / below).dot(measure(start, unit)).signed(sense)
+    over, under = (
+        reduce(Formula.__mul__, side)
+        for side in zip(*(link.letters for link in train), strict=True)
+    )
+    turned = [name_rotation(body, case, level) for body in ends]
+    letters = (over / under * turned[0]).signed(sense)
     form: Form = {make_turning(ends[1]): 1.0, make_turning(ends[0]): -double(ratio)}
     way = Message(f"solution.train-{level}", first=first, last=last)
     return compare(
-        way, Side(measure(end, unit), end), Side(numbers, ratio * start), unit, form=form
+        way,
+        Side(measure(end, unit), end, turned[1]),
+        Side(numbers, ratio * start, letters),
+        unit,
+        form=form,
     )

@@ -77,7 +77,7 @@ def solve_rims(law: EqualRimSpeed, result: Equation, case: Case, level: Level) -
     turned = letters.index(result.left)
     other, sign = names[1 - turned], -1 if law.is_opposite else 1
     rims = _Rims(
-        _state_radii(law, case)[1 - turned] / _state_radii(law, case)[turned],
+        state_radii(law, case)[1 - turned] / state_radii(law, case)[turned],
         name_rotation(other, case, level),
         name_carried_rotation(law.carrier, case, level),
     )
@@ -112,12 +112,12 @@ def _equate_rim_speeds(law: EqualRimSpeed, case: Case, level: Level) -> Equation
     """The speeds of both rims relative to the carrier, or their changes."""
     left, right = (
         radius * name_relative_rotation(turned, law.carrier, case, level)
-        for radius, turned in zip(_state_radii(law, case), (law.body, law.of), strict=True)
+        for radius, turned in zip(state_radii(law, case), (law.body, law.of), strict=True)
     )
     return Equation(left, equate(right.signed(-1 if law.is_opposite else 1)))
 
 
-def _state_radii(law: EqualRimSpeed, case: Case) -> tuple[Formula, Formula]:
+def state_radii(law: EqualRimSpeed, case: Case) -> tuple[Formula, Formula]:
     """The radii of both rims, in symbols where the template has them."""
     sentence = case.template.scheme.joints[law.joint]
     return (

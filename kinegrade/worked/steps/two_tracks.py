@@ -114,14 +114,17 @@ class TwoTracks:
     def state_centre(self) -> Equation:
         """The motion of the centre, from one of the contacts."""
         unit, value = UNITS[self.level, False], self.measure_centre()
-        start, radius = self.start, state_rolled_radius(self.start.roll, self.case)
-        turning = self.case.naming.turning(self.body, self.level)
-        turned = (radius * turning).signed(find_sign(start.away))
-        symbols = add_terms(_list(start.letters, turned))
-        numbers = self.find_centre_from(start)
+        working = self.name_centre_from(self.start), self.find_centre_from(self.start)
         sense = state_sense_along(double(value), self.along, None, self.case)
-        links = lead_to(self.centre, (symbols, numbers), state_number(value, unit))
+        links = lead_to(self.centre, working, state_number(value, unit))
         return Equation(self.centre, links, sense)
+
+    def name_centre_from(self, contact: Contact) -> Formula:
+        """The motion of a contact and what the rotation adds to it, in letters."""
+        radius = state_rolled_radius(contact.roll, self.case)
+        turning = self.case.naming.turning(self.body, self.level)
+        turned = (radius * turning).signed(find_sign(contact.away))
+        return add_terms(_list(contact.letters, turned))
 
     def find_centre_from(self, contact: Contact) -> Formula:
         """The motion of a contact and what the rotation adds to it, in numbers."""

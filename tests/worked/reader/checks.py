@@ -14,7 +14,7 @@ from kinegrade.worked.document import Block, Prose, write_sentence
 from tests.worked.reader.amounts import Amount, MixedUnits, Unreadable
 from tests.worked.reader.equations import Line, Side
 from tests.worked.reader.forms import is_decimal, measure_last_digit
-from tests.worked.reader.formula_reader import read_formula
+from tests.worked.reader.formula_reader import find_symbols, read_formula
 
 _ANY = "体"  # stands for any words: a Chinese sentence has no space beside it
 _RELATION = re.compile(r"(=|\\approx)")
@@ -25,13 +25,35 @@ def find_unrepeatable(blocks: Sequence[Block]) -> Iterator[str]:
     """The sides of checks whose printed numbers do not amount to the printed value, exactly after a
     sign of equality, else to within one of the last digit.
     """
+    for check in _list_checks(blocks):
+        yield from (side for side in check if not _is_repeatable(side))
+
+
+def find_unlettered(blocks: Sequence[Block]) -> Iterator[str]:
+    """The sides of checks that begin with numbers, other than 0 alone."""
+    for check in _list_checks(blocks):
+        for side in check:
+            first = _RELATION.split(side)[0].strip()
+            if first != "0" and not any(find_symbols(read_math(first, "test"))):
+                yield side
+
+
+def find_doubled(blocks: Sequence[Block]) -> Iterator[str]:
+    """The sides of checks that print one number twice."""
+    for check in _list_checks(blocks):
+        for side in check:
+            links = [link.strip() for link in _RELATION.split(side)[::2]]
+            yield from (side for one, other in pairwise(links) if one == other)
+
+
+def _list_checks(blocks: Sequence[Block]) -> Iterator[list[str]]:
+    """Both sides of each check."""
     sentences = [_make_pattern(language) for language in known_languages()]
     for block in blocks:
         if isinstance(block, Prose):
             found = next(filter(None, (one.fullmatch(block.text) for one in sentences)), None)
-            for side in found.groups() if found else ():
-                if not _is_repeatable(side.strip().strip("$")):
-                    yield side
+            if found:
+                yield [side.strip().strip("$") for side in found.groups()]
 
 
 def _make_pattern(language: str) -> re.Pattern[str]:

@@ -38,6 +38,8 @@ KNOWN: Mapping[Law, frozenset[str]] = {
     "way": frozenset(),
     "marked": frozenset(),
     "named": frozenset(),
+    "lettered": frozenset(),
+    "doubled": frozenset(),
     "redone": frozenset(),
     "figure": frozenset(),
 }

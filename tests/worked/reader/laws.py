@@ -17,7 +17,7 @@ from kinegrade.worked.document import Block, Prose
 from tests.worked.reader.amounts import Amount, MixedUnits, Unreadable
 from tests.worked.reader.answers import find_without_way
 from tests.worked.reader.between import find_misnamed
-from tests.worked.reader.checks import find_unrepeatable, is_off
+from tests.worked.reader.checks import find_doubled, find_unlettered, find_unrepeatable, is_off
 from tests.worked.reader.economy import find_repeated, find_unused
 from tests.worked.reader.equations import Line, Said, Side, read_page
 from tests.worked.reader.forms import (
@@ -65,6 +65,8 @@ Law: TypeAlias = Literal[
     "way",
     "marked",
     "named",
+    "lettered",
+    "doubled",
 ]
 LAWS: dict[Law, str] = {
     "equal": "a sign of equality joins equal values, to within what rounding can do",
@@ -88,6 +90,8 @@ LAWS: dict[Law, str] = {
     "way": "words beside the box of an answer with a sign say where it points",
     "marked": "what the indices n and t mark is said before them, or is asked for",
     "named": "the letters of angular accelerations are told in a sentence before equations have them",
+    "lettered": "a side of a check begins with letters",
+    "doubled": "a side of a check has each number once",
     "redone": "whoever works out a check with its printed numbers gets what it prints, to one of the last digit",
     "figure": "the printed numbers of a line amount to the rounded figure said of them, to one of its last digit",
 }
@@ -155,6 +159,8 @@ def find_faults(blocks: Sequence[Block], solution: Solution) -> Iterator[Fault]:
     yield from (Fault("named", formula) for formula in find_unnamed(blocks, solution))
     misnamed = find_misnamed(blocks, solution, known.worth)
     yield from (Fault("between", angle) for angle in misnamed)
+    yield from (Fault("lettered", side) for side in find_unlettered(blocks))
+    yield from (Fault("doubled", side) for side in find_doubled(blocks))
     yield from (Fault("redone", check) for check in find_unrepeatable(blocks))
     for wrong in judge_polygons(blocks, known.amounts):
         yield Fault(wrong.law, wrong.line)
