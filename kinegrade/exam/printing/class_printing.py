@@ -55,10 +55,14 @@ def count_processes(wanted: int, students: int) -> int:
 
 
 def split_class(count: int, jobs: int) -> Iterator[range]:
-    """The class in parts, smaller ones at the end, so that all processes end together."""
+    """The class in parts, smaller ones at the end, so that all processes end together, and at the
+    beginning of several, so that what binds them has something to do soon.
+    """
     first, least = 0, CHUNK if jobs == 1 else -(-CHUNK // 2)
+    begun = 0 if jobs == 1 else jobs * least
     while first < count:
-        size = min(max((count - first) // (2 * jobs), least), MOST)
+        size = least if first < begun else max((count - first) // (2 * jobs), least)
+        size = min(size, MOST)
         yield range(first, min(first + size, count))
         first += size
 

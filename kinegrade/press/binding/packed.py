@@ -15,6 +15,7 @@ _TOGETHER = 100  # objects in a pack
 # Bytes of a line of the table: what kind of place, where, and which of a pack
 _KIND, _WHERE, _WHICH = 1, 5, 1
 _LINE = _KIND + _WHERE + _WHICH
+_BYTE = 8  # bits
 _ALONE, _IN_PACK = 1, 2
 
 
@@ -70,12 +71,14 @@ class PackedFile:
     def _write_pack(self) -> None:
         """Write the small objects that wait, each behind where it is in their pack."""
         pack, self._pack = self._pack, []
-        holder, head, body = self.reserve(), b"", b""
+        holder, begin = self.reserve(), 0
+        numbers: list[bytes] = []
         for place, (number, text) in enumerate(pack):
             self._note(number, _IN_PACK, holder, place)
-            head += b"%d %d " % (number, len(body))
-            body += text + b"\n"
-        packed = compress(head + body)
+            numbers.append(b"%d %d " % (number, begin))
+            begin += len(text) + 1
+        head = b"".join(numbers)
+        packed = compress(b"%b%b\n" % (head, b"\n".join([text for _, text in pack])))
         about = b"<</Type/ObjStm/N %d/First %d/Filter/FlateDecode/Length %d>>" % (
             len(pack),
             len(head),
@@ -84,8 +87,8 @@ class PackedFile:
         self.put(holder, about, packed)
 
     def _note(self, number: int, kind: int, where: int, which: int = 0) -> None:
-        line = kind.to_bytes(_KIND) + where.to_bytes(_WHERE) + which.to_bytes(_WHICH)
-        self._table[_LINE * number : _LINE * (number + 1)] = line
+        line = ((kind << _BYTE * _WHERE) + where << _BYTE * _WHICH) + which
+        self._table[_LINE * number : _LINE * (number + 1)] = line.to_bytes(_LINE)
 
     def _write(self, content: bytes) -> None:
         self._stream.write(content)

@@ -24,7 +24,9 @@ from kinegrade.press.binding.values import (
 
 _LENGTH = re.compile(rb"/Length (\d+)(?! 0 R)")
 _STREAM = b"\nstream\n"
-_OPENING = re.compile(STRING + rb"|(\()", re.DOTALL)
+_STRING = re.compile(STRING, re.DOTALL)
+_OPENING = b"("
+_END, _STREAM_ENDS = b"endobj", [b"endstream", b"endobj"]
 # What a table says elsewhere, and what keeps a file from strangers
 _FURTHER = (b"/Prev", b"/XRefStm", b"/Encrypt")
 # Of what a file says of itself, all that a volume takes over, and what else Typst says
@@ -126,16 +128,19 @@ def _find_object(pdf: bytes, table: Table, number: int) -> tuple[bytes, bytes | 
     its strings are not understood.
     """
     piece, head = pdf[table.places[number]], b"%d 0 obj\n" % number
-    text, stream, rest = piece.removeprefix(head).partition(_STREAM)
+    if not piece.startswith(head):
+        return None
+    text, stream, rest = piece[len(head) :].partition(_STREAM)
     data = None
     if stream:
         length = _LENGTH.search(text)
         if length is None:
             return None
         data, rest = rest[: int(length[1])], rest[int(length[1]) :]
+        whole = rest.split() == _STREAM_ENDS
     else:
-        text, _, rest = text.rpartition(b"endobj")
-        rest = b"endobj" + rest
-    whole = rest.split() == ([b"endstream", b"endobj"] if stream else [b"endobj"])
-    nested = b"(" in text and any(each[1] for each in _OPENING.finditer(text))
-    return (text.strip(), data) if whole and not nested and piece.startswith(head) else None
+        text, end, rest = text.rpartition(_END)
+        whole = bool(end) and not rest.strip()
+    # A parenthesis that opens no string which is understood stays
+    nested = _OPENING in text and _OPENING in _STRING.sub(b"", text)
+    return (text.strip(), data) if whole and not nested else None

@@ -30,12 +30,12 @@ class Volume:
         first = self._file.reserve(max(part.objects) + 1)
         renumbering = self._structure.add(part, first)
         branch = part.catalogue[b"/Pages"]
-        for number, (text, data) in part.objects.items():
-            if number in part.about:
-                continue
-            own = renumbering.write(text)
-            if Reference(number) == branch:
-                own = b"<</Parent %b%b" % (write_value(self._root), own.removeprefix(b"<<"))
+        pages = branch.number if isinstance(branch, Reference) else None
+        kept = {number: each for number, each in part.objects.items() if number not in part.about}
+        texts = renumbering.write_all([text for text, _ in kept.values()])
+        begin = b"<</Parent %b" % write_value(self._root)
+        for (number, (_, data)), text in zip(kept.items(), texts, strict=True):
+            own = begin + text.removeprefix(b"<<") if number == pages else text
             self._file.put(first + number, own, data)
         self._branches.append(renumbering.write(write_value(branch)))
         self.pages += part.count_pages()
