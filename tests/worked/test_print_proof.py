@@ -144,6 +144,9 @@ WRONG: dict[Law, tuple[Block, ...]] = {
             (read_math(r"s = 0.7206\,\unit{m} - 0.7125\,\unit{m} \approx 0.008254\,\unit{m}", ""),)
         ),
     ),
+    "sign": (
+        Display((read_math(r"v = 2.419\,\unit{m/s} \cdot \sin 30^\circ = 1.21\,\unit{m/s}", ""),)),
+    ),
     "label": (Display((read_math(r"v_S = 2\,\unit{m}", ""),)), _draw([ALONG], [ACROSS, BACK])),
 }
 
@@ -211,7 +214,7 @@ def test_the_double_of_an_angle_at_a_corner_is_read() -> None:
     [
         (r"v = 0.3333\,\unit{m} \cdot 1.7 \approx 0.567\,\unit{m}", set()),
         (r"v = 0.5666\,\unit{m} \approx 0.567\,\unit{m}", set()),
-        (r"v = 0.5666\,\unit{m} = 0.567\,\unit{m}", {"equal", "rounded"}),
+        (r"v = 0.5666\,\unit{m} = 0.567\,\unit{m}", {"equal", "rounded", "sign"}),
         (r"0.61\,\unit{m} \cdot 7.5 \approx 4.58\,\unit{m}", set()),
         (r"0.6\,\unit{m} \cdot 7.5 \approx 4.5\,\unit{m}", {"settled"}),
         (r"0.61\,\unit{m} \cdot 7.5 \approx 4.7\,\unit{m}", {"equal", "figure"}),

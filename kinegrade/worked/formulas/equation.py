@@ -5,12 +5,12 @@ display.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal, TypeAlias
 
 from kinegrade.language.math.tree import Mark, Row, Sign
 from kinegrade.language.math.width import measure_row
-from kinegrade.worked.formulas.atoms import ZERO
+from kinegrade.worked.formulas.atoms import ZERO, Measured
 from kinegrade.worked.formulas.exactness import is_exact, is_numeric, is_rounded
 from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.notation import Notation
@@ -18,6 +18,8 @@ from kinegrade.worked.formulas.printed_values import find_printed_value
 
 Relation: TypeAlias = Literal["=", r"\approx", ":"]
 _NOTHING = 1e-12
+_SAME = 1e-9  # relative, of numbers that are not far below
+_SMALL = 1e-3
 WIDEST = 68  # letters that fit on a line of a display
 
 
@@ -37,8 +39,18 @@ class Equation:
     links: tuple[Link, ...]
     aside: Row = ()
 
-    @property
-    def _printed(self) -> tuple[Link, ...]:
+    def _list_printed(self, notation: Notation) -> tuple[Link, ...]:
+        """The links that are told, with the sign of about before a figure to which the numbers
+        before it, as they are printed, do not amount.
+        """
+        told = self._list_told()
+        before = (self.left, *(link.right for link in told))
+        return tuple(
+            replace(link, relation=r"\approx") if _is_missed(numbers, link, notation) else link
+            for numbers, link in zip(before, told, strict=False)
+        )
+
+    def _list_told(self) -> tuple[Link, ...]:
         """The links without an exact form that would stand after numbers that have been rounded,
         and without such numbers before a zero: these do not amount to it.
         """
@@ -53,20 +65,24 @@ class Equation:
 
     def print_inline(self, notation: Notation) -> Row:
         """The equation within a sentence."""
-        return (*self.left.print(notation), *print_links(self._printed, notation), *self.aside)
+        return (
+            *self.left.print(notation),
+            *print_links(self._list_printed(notation), notation),
+            *self.aside,
+        )
 
     def print_line(self, notation: Notation) -> Row:
         """The equation on one line, which the press breaks where it must."""
         left = self.left.print(notation)
-        return (*left, Mark(), *print_links(self._printed, notation), *self.aside)
+        return (*left, Mark(), *print_links(self._list_printed(notation), notation), *self.aside)
 
     def break_lines(self, notation: Notation) -> tuple[Row, ...]:
         """The equation on as many lines as it needs, continued below its first relation sign."""
-        left = self.left.print(notation)
+        left, links = self.left.print(notation), self._list_printed(notation)
         lines: list[Row] = [(*left, Mark())]
         room, used = WIDEST - measure_row(left), 0.0
-        for group in _list_groups(self._printed):
-            aside = self.aside if group[-1] is self.links[-1] else ()
+        for group in _list_groups(links):
+            aside = self.aside if group[-1] is links[-1] else ()
             row = (*print_links(group, notation), *aside)
             width = measure_row(row)
             if used and used + width > room:
@@ -75,6 +91,20 @@ class Equation:
             lines[-1] += row
             used += width
         return tuple(lines)
+
+
+def _is_missed(numbers: Formula, link: Link, notation: Notation) -> bool:
+    """Whether a sign of equality would join numbers that, as they are printed, differ."""
+    if link.relation != "=" or not (is_numeric(numbers) and is_numeric(link.right)):
+        return False
+    if _find_unit(numbers) != _find_unit(link.right) and numbers.is_decimal:
+        return False  # the same in another unit
+    worked, stated = (find_printed_value(one, notation) for one in (numbers, link.right))
+    return abs(worked - stated) > _SAME * max(abs(worked), _SMALL)
+
+
+def _find_unit(figure: Formula) -> str:
+    return figure.size.unit if isinstance(figure.size, Measured) else ""
 
 
 def _misses_zero(numbers: Formula) -> bool:

@@ -16,6 +16,7 @@ from kinegrade.worked.formulas.formula import (
     Root,
     Sum,
 )
+from kinegrade.worked.formulas.symbols import PI
 
 _NUMERIC = (Number, Measured, Exact, Negative, Sum, Product, Quotient, Power, Root, Function)
 
@@ -41,12 +42,12 @@ def is_rounded(formula: Formula) -> bool:
 
 
 def is_numeric(formula: Formula) -> bool:
-    """Whether a formula has a value: it holds no symbol.
+    """Whether a formula has a value: it holds no symbol but pi.
 
     >>> is_numeric(Number("3") * Number("2"))
     True
     """
-    return all(isinstance(part, _NUMERIC) for part in list_parts(formula))
+    return all(isinstance(part, _NUMERIC) or part == PI for part in list_parts(formula))
 
 
 def list_parts(formula: Formula) -> Iterator[Formula]:

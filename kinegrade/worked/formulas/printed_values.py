@@ -9,7 +9,7 @@ from collections.abc import Callable, Mapping
 from functools import reduce
 from operator import mul
 
-from kinegrade.worked.formulas.atoms import Exact, Measured, Number
+from kinegrade.worked.formulas.atoms import Exact, Measured, Number, Symbol
 from kinegrade.worked.formulas.formula import (
     Formula,
     Function,
@@ -22,6 +22,7 @@ from kinegrade.worked.formulas.formula import (
     Sum,
 )
 from kinegrade.worked.formulas.notation import PLAIN, Notation
+from kinegrade.worked.formulas.symbols import PI
 
 _FUNCTIONS: Mapping[FunctionName, Callable[[float], float]] = {
     "sin": math.sin,
@@ -61,6 +62,8 @@ def find_printed_value(formula: Formula, notation: Notation = PLAIN) -> float:
             )
         case Root(radicand):
             return math.sqrt(find_printed_value(radicand, notation))
+        case Symbol() if formula == PI:
+            return math.pi
         case Function(name, argument):
             return _FUNCTIONS[name](find_printed_value(argument, notation))
         case _:

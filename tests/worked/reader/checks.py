@@ -94,5 +94,21 @@ def is_off(line: Line) -> bool:
     return False
 
 
+def is_unequal(line: Line) -> bool:
+    """Whether a sign of equality joins numbers that do not amount to the same as they are printed:
+    2.419 sin 7.125 degrees is 0.30004, not 0.3.
+    """
+    for side, stated in pairwise((Side("=", line.left), *line.sides)):
+        if stated.relation != "=":
+            continue
+        try:
+            worked, figure = (read_formula(one.row, _refuse) for one in (side, stated))
+        except (Unreadable, MixedUnits):
+            continue
+        if abs(worked.value - figure.value) > _CLOSE * max(abs(worked.value), 1e-3):
+            return True
+    return False
+
+
 def _refuse(symbol: str) -> Amount:
     raise Unreadable(symbol)

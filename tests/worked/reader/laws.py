@@ -17,7 +17,13 @@ from kinegrade.worked.document import Block, Prose
 from tests.worked.reader.amounts import Amount, MixedUnits, Unreadable
 from tests.worked.reader.answers import find_without_way
 from tests.worked.reader.between import find_misnamed
-from tests.worked.reader.checks import find_doubled, find_unlettered, find_unrepeatable, is_off
+from tests.worked.reader.checks import (
+    find_doubled,
+    find_unlettered,
+    find_unrepeatable,
+    is_off,
+    is_unequal,
+)
 from tests.worked.reader.economy import find_repeated, find_unused
 from tests.worked.reader.equations import Line, Said, Side, read_page
 from tests.worked.reader.forms import (
@@ -60,6 +66,7 @@ Law: TypeAlias = Literal[
     "between",
     "redone",
     "figure",
+    "sign",
     "sense",
     "early",
     "way",
@@ -94,6 +101,7 @@ LAWS: dict[Law, str] = {
     "doubled": "a side of a check has each number once",
     "redone": "whoever works out a check with its printed numbers gets what it prints, to one of the last digit",
     "figure": "the printed numbers of a line amount to the rounded figure said of them, to one of its last digit",
+    "sign": "a sign of equality joins numbers that amount to the same as they are printed",
 }
 NATURAL = (0.0, 90.0, 180.0, 270.0, 360.0)  # degrees
 NEXT = 10  # lines after which an unknown of an equation has been found
@@ -149,6 +157,8 @@ def find_faults(blocks: Sequence[Block], solution: Solution) -> Iterator[Fault]:
                 yield from _judge_line(part, sought, known)
                 if is_off(part):
                     yield Fault("figure", part.text)
+                if is_unequal(part):
+                    yield Fault("sign", part.text)
     yield from (Fault("used", line) for line in find_unused(blocks))
     yield from (Fault("once", sentence) for sentence in find_repeated(blocks))
     yield from (Fault("sense", column) for column in find_without_sense(blocks))
