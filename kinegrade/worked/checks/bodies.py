@@ -29,7 +29,12 @@ from kinegrade.worked.unlettered import is_lettered
 from kinegrade.worked.vectors.arms import name_length
 from kinegrade.worked.vectors.components import find_heading, state_signed
 from kinegrade.worked.vectors.facts import make_key
-from kinegrade.worked.vectors.inclinations import find_cosine, is_line_found, name_along
+from kinegrade.worked.vectors.inclinations import (
+    find_cosine,
+    is_inclination_known,
+    is_line_found,
+    name_along,
+)
 from kinegrade.worked.vectors.summands import PLACES, name_component
 from kinegrade.worked.vectors.vectors import UNITS
 
@@ -170,7 +175,8 @@ class _Arm:
             return product.signed(find_sign(line.dot(piece.positive)))
         heading = find_heading(piece, self.case)
         along = name_along(bearing(line), self.ends, self.case)
-        cosine = find_cosine(heading, along) if heading and along else None
+        known = along is not None and is_inclination_known(along, self.ends, self.case)
+        cosine = find_cosine(heading, along) if heading and along and known else None
         if cosine is None or not is_line_found(cosine.value, self.case):
             return None
         return product.times(Amount(cosine.state(False), cosine.state(True), cosine.sign))
