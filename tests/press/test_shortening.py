@@ -65,6 +65,11 @@ def test_only_so_many_pictures_go_that_two_pages_are_enough(lines: int, left: li
     assert shown(shorten(question(*LINES[:lines], *STEPS), AREA)) == left
 
 
+def test_pictures_go_that_would_leave_a_second_page_nearly_empty() -> None:
+    said = [shown(shorten(question(*LINES[:lines], *STEPS), AREA)) for lines in (20, 30, 60)]
+    assert [len(one) for one in said] == [5, 2, 5]
+
+
 def test_pictures_stay_where_two_pages_are_too_few_without_them_too() -> None:
     long = question(*LINES, *STEPS)
     assert shorten(long, AREA) == long

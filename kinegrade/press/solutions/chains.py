@@ -41,7 +41,7 @@ def stays(block: Block, following: Block | None = None, third: Block | None = No
 TextBlock = Heading | Prose | MeasuredDisplay | TermTable
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)  # one is itself alone: quick to look up
 class Placed:
     """A block of text, and whether it stays on the page of the next block."""
 

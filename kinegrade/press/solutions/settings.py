@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from math import ceil
 from typing import assert_never
 
@@ -122,7 +123,7 @@ class Column:
 
     def set_chain(self, chain: Chain) -> tuple[Setting, ...]:
         """The settings of blocks that stay together."""
-        return tuple(self._set_each(chain))
+        return _set_chain(self, chain)
 
     def has_width_for(self, chain: Chain) -> bool:
         """Whether the compact paragraphs of a chain take few lines."""
@@ -130,7 +131,8 @@ class Column:
         longest = max((measure_text(one.text) for one in prose if one.compact), default=0.0)
         return longest * EM <= _COMPACT * self.width
 
-    def _set_each(self, chain: Chain) -> Iterator[Setting]:
+    def set_each(self, chain: Chain) -> Iterator[Setting]:
+        """The settings one by one."""
         place = 0
         while place < len(chain):
             body, taken = self._join([placed.block for placed in chain[place : place + 3]])
@@ -197,6 +199,11 @@ class Column:
         higher = max(0.0, _TALLEST_IN_LINE * tall - 1)
         closer = (1 - self.spread.lines) * _LEADING[self.script] * (lines - 1)
         return above + beside + (_PITCH[self.script] * lines - closer - _LAST + higher) * EM
+
+
+@lru_cache(maxsize=1024)  # each is tried beside one drawing, then another
+def _set_chain(column: Column, chain: Chain) -> tuple[Setting, ...]:
+    return tuple(column.set_each(chain))
 
 
 def fits(setting: Setting) -> bool:

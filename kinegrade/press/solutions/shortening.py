@@ -1,30 +1,33 @@
-"""A worked solution takes at most two pages where it does so without pictures that it can spare:
-polygons first, whose vectors stand in tables and are found by projections, then sketches of
-velocities after the first.
+"""A worked solution takes at most two pages where it does so without pictures that it can spare,
+and one where little would stand on the second: polygons go first, whose vectors stand in tables and
+are found by projections, then sketches of velocities after the first.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from math import ceil
+from math import floor
 
 from kinegrade.press.sheet import WorkedQuestion
 from kinegrade.press.solutions.course import TextArea, arrange_courses
 from kinegrade.worked.document import Block, Pictures, Prose
 
 MOST_PAGES = 2
+_NEARLY_EMPTY = 0.25  # of a last page: what it holds is less than that
 
 
 def shorten(question: WorkedQuestion, area: TextArea) -> WorkedQuestion:
     """The question with as many of its pictures as have room on two pages, by the heights of its
-    parts; with all of them where too few pages would be saved.
+    parts, or on one less where the last would be nearly empty; with all of them where it does not
+    become so short.
     """
-    longest = _count_pages(question, area)
-    if longest <= MOST_PAGES:
+    pages = _measure(question, area)
+    most = MOST_PAGES if pages > MOST_PAGES else floor(pages)
+    if pages <= MOST_PAGES and pages - most >= _NEARLY_EMPTY:
         return question
-    shorter = ((one, _count_pages(one, area)) for one in list_shorter(question))
-    return next((one for one, pages in shorter if pages <= MOST_PAGES), question)
+    shorter = list_shorter(question)
+    return next((one for one in shorter if _measure(one, area) <= most), question)
 
 
 def list_shorter(question: WorkedQuestion) -> Iterator[WorkedQuestion]:
@@ -37,8 +40,9 @@ def list_shorter(question: WorkedQuestion) -> Iterator[WorkedQuestion]:
         yield replace(question, blocks=once)
 
 
-def _count_pages(question: WorkedQuestion, area: TextArea) -> int:
-    return ceil(arrange_courses([question], area).pages)
+def _measure(question: WorkedQuestion, area: TextArea) -> float:
+    """About how many pages a question takes by itself."""
+    return arrange_courses([question], area).pages
 
 
 def _leave_out_polygons(blocks: Sequence[Block]) -> Iterator[Block]:
