@@ -42,8 +42,9 @@ from kinegrade.worked.rates.kinds import describe_motions
 from kinegrade.worked.rates.rim_tracks import join_rims
 from kinegrade.worked.steps.couplers import goes_by_pole, name_method
 from kinegrade.worked.steps.given_steps import is_given
-from kinegrade.worked.steps.ideas import explain_idea
+from kinegrade.worked.steps.ideas import find_reasons, say_idea
 from kinegrade.worked.steps.methods import Way, find_way
+from kinegrade.worked.steps.sought import name_task
 from kinegrade.worked.steps.used_points import find_placed_points, find_used_points
 from kinegrade.worked.unit_of_length import count_lengths_as_given
 from kinegrade.worked.vectors.needed_rates import (
@@ -124,9 +125,8 @@ def _write_blocks(case: Case, asked: Sequence[Ask], boxes: AnswerBoxes) -> Itera
     case.findings.places_alone = places and all(map(goes_by_pole, stages.values()))
     case.findings.poles_sought = find_poles(moving)
     known = () if case.findings.places_alone else given
-    yield from explain_idea(known, stages.items(), asked, case, bool(accelerations))
-    if accelerations:
-        yield from _explain_accelerations(stages, accelerations, moving, case)
+    reasons = find_reasons(stages.items(), asked, case, bool(accelerations))
+    others = tuple(_explain_accelerations(stages, accelerations, moving, case))
     points = find_used_points(case, moving, (*velocities, *accelerations))
     contacts = tuple(introduce_contacts(case, points))
     placed = explain_positions(case, [*points, *find_placed_points(case, still)])
@@ -140,6 +140,8 @@ def _write_blocks(case: Case, asked: Sequence[Ask], boxes: AnswerBoxes) -> Itera
         later = (later[0], *said, *later[1:])
     checks = () if moving else tuple(check_places(still, case))
     used = (*list_lines((*poses, *later)), *case.findings.told[told:])
+    task = name_task((*known, *stages), asked, used, case)
+    yield from (*say_idea(task, reasons, case), *map(case.say, others))
     if case.motion.rates:
         yield from describe_motions(case, used, (*velocities, *accelerations))
     sought = (read_symbol(ask.symbol).row for ask in still)
@@ -203,16 +205,18 @@ def _explain_accelerations(
     accelerations: Sequence[Step],
     asked: Iterable[Ask],
     case: Case,
-) -> Iterator[Block]:
+) -> Iterator[Message]:
     """Whether the accelerations take steps of the velocities, with vectors, by the same methods;
     else, where a pole has given velocities, that it gives no accelerations.
     """
+    if not accelerations:
+        return
     given = list_found(step for step in accelerations if is_given(step, case))
     stages = find_stages(accelerations, case, "acceleration", given)
     vectorial = any(stage.equations for stage in stages.values())
     poles = any(map(name_method, velocities.values()))
     if vectorial and stages.keys() <= velocities.keys() and not poles:
-        yield case.say(Message("solution.idea-accelerations"))
+        yield Message("solution.idea-accelerations")
         return
     bodies = case.motion.frames.mechanism.bodies
     contacts = any(find_contact(body.name, case) for body in bodies if not body.particle)
@@ -222,4 +226,4 @@ def _explain_accelerations(
         for call in find_motion_calls(ask.quantity)
     )
     if (poles or contacts) and (vectorial or points):
-        yield case.say(Message("solution.idea-accelerations-base"))
+        yield Message("solution.idea-accelerations-base")

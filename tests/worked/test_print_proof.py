@@ -117,6 +117,10 @@ WRONG: dict[Law, tuple[Block, ...]] = {
     ),
     "marked": (Display((read_math(r"a_{B}^{\mathrm{n}} = 2\,\unit{m/s^2}", ""),)),),
     "named": (Display((read_math(r"\alpha_{AB} = 2\,\unit{rad/s^2}", ""),)),),
+    "size": (
+        Prose("Sought: $v_{B}$ (speed of slider $B$)."),
+        Display((read_math(r"v_{B} = -2\,\unit{m/s}", ""),)),
+    ),
     "lettered": (
         Prose(
             r"Check by Pythagoras: left side $(2\,\unit{m})^{2} = 4\,\unit{m^2}$, right side"

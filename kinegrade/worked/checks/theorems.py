@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from math import cos, radians, sin
 
 from kinegrade.language.message import Message
 from kinegrade.mechanics.plan import Step
+from kinegrade.mechanics.rates import Rate
 from kinegrade.mechanics.relations import add_vectors
 from kinegrade.mechanics.vector import Vector
+from kinegrade.worked.checks.amounts import Amount
 from kinegrade.worked.checks.check import Check, compare
 from kinegrade.worked.checks.forms import multiply_relation
 from kinegrade.worked.checks.sides import Side
@@ -22,7 +24,7 @@ from kinegrade.worked.vectors.inclinations import is_direction_told, is_line_fou
 from kinegrade.worked.vectors.magnitudes import find_heading
 from kinegrade.worked.vectors.projection import Projection, Share
 from kinegrade.worked.vectors.stage import Stage, find_share_cosine
-from kinegrade.worked.vectors.summands import PLACES
+from kinegrade.worked.vectors.summands import PLACES, name_component
 from kinegrade.worked.vectors.vectors import UNITS
 
 _AXES: Mapping[float, AxisName] = {0.0: "x", 90.0: "y"}
@@ -71,35 +73,43 @@ def _can_be_told(projection: Projection, share: Share, stage: Stage) -> bool:
     return (found or not share.angle) and is_direction_told(share.part, stage.case)
 
 
-def _find_component(projection: Projection, share: Share, stage: Stage) -> Formula | None:
+def _find_component(projection: Projection, share: Share, stage: Stage) -> Amount | None:
     """The component of a vector that is known by its components; None for any other."""
     together = share.part.together
     fact = stage.case.findings.facts.get(make_key(together, stage.level)) if together else None
     axis = _AXES.get(projection.axis)
     if fact is None or not fact.by_components or axis is None:
         return None
-    return measure(share.part.value[PLACES[axis]], UNITS[stage.level, False])
+    number = measure(share.part.value[PLACES[axis]], UNITS[stage.level, False])
+    return Amount(name_component(fact.symbol, axis), number)
 
 
 def _work_out_side(
     projection: Projection, shares: Sequence[Share], step: Step, stage: Stage
 ) -> Side:
-    """A side in numbers, and what it amounts to."""
-    terms = (term for share in shares for term in _state_share(projection, share, step, stage))
+    """A side in letters and in numbers, and what it amounts to."""
+    letters, numbers = (
+        add_terms(
+            term for share in shares for term in _state_share(projection, share, solved, stage)
+        )
+        for solved in (None, step.unknowns)
+    )
     total = add_vectors(share.part.value for share in shares)
     exact = total if projection.axis in _AXES else total.map(float)
     value = exact.dot(_find_unit(projection.axis)) if shares else 0
-    return Side(add_terms(terms), value)
+    return Side(numbers, value, letters if shares else None)
 
 
 def _state_share(
-    projection: Projection, share: Share, step: Step, stage: Stage
+    projection: Projection, share: Share, solved: Collection[Rate] | None, stage: Stage
 ) -> Iterable[Formula]:
-    """A share in numbers: by its component where that has been found, else by its magnitude."""
+    """A share by its component where that has been found, else by its magnitude: in numbers, in
+    letters where nothing counts as solved.
+    """
     component = _find_component(projection, share, stage)
     if component is not None:
-        return (component,)
-    return stage.list_terms(projection, (share,), 1, step.unknowns)
+        return (component.letters if solved is None else component.numbers,)
+    return stage.list_terms(projection, (share,), 1, solved)
 
 
 def _find_unit(axis: float) -> Vector:

@@ -7,7 +7,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence, Set
 from typing import assert_never
 
-from kinegrade.language.message import Message, Text, list_all
+from kinegrade.language.message import Message, list_all
 from kinegrade.mechanics.drivers.imposed import select_imposed
 from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.laws import (
@@ -32,7 +32,6 @@ from kinegrade.worked.conventions import state_rounding
 from kinegrade.worked.document import Block, Heading
 from kinegrade.worked.formulas.measures import double
 from kinegrade.worked.formulas.symbols import join_letters
-from kinegrade.worked.rates.driven import is_assumed
 from kinegrade.worked.rates.rims import say_of_carrier
 from kinegrade.worked.rates.rolling import group_rolls, tell_rolls
 from kinegrade.worked.steps.couplers import Coupler, choose_method, find_coupler, find_pole_body
@@ -40,22 +39,16 @@ from kinegrade.worked.steps.flat_faces import find_curved_body
 from kinegrade.worked.steps.rigid import explain_choice, find_rigid_triangle
 from kinegrade.worked.steps.titles import find_rotations, select_scalars
 from kinegrade.worked.steps.two_tracks import find_two_tracks
-from kinegrade.worked.unlettered import find_translating_body
 from kinegrade.worked.vectors.magnitudes import find_path_ends
 from kinegrade.worked.vectors.stage import Stage
 
 
-def explain_idea(
-    given: Sequence[Step],
-    stages: Iterable[tuple[Step, Stage]],
-    asked: Sequence[Ask],
-    case: Case,
-    accelerated: bool,
-) -> Iterator[Block]:
-    """The known and the sought, and for each way of finding velocities why it serves, with what it
-    says of accelerations where these are sought too.
+def find_reasons(
+    stages: Iterable[tuple[Step, Stage]], asked: Sequence[Ask], case: Case, accelerated: bool
+) -> tuple[Message, ...]:
+    """For each way of finding velocities why it serves, with what it says of accelerations where
+    these are sought too.
     """
-    yield Heading(case.write(Message("solution.idea")), 1)
     stages = tuple(stages)
     reasons = dict.fromkeys(
         reason for step, stage in stages for reason in _find_reasons(step, stage, accelerated)
@@ -64,8 +57,13 @@ def explain_idea(
     reasons |= dict.fromkeys(_explain_poles(by_normals, case))
     if not any(any(find_motion_calls(ask.quantity)) for ask in asked):
         reasons |= dict.fromkeys((Message("solution.idea-pose"),))
-    imposing = (*given, *(step for step, _ in stages))
-    yield case.say(_join((_name_task(imposing, asked, case), *reasons)))
+    return tuple(reasons)
+
+
+def say_idea(task: Message, reasons: Sequence[Message], case: Case) -> Iterator[Block]:
+    """The known and the sought, `task`, then why each way serves."""
+    yield Heading(case.write(Message("solution.idea")), 1)
+    yield case.say(_join((task, *reasons)))
     if Message("solution.idea-pose") in reasons:
         yield state_rounding(case.language)
 
@@ -75,45 +73,6 @@ def _join(sentences: Sequence[Message]) -> Message:
     for following in others:
         first = Message("solution.sentences", first=first, next=following)
     return first
-
-
-def _name_task(imposing: Sequence[Step], asked: Sequence[Ask], case: Case) -> Message:
-    sought = list_all(dict.fromkeys(_define(ask, case) for ask in asked))
-    relations = (index for step in imposing for index in step.relations)
-    laws = (case.motion.frames.relations[index].source for index in dict.fromkeys(relations))
-    imposed = [law for law in map(select_imposed, laws) if law is not None]
-    known = [name for law in imposed for name in _name_given(law, case)]
-    if not known:
-        return Message("solution.idea-sought", sought=sought)
-    return Message("solution.idea-known", known=list_all(known), sought=sought)
-
-
-def _define(ask: Ask, case: Case) -> Text:
-    """The symbol of what is sought with its meaning, where the author gives that in the
-    language.
-    """
-    symbol = f"${ask.symbol}$"
-    if not ask.means.has(case.language):
-        return symbol
-    means = ask.means.in_language(case.language)
-    return Message("solution.sought", symbol=symbol, means=means)
-
-
-def _name_given(law: Imposed, case: Case) -> Iterator[Message]:
-    """The motion that a driver imposes."""
-    match law:
-        case ImposedRotation(body=body, of=of) if of == GROUND:
-            if not is_assumed(law, case):
-                yield Message("solution.rotation-of", body=case.naming.body(body))
-        case ImposedRotation(body=body, of=of):
-            name, other = map(case.naming.body, (body, of))
-            yield Message("solution.rotation-relative-to", body=name, other=other)
-        case ImposedMotion(point=point) if carrier := find_translating_body(point, case):
-            yield Message("solution.motion-of-body", body=case.naming.body(carrier))
-        case ImposedMotion(point=point) | ImposedCircling(point=point):
-            yield Message("solution.motion-along-path", centre=case.naming.point(point))
-        case _:
-            assert_never(law)
 
 
 def _find_reasons(step: Step, stage: Stage, accelerated: bool) -> Iterator[Message]:

@@ -38,6 +38,7 @@ KNOWN: Mapping[Law, frozenset[str]] = {
     "way": frozenset(),
     "marked": frozenset(),
     "named": frozenset(),
+    "size": frozenset(),
     "lettered": frozenset(),
     "doubled": frozenset(),
     "redone": frozenset(),

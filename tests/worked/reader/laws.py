@@ -43,7 +43,7 @@ from tests.worked.reader.formula_reader import (
 )
 from tests.worked.reader.givens import find_introduced, find_letters, read_givens
 from tests.worked.reader.inclined import find_underived
-from tests.worked.reader.meanings import find_unmarked, find_unnamed
+from tests.worked.reader.meanings import find_negative_sizes, find_unmarked, find_unnamed
 from tests.worked.reader.polygons import judge_polygons
 from tests.worked.reader.tables import find_early, find_without_sense
 
@@ -72,6 +72,7 @@ Law: TypeAlias = Literal[
     "way",
     "marked",
     "named",
+    "size",
     "lettered",
     "doubled",
 ]
@@ -97,6 +98,7 @@ LAWS: dict[Law, str] = {
     "way": "words beside the box of an answer with a sign say where it points",
     "marked": "what the indices n and t mark is said before them, or is asked for",
     "named": "the letters of angular accelerations are told in a sentence before equations have them",
+    "size": "a letter defined as a magnitude has no negative value",
     "lettered": "a side of a check begins with letters",
     "doubled": "a side of a check has each number once",
     "redone": "whoever works out a check with its printed numbers gets what it prints, to one of the last digit",
@@ -169,6 +171,7 @@ def find_faults(blocks: Sequence[Block], solution: Solution) -> Iterator[Fault]:
     yield from (Fault("named", formula) for formula in find_unnamed(blocks, solution))
     misnamed = find_misnamed(blocks, solution, known.worth)
     yield from (Fault("between", angle) for angle in misnamed)
+    yield from (Fault("size", line) for line in find_negative_sizes(blocks, solution))
     yield from (Fault("lettered", side) for side in find_unlettered(blocks))
     yield from (Fault("doubled", side) for side in find_doubled(blocks))
     yield from (Fault("redone", check) for check in find_unrepeatable(blocks))

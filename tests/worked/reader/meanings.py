@@ -5,11 +5,13 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 
-from kinegrade.language.math.tree import Letter, Row, Scripts, list_nodes
+from kinegrade.language.math.reading import read_math
+from kinegrade.language.math.tree import Letter, Row, Scripts, Sign, list_nodes
 from kinegrade.problem.solution import Solution
 from kinegrade.worked.case import write_row
 from kinegrade.worked.document import Block, Display, Heading, Pictures, Prose, TermTable
 from tests.worked.reader.equations import Line, Said, read_page
+from tests.worked.reader.forms import is_decimal
 from tests.worked.reader.formula_reader import name_symbol
 from tests.worked.reader.givens import read_givens
 
@@ -20,6 +22,7 @@ _PARTS = {
         r"\(t\)|（t|，t |n and t|n und t|n、t|angential accel|angentialbeschl|切向加速度"
     ),
 }
+_MEANT = re.compile(r"\$([^$]*)\$ ?[(（]")  # what stands before its meaning in brackets
 _PART = re.compile(r"\^\{\\mathrm\{([nt])\}\}")
 
 
@@ -43,6 +46,25 @@ def find_unmarked(blocks: Sequence[Block], solution: Solution) -> Iterator[str]:
             missing = {*_PART.findall(formula)} - told
             told |= missing
             yield from (f"{part} in {formula}" for part in sorted(missing))
+
+
+def find_negative_sizes(blocks: Sequence[Block], solution: Solution) -> Iterator[str]:
+    """The letters that a sentence has defined as the magnitudes asked for, and that an equation
+    says to be negative.
+    """
+    sizes = {one.symbol for one in solution.template.asks.values() if one.sign == "magnitude"}
+    symbols = {name_symbol(read_math(symbol, "test")) for symbol in sizes}
+    texts = [block.text for block in blocks if isinstance(block, Prose)]
+    defined = {
+        name_symbol(read_math(one, "test")) for text in texts for one in _MEANT.findall(text)
+    }
+    for part in read_page(blocks):
+        match part:
+            case Line(left, (*_, last)) if last.row[:1] == (Sign("-"),) and is_decimal(last.row):
+                if name_symbol(left) in symbols & defined:
+                    yield part.text
+            case Line() | Said():
+                continue
 
 
 def find_unnamed(blocks: Sequence[Block], solution: Solution) -> Iterator[str]:
