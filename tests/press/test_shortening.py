@@ -46,6 +46,7 @@ def test_polygons_go_first_with_what_is_said_of_them_then_later_sketches() -> No
     assert [shown(one) for one in shorter] == [
         ["velocities", "velocities", "pole"],
         ["velocities", "pole"],
+        ["pole"],
     ]
 
 

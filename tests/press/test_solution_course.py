@@ -233,10 +233,18 @@ def test_equations_go_on_on_the_next_page_rather_than_leave_one_half_empty() -> 
     rows = read_display([LONG.replace("x", name) for name in "xyz"])
     question = WorkedQuestion(1, "q1", "A crank", "It turns.", (SAID, rows), None)
     parted, whole = (
-        arrange_courses([question], TextArea(PAGE, 40.0, parts_equations=parts)).pages
+        arrange_courses([question], TextArea(PAGE, 40.0, parts_chains=parts)).pages
         for parts in (True, False)
     )
     assert parted < whole - 0.05
+
+
+def test_a_long_paragraph_goes_on_on_the_next_page_with_the_equation_it_announces() -> None:
+    """A page ended a sixth early before the angles that a projection takes."""
+    said = [SAID, read_display([LONG])]
+    angles = [Prose(" ".join([SAID.text] * 12)), read_display([LONG])]
+    parts = course(*said, pictures(1), *angles, *said, height=62.0)
+    assert find_drawings(parts) > find_drawings(course(*said, pictures(1), *angles, *said))
 
 
 def test_the_givens_of_a_chapter_stay_with_its_first_step() -> None:
@@ -264,7 +272,8 @@ def test_what_stays_together_begins_a_page_where_it_has_no_room() -> None:
         1, "q1", "A crank", "It turns.", (read_display([SHORT]), *together), None
     )
     high = sum(part.height for part in course(*together))
-    courses = arrange_courses([question], TextArea(PAGE, high + 1))
+    area = TextArea(PAGE, high + 1, parts_chains=False)
+    courses = arrange_courses([question], area)
     assert courses.pages == pytest.approx(1 + high / (high + 1))
 
 

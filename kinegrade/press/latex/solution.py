@@ -43,7 +43,7 @@ def write_solution_body(sheet: SolutionSheet) -> str:
     texts = (sheet.title, sheet.course, sheet.date, sheet.student, sheet.name, sheet.code)
     head = write_command("solutionhead", *map(write_plain, texts))
     column = Column(_WIDTH, words.raw("language", "page.")["script"])
-    area = TextArea(column, _HEIGHT, parts_equations=False)
+    area = TextArea(column, _HEIGHT, parts_chains=False)
     short = [shorten(question, area) for question in sheet.questions]
     questions = convert_each(
         lambda pair: _write_question(*pair, words, where),

@@ -29,12 +29,12 @@ Part = Setting | DrawingRow
 @dataclass(frozen=True)
 class TextArea:
     """The printed area of a page: its column, its height in millimetres, and whether pages may end
-    between the rows of equations.
+    within what stays together, between rows of equations and lines of long paragraphs.
     """
 
     column: Column
     height: float
-    parts_equations: bool = True
+    parts_chains: bool = True
 
 
 @dataclass(frozen=True)
@@ -109,7 +109,7 @@ class _Filling:
 
     def _find_beginning(self, settings: Sequence[Setting]) -> float:
         """How high settings that stay together are before a page may end."""
-        return (find_beginning if self.area.parts_equations else add_heights)(settings)
+        return (find_beginning if self.area.parts_chains else add_heights)(settings)
 
     def measure(self, chain: Chain) -> float:
         """How high a chain is over the whole width."""

@@ -31,6 +31,7 @@ _GAP = 1.7  # millimetres between two blocks
 _REACHING = 1.2  # em: an equation that is higher reaches beyond the line of its sentence
 _TALL_ROOM = 1.2  # millimetres more above and below it, as in the layouts
 _COMPACT = 2.5  # lines of a compact paragraph, which formulas that are not broken make one more
+_LONG_PARAGRAPH, _FIRST_LINES = 17.0, 11.0  # millimetres: of four lines, of two
 _KEPT_ROWS = 2  # of equations, that stand on a page before the others go on, on the next
 _FOLDS = 1  # of a row beside a drawing: more lines of a fraction are hard to read
 _BEFORE_HEADING: dict[int, float] = {1: 2.4, 2: 1.6}
@@ -95,10 +96,12 @@ def add_heights(settings: Iterable[Setting]) -> float:
 
 
 def find_beginning(settings: Sequence[Setting]) -> float:
-    """Millimetres that settings that stay together take before the page may end: all of them, but
-    of equations that are the last a few rows.
+    """Millimetres that settings that stay together take before the page may end: the first lines of
+    a long paragraph, or else all of them, but of equations that are the last a few rows.
     """
-    last = settings[-1]
+    first, last = settings[0], settings[-1]
+    if isinstance(first.body, Paragraph) and first.height > _LONG_PARAGRAPH:
+        return _FIRST_LINES
     match last.body:
         case EquationGroups(groups):
             rows = sum(len(group.rows) for group in groups)

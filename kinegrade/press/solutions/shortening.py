@@ -1,6 +1,6 @@
 """A worked solution takes at most two pages where it does so without pictures that it can spare,
 and one where little would stand on the second: polygons go first, whose vectors stand in tables and
-are found by projections, then sketches of velocities after the first.
+are found by projections, then sketches of velocities after the first, then this.
 """
 
 from __future__ import annotations
@@ -35,9 +35,10 @@ def list_shorter(question: WorkedQuestion) -> Iterator[WorkedQuestion]:
     without = tuple(_leave_out_polygons(question.blocks))
     if without != question.blocks:
         yield replace(question, blocks=without)
-    once = tuple(_leave_out_later_sketches(without))
-    if once != without:
-        yield replace(question, blocks=once)
+    for most in (1, 0):
+        left = tuple(_leave_out_sketches(without, most))
+        if left != without:
+            yield replace(question, blocks=left)
 
 
 def _measure(question: WorkedQuestion, area: TextArea) -> float:
@@ -58,13 +59,13 @@ def _leave_out_polygons(blocks: Sequence[Block]) -> Iterator[Block]:
                 yield block
 
 
-def _leave_out_later_sketches(blocks: Sequence[Block]) -> Iterator[Block]:
-    """The blocks with the first sketch of velocities alone."""
-    sketched = False
+def _leave_out_sketches(blocks: Sequence[Block], most: int) -> Iterator[Block]:
+    """The blocks with so many of the sketches of velocities, the first ones."""
+    sketched = 0
     for block in blocks:
         if not isinstance(block, Pictures):
             yield block
             continue
-        left = tuple(one for one in block.pictures if one.kind != "velocities" or not sketched)
-        sketched = sketched or any(one.kind == "velocities" for one in left)
+        left = tuple(one for one in block.pictures if one.kind != "velocities" or sketched < most)
+        sketched += sum(one.kind == "velocities" for one in block.pictures)
         yield from [Pictures(left)] if left else []
