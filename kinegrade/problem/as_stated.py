@@ -13,6 +13,7 @@ from kinegrade.expressions.negating import negate_arguments, negate_names
 from kinegrade.expressions.signs import fold_signs
 from kinegrade.expressions.tree import Call, Expression
 from kinegrade.numbers.angle import Angle
+from kinegrade.numbers.balls import PRECISIONS, Balls
 from kinegrade.problem.quantity import Quantity
 from kinegrade.problem.solution import Solution
 from kinegrade.problem.template.sentences import DriverSentence, JointSentence
@@ -66,7 +67,12 @@ def _turn_value(value: Any, size: Quantity) -> Any:
     """The value of a given by its printed size; that of an angle beyond half a turn, 195 degrees,
     is 165 degrees the other way round.
     """
-    return size.number if isinstance(value, Angle) else -value
+    if isinstance(value, Angle):
+        return size.number
+    if float(value) < 0:
+        return -value
+    with Balls(PRECISIONS[0]).context():
+        return size.number.ball()
 
 
 def _turn_template(template: Template, names: Set[str]) -> Template:

@@ -10,6 +10,7 @@ import pytest
 
 from kinegrade.language import ENGLISH
 from kinegrade.problem.as_stated import restate
+from kinegrade.numbers.angle import Angle
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.library.library import load_template
 from kinegrade.worked.solution import write_worked_solution
@@ -66,3 +67,13 @@ def test_an_angle_beyond_half_a_turn_is_worked_with_as_it_is_printed() -> None:
     assert any(r"\cos(\psi_{2} - \theta)" in line for line in lines)
     assert any(r"\cos 150^\circ" in line for line in lines)
     assert not any("375" in line for line in lines)
+
+
+def test_so_it_is_where_no_field_holds_the_instance() -> None:
+    """The statement says 40 degrees, clockwise; the solution took the cosine of -320."""
+    given = {"psi": "320", "r": "0.46", "e": "0.22"}
+    solution = solve_template(load_template("pose-cam-tappet"), given)
+    assert not isinstance(solution.assembly.values["psi"], Angle)
+    lines = displayed(write_worked_solution(solution, ("y_A",), ENGLISH).blocks)
+    assert any(r"\cos 40^\circ" in line for line in lines)
+    assert not any("320" in line for line in lines)
