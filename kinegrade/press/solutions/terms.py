@@ -25,7 +25,7 @@ _NARROWEST = 7.0
 _BETWEEN = 6.8  # millimetres that sign and gaps take with each term
 _LABELS = 17.0  # millimetres of the column that says "magnitude" and "direction"
 _HEAD, _ROW, _LINE = 6.4, 1.2, 3.6  # millimetres: the symbols, a row without its lines, a line
-_ROOM = 8.4  # millimetres above and below the three rows, as in the layouts
+_ROOM = 5.2  # millimetres above and below the two rows under the symbols, as in the layouts
 
 
 @dataclass(frozen=True)
@@ -72,7 +72,7 @@ def arrange_terms(table: TermTable, room: float) -> tuple[Band, ...]:
 
 
 def find_bands_height(bands: Sequence[Band], spread: float = 1.0) -> float:
-    """Millimetres that the bands of a table take with that share of the usual room around rows."""
+    """Millimetres that the bands of a table take with that share of the usual room in cells."""
     return sum(_find_height(band) - (1 - spread) * _ROOM for band in bands)
 
 

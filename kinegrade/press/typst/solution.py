@@ -48,7 +48,7 @@ from kinegrade.worked.document import Heading
 
 _DOUBT = 0.05  # pages by which tight solutions may turn out shorter than their parts are high
 _SURE = 0.05  # pages by which heights of parts are never wrong
-_NEARLY_EMPTY = 0.5  # of a last page: what it holds is less than that
+_NEARLY_EMPTY = 0.4  # of a last page: what it holds is less than that
 
 
 @dataclass(frozen=True)
