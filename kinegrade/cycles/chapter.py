@@ -44,7 +44,7 @@ def require_graphs(solution: Solution, asks: Sequence[str]) -> None:
 
 def _select_followed(solution: Solution, asks: Sequence[str]) -> tuple[str, ...]:
     """Those of the asks that have curves."""
-    followed = find_followed(solution.template)
+    followed = find_followed(solution)
     return tuple(name for name in asks if name in followed)
 
 

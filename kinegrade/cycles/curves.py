@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -9,8 +10,10 @@ import numpy as np
 
 from kinegrade.expressions.tree import find_names
 from kinegrade.motion.path import Array
+from kinegrade.motion.placing import find_carriers
 from kinegrade.problem.quantities.functions import needs_configurations
-from kinegrade.problem.template.template import Ask, Template
+from kinegrade.problem.solution import Solution
+from kinegrade.problem.template.template import Ask
 
 _TAIL = 6.0  # per cent of the input's range
 _EQUAL = 1e-8  # of the greatest value
@@ -104,14 +107,33 @@ class Curve:
         return None
 
 
-def find_followed(template: Template) -> tuple[str, ...]:
-    """The asks that have values along a cycle: what is read off one position alone, and names no
-    angle of the instant.
+def find_followed(solution: Solution) -> tuple[str, ...]:
+    """The asks that have values along a cycle: what is read off one position alone, and names
+    nothing whose place or value is known at the instant alone.
     """
-    fixed = {name for name, parameter in template.parameters.items() if not parameter.unit.angle}
+    unknown = set(_list_of_the_instant(solution))
     return tuple(
         name
-        for name, ask in template.asks.items()
-        if not needs_configurations(ask.quantity)
-        and not set(find_names(ask.quantity)) & (template.parameters.keys() - fixed)
+        for name, ask in solution.template.asks.items()
+        if not needs_configurations(ask.quantity) and unknown.isdisjoint(find_names(ask.quantity))
     )
+
+
+def _list_of_the_instant(solution: Solution) -> Iterator[str]:
+    """What a quantity may name that is known at the instant alone: what is given or worked out to
+    say where points are, as those that move change it, and points that no body carries, unless
+    their coordinates are numbers.
+    """
+    scheme = solution.template.scheme
+    carried = find_carriers(solution.motion.frames.mechanism)
+    placing = {
+        name
+        for expression in (*scheme.lengths.values(), *scheme.points.values())
+        for name in find_names(expression)
+    }
+    yield from scheme.lengths
+    yield from (name for name in scheme.parameters if name in placing)
+    yield from solution.template.angles
+    for name, place in scheme.points.items():
+        if name not in carried and any(find_names(place)):
+            yield name

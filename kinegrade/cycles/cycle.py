@@ -89,7 +89,7 @@ def _require_path(solution: Solution) -> MotionPath:
 def _choose_asks(solution: Solution, names: Sequence[str] | None) -> tuple[str, ...]:
     """The asks of these names. Raises TemplateError for those that have no curve."""
     template = solution.template
-    followed = find_followed(template)
+    followed = find_followed(solution)
     if names is None:
         asked = template.asked() or tuple(template.asks)
         return tuple(name for name in asked if name in followed)

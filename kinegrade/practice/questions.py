@@ -40,7 +40,7 @@ def make_question(
     template = first.question.question.template
     asks = tuple(entry.ask.name for entry in first.question.asks)
     follows = FollowTable(template, asks)
-    movable = find_followed(template)
+    movable = find_followed(first.question.drawn.solution)
     followed = tuple(place for place, name in enumerate(asks) if name in movable)
     pooled = pool_texts([tuple(_list_texts(each, language)) for each in drawn])
     table = tabulate_keys(drawn, follows.stages, shares)

@@ -25,7 +25,7 @@ TEMPLATES = [name for name in find_template_names() if load_template(name).schem
 def test_every_curve_is_drawn_and_goes_through_the_exact_value_at_the_instant(name: str) -> None:
     template = load_template(name)
     solution = solve_template(template, {})
-    cycle = make_cycle(solution, find_followed(template))
+    cycle = make_cycle(solution, find_followed(solution))
     assert "<svg" in draw_graphs(cycle, ENGLISH)
     assert {curve.ask.name for curve in cycle.curves if curve.gaps} == set(GAPS.get(name, {}))
     for curve, instant in zip(cycle.curves, cycle.instant, strict=True):

@@ -74,8 +74,8 @@ GAPS: dict[str, dict[str, list[float]]] = {
 
 
 def follow(name: str, *asks: str) -> Cycle:
-    template = load_template(name)
-    return make_cycle(solve_template(template, {}), asks or find_followed(template))
+    solution = solve_template(load_template(name), {})
+    return make_cycle(solution, asks or find_followed(solution))
 
 
 @pytest.mark.parametrize("name", GAPS)

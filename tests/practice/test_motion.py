@@ -127,7 +127,7 @@ def test_arrows_are_the_velocities_and_accelerations_of_the_engine(name: str) ->
 @pytest.mark.parametrize("name", ["slider-crank", "stone-crusher"])
 def test_graphs_have_the_extremes_of_the_whole_cycle_not_of_the_positions_baked(name: str) -> None:
     solution = solve_template(load_template(name), {})
-    asks = find_followed(solution.template)
+    asks = find_followed(solution)
     motion = write_motion(find_motion(name), solution, asks)
     for (least, greatest, *_), curve in zip(
         motion.curves, make_cycle(solution, asks).curves, strict=True

@@ -46,7 +46,7 @@ def cycle(
 
     kind = None if output is None else _find_kind(output)
     solution = kinegrade.template(template_name).solve(**read_settings(settings))
-    every = find_followed(solution.template) if asked == "all" else None
+    every = find_followed(solution) if asked == "all" else None
     names = every or (choose_asks(asked, solution) if asked else None)
     found = make_cycle(solution, names, centrodes=centrodes)
     for line in describe_cycle(found, language):
