@@ -48,6 +48,7 @@ from kinegrade.worked.document import Heading
 
 _DOUBT = 0.05  # pages by which tight solutions may turn out shorter than their parts are high
 _SURE = 0.05  # pages by which heights of parts are never wrong
+_WELL_BEGUN = 0.15  # of a last page: where it holds more than that, it is needed
 _NEARLY_EMPTY = 0.4  # of a last page: what it holds is less than that
 
 
@@ -84,6 +85,11 @@ class SolutionLayouts:
         what is far from it need not be typeset. Large print is never tight.
         """
         return not self.sheet.large and self._arrange(TIGHT).pages < pages - 1 + _DOUBT
+
+    def foresee_pages(self) -> int | None:
+        """How many pages solutions take as usual; None where heights of parts leave it open."""
+        full, over = divmod(self._arrange(USUAL).pages, 1)
+        return int(full) + 1 if _WELL_BEGUN < over < 1 - _SURE else None
 
     def choose_spread(self) -> Spread:
         """Loose where the last page would hold little more than a few lines, no tight setting saves

@@ -318,6 +318,17 @@ def test_a_solution_whose_last_page_would_hold_a_few_lines_is_set_looser(press: 
     assert SolutionLayouts(replace(steps(56), large=True)).choose_spread() == USUAL
 
 
+def test_pages_are_foreseen_where_the_last_is_well_begun(press: TypstPress) -> None:
+    foreseen = {count: SolutionLayouts(steps(count)).foresee_pages() for count in range(40, 100, 6)}
+    usual = {
+        count: count_pages(press._compile(SolutionLayouts(steps(count)).write()))
+        for count, pages in foreseen.items()
+        if pages is not None
+    }
+    assert len(usual) > 3
+    assert usual == {count: pages for count, pages in foreseen.items() if pages is not None}
+
+
 def test_a_solution_far_from_a_page_fewer_is_typeset_once() -> None:
     assert SolutionLayouts(steps(48)).may_take_fewer(2)
     assert not SolutionLayouts(steps(60)).may_take_fewer(2)
