@@ -6,6 +6,7 @@ beside what on a page follows from it, without asking a typesetter.
 
 from __future__ import annotations
 
+from functools import lru_cache
 from typing import assert_never
 
 from msgspec import Struct
@@ -87,6 +88,7 @@ class PrintedSize(Struct, frozen=True):
     height: float
 
 
+@lru_cache(maxsize=8192)  # a page is laid out in many ways, with the same formulas
 def measure_printed(row: Row) -> PrintedSize:
     r"""The size of a formula; its width is not smaller than what is printed.
 

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
 
 from kinegrade.language.math.equation_line import (
     EquationLine,
@@ -16,7 +16,7 @@ from kinegrade.language.math.equation_line import (
     split_equation_line,
 )
 from kinegrade.language.math.printed_size import measure_printed
-from kinegrade.language.math.tree import Mark, Row, Space, Text
+from kinegrade.language.math.tree import LineBreak, Mark, Row, Space, Text, list_nodes
 from kinegrade.press.solutions.folding import fold, part_remark
 from kinegrade.worked.document import Display
 
@@ -40,6 +40,11 @@ class Equations:
     width: float
     height: float
     fits: bool
+
+    @cached_property
+    def folds(self) -> int:
+        """How many lines are added to the row that is folded most."""
+        return max(list(list_nodes(row)).count(LineBreak()) for row in self.rows)
 
 
 @dataclass(frozen=True)

@@ -12,7 +12,7 @@ from math import ceil
 from typing import assert_never
 
 from kinegrade.language.math.printed_size import measure_printed
-from kinegrade.language.math.tree import LineBreak, Mark, Row, list_nodes
+from kinegrade.language.math.tree import Mark, Row
 from kinegrade.press.solutions.chains import Chain, TextBlock
 from kinegrade.press.solutions.equations import Equations, MeasuredDisplay, arrange_equations
 from kinegrade.press.solutions.prose_size import measure_formula_height, measure_text
@@ -216,9 +216,7 @@ def fits(setting: Setting) -> bool:
     body = setting.body
     match body:
         case EquationGroups(groups):
-            rows = (row for group in groups for row in group.rows)
-            folded = any(list(list_nodes(row)).count(LineBreak()) > _FOLDS for row in rows)
-            return all(group.fits for group in groups) and not folded
+            return all(group.fits and group.folds <= _FOLDS for group in groups)
         case Terms(bands):
             return len(bands) == 1
         case Paragraph():

@@ -56,6 +56,7 @@ class TermColumn:
 Band = tuple[TermColumn, ...]
 
 
+@lru_cache(maxsize=1024)
 def arrange_terms(table: TermTable, room: float) -> tuple[Band, ...]:
     """The columns of a table that has `room` millimetres, in as few bands as have room; the bands
     are about equally long.
