@@ -10,12 +10,17 @@ import pytest
 
 from kinegrade.language import ENGLISH, Language
 from kinegrade.language.catalogue import open_catalogue
+from kinegrade.language.math.reading import read_math
 from kinegrade.problem.solving import solve_template
-from kinegrade.problem.template.library.library import load_template
+from kinegrade.problem.template.library.library import find_template_names, load_template
 from kinegrade.worked.case import write_row
+from kinegrade.worked.formulas.symbols import read_symbol
 from kinegrade.worked.solution import write_worked_solution
 from kinegrade.worked.words.bodies import name_by_number, name_kind
+from kinegrade.worked.words.body_names import BodyNames
 from kinegrade.worked.words.naming import Naming
+from tests.worked.draws import drawn, kept
+from tests.worked.reader.givens import find_letters
 from tests.worked.telling import lines, tidy
 
 POLE = re.compile(r"velocity pole \$([^$]*)\$")
@@ -109,3 +114,31 @@ def test_a_word_that_no_catalogue_has_stays_as_the_template_writes_it() -> None:
     assert chinese.write(name_kind("cylinder")) == "气缸"
     assert chinese.write(name_kind("gripper")) == "gripper"
     assert chinese.write(name_by_number("gripper", "2")) == "gripper 2"
+
+
+POINT = re.compile(r"[A-Z](?:'|_\{?\w+\}?)*")
+RIM = re.compile(r"rim of (?:radius \$(?P<first>[^$]+)\$ of )?(?P<body>the \w+)")
+OF_RADIUS = re.compile(r"of radius \$([^$]+)\$")
+
+
+@pytest.mark.sampled(12, first=1)
+@pytest.mark.parametrize("name", find_template_names())
+def test_a_rim_is_that_of_the_body_to_which_the_statement_gives_its_radius(name: str) -> None:
+    """The gear's rim was said to have the radius of the drum, which is fixed to it."""
+    parameters = load_template(name).parameters.values()
+    meanings = {read_symbol(one.symbol).row: one.means.in_language("en") for one in parameters}
+    for line in lines(kept(name)):
+        for found in RIM.finditer(line):
+            for radius in OF_RADIUS.findall(line):
+                assert found["body"] in meanings[read_math(radius, "")]
+
+
+@pytest.mark.sampled(12, first=1)
+@pytest.mark.parametrize("name", find_template_names())
+def test_a_body_has_letters_of_the_statement(name: str) -> None:
+    """A rod was called ED, where no point is E."""
+    known = find_letters(drawn(name)[0])
+    template = load_template(name)
+    for body in template.scheme.bodies:
+        letters = BodyNames(template).label(body.name).letters
+        assert {*POINT.findall(letters)} <= known

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from typing import assert_never
+from typing import Literal, assert_never
 
 from kinegrade.language.message import Message, Text, list_all
 from kinegrade.mechanics.ground import GROUND
@@ -17,6 +17,7 @@ from kinegrade.worked.formulas.equation import Equation, equate, lead_to
 from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.measures import double
 from kinegrade.worked.formulas.numbers import measure
+from kinegrade.worked.rates.drums import is_drum
 from kinegrade.worked.rates.kinds import describe_track
 from kinegrade.worked.rates.speeds import (
     Statement,
@@ -44,10 +45,11 @@ def state_rolling(roll: NoSlip, relation: Relation, case: Case, level: Level) ->
     )
     equation = Equation(name_speed(term, case, level), equate(right))
     if roll.joint in case.findings.rim_tracks:
+        kind = _name_kind_of_rim(roll, case)
         return Statement(
-            Message("solution.title-rim", **_name_rim(roll, case)),
+            Message(f"solution.title-rim-of-{kind}", **_name_rim(roll, case)),
             Message(
-                f"solution.rim-{level}",
+                f"solution.rim-of-{kind}-{level}",
                 body=body,
                 other=other,
                 speed=case.text(name_speed(term, case, level)),
@@ -57,6 +59,13 @@ def state_rolling(roll: NoSlip, relation: Relation, case: Case, level: Level) ->
         )
     title = Message("solution.title-roll", body=body, other=other)
     return Statement(title, _explain_rolling(roll, term, case, level), equation)
+
+
+def _name_kind_of_rim(roll: NoSlip, case: Case) -> Literal["body", "drum"]:
+    """Which sentences tell that a track moves with a rim: of a drum, that this is one body with a
+    gear.
+    """
+    return "drum" if is_drum(roll, case) else "body"
 
 
 def _name_rim(roll: NoSlip, case: Case) -> dict[str, Text]:
@@ -238,7 +247,8 @@ def tell_rolls(rolls: Sequence[NoSlip], case: Case) -> Message:
         return Message("solution.idea-roll", body=body, centre=centre)
     other = list_all(case.naming.body(one.of) for one in rolls)
     if roll.joint in case.findings.rim_tracks:
-        return Message("solution.idea-rim", **_name_rim(roll, case))
+        kind = _name_kind_of_rim(roll, case)
+        return Message(f"solution.idea-rim-of-{kind}", **_name_rim(roll, case))
     if others:
         return Message("solution.idea-roll-on-each", body=body, centre=centre, other=other)
     return Message("solution.idea-roll-on", body=body, centre=centre, other=other)
