@@ -100,13 +100,14 @@ class Pad:
         return unit
 
     def sweep_back(self, results: Sequence[Noted]) -> Swept:
-        """How far each result may be off, and the largest term that goes into it."""
+        """How far each result may be off, and its largest term: at least the result itself."""
         slopes: dict[int, Doubles] = {}
+        total, largest = (np.zeros((len(results), self.count)) for _ in range(2))
         for row, result in enumerate(results):
             start = np.zeros((len(results), self.count))
             start[row] = 1.0
             slopes[result.place] = slopes.get(result.place, 0.0) + start
-        total, largest = (np.zeros((len(results), self.count)) for _ in range(2))
+            largest[row] = np.nan_to_num(np.abs(result.value))
         for place in range(len(self.entries) - 1, -1, -1):
             slope = slopes.pop(place, None)
             if slope is None:
@@ -211,6 +212,13 @@ class Noted:
 
     def __float__(self) -> float:
         return float(self.value.flat[0])
+
+    def convert_angle(self, size: float) -> Noted:
+        """The angle, found in degrees, as it is handed in in a unit of so many radians: what has
+        few figures in degrees has endless ones there, and is rounded once more.
+        """
+        shown = self.pad.write(self.value / size, (Use(self.place, 1 / size),), exact=False)
+        return self.pad.write(self.value, (Use(shown.place, size),), copied=True)
 
     def _copy(self, value: Doubles, derivative: Doubles | float) -> Noted:
         """The value with another sign."""

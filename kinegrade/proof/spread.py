@@ -11,7 +11,7 @@ from typing import Literal
 from kinegrade.problem.quantity import Quantity
 
 _OFTEN = 0.9  # an ask that equals a given in nine instances out of ten is guessed by copying it
-_FEWEST = 10  # instances: in fewer, two numbers are equal by chance
+_FEWEST = 10  # instances: in fewer, numbers are equal by chance
 
 
 @dataclass(frozen=True)
@@ -41,10 +41,13 @@ class Spread:
         """The share of negative answers."""
         return sum(value < 0 for value in self.values) / len(self.values)
 
-    def is_constant(self, *, vanishes: bool) -> bool:
-        """Whether all instances have one answer, other than a zero that is a proper one."""
+    def is_constant(self, *, vanishes: bool, complete: bool) -> bool:
+        """Whether all instances have one answer, other than a zero that is a proper one; of a few
+        it is said where they are `complete`, and there are no others.
+        """
         same = all(isclose(value, self.values[0], rel_tol=1e-12) for value in self.values)
-        return len(self.values) > 1 and same and not (vanishes and self.values[0] == 0)
+        enough = len(self.values) >= (2 if complete else _FEWEST)
+        return enough and same and not (vanishes and self.values[0] == 0)
 
     @property
     def copied(self) -> Copied | None:

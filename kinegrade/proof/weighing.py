@@ -30,8 +30,9 @@ def weigh_sample(report: Report) -> None:
         report.remarks.append(
             Message("template.seldom-accepted", accepted=report.instances, examined=report.examined)
         )
+    complete = report.examined == report.template.combinations
     for name, spread in report.spreads.items():
-        if spread.is_constant(vanishes=report.template.asks[name].vanishes):
+        if spread.is_constant(vanishes=report.template.asks[name].vanishes, complete=complete):
             report.faults.append(Message("template.same-answer", ask=name))
         elif spread.copied is not None:
             report.faults.append(

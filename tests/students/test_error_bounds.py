@@ -40,7 +40,7 @@ def find_plan(template: Template) -> Plan:
 def work_at_random(
     template: Template, values: Mapping[str, float], figures: int
 ) -> dict[str, object]:
-    """The answers in SI of many students who round at random."""
+    """The answers of many students who round at random, in the units that are asked for."""
     jotting = Jotting(figures, np.random.default_rng(20_261_122))
     with jotting.context():
         given = {
@@ -50,11 +50,16 @@ def work_at_random(
             for name, value in values.items()
         }
         asks = {name: template.asks[name] for name in template.asked()}
-        return Working(jotting).answer(template, asks, given, find_plan(template))
+        found = Working(jotting).answer(template, asks, given, find_plan(template))
+        return {name: hand_in(value, asks[name].unit, jotting) for name, value in found.items()}
 
 
-def convert(value: object, unit: Unit) -> object:
-    return np.degrees(plain(value)) if unit.degrees else plain(value) / Floats().scale(unit.scale)
+def hand_in(value: object, unit: Unit, jotting: Jotting) -> object:
+    """An answer in its unit; an angle, found in degrees, is rounded once more in another one."""
+    if unit.degrees:
+        return np.degrees(plain(value))
+    shown = plain(value) / Floats().scale(unit.scale)
+    return plain(jotting.write(shown)) if getattr(value, "angle", False) else shown
 
 
 @pytest.mark.sampled(8)
@@ -83,7 +88,7 @@ def require_bounds(name: str, figures: int) -> None:
     place = np.flatnonzero(good)[0]
     givens = {each: values[place] for each, values in arrays.items()}
     for ask, value in work_at_random(template, givens, figures).items():
-        off = measure_distance(convert(value, asks[ask].unit), right[ask][0][place], asks[ask])
+        off = measure_distance(value, right[ask][0][place], asks[ask])
         assert np.max(off) <= FIRST_ORDER * bounds[ask][place] + 1e-12
 
 
@@ -100,6 +105,28 @@ def test_a_partial_sum_of_a_textbook_is_allowed_for() -> None:
     assert (round(right, 4), round(student, 2)) == (-0.4648, -0.46)
     found = find_roundings(template, asks, arrays, find_plan(template), 4)["a_BC_y"]
     assert abs(student - right) <= found.bound[0]
+
+
+@pytest.mark.parametrize(("unit", "size", "bound"), [("rad", 1, 0.005), ("deg", 57.3, 0)])
+def test_an_angle_of_whole_degrees_is_rounded_in_radians(
+    unit: str, size: float, bound: float
+) -> None:
+    """135 degrees: nothing is lost of them, but of 2.356 radians three figures leave 2.36. No term
+    is larger than the answer, nor taken for larger than a radian.
+    """
+    template = crank(
+        ('"meet(circle(O, r), line(P, 0), right)"', '"(-r, h)"'),
+        (
+            '"x(velocity(A))", unit = "m/s", sign = "+x"',
+            f'"angle((1, 0), A - O)", unit = "{unit}", sign = "ccw"',
+        ),
+        ('gives = { v_x = "-omega*h" }', 'gives = { v_y = "-omega*r" }'),
+    )
+    arrays = convert_parameters(template, {"r": ["1"], "h": ["1"], "omega": ["2"]})
+    asks = {"v_x": template.asks["v_x"]}
+    found = find_roundings(template, asks, arrays, find_plan(template), 3)["v_x"]
+    assert found.bound[0] == pytest.approx(bound)
+    assert found.largest[0] == pytest.approx(size)
 
 
 @pytest.mark.parametrize(

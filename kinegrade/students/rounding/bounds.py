@@ -53,7 +53,11 @@ def find_roundings(
             found = Working(arithmetic).answer(template, asks, given, plan)
         except (KinegradeError, Singular):
             return dict.fromkeys(asks, Rounding(np.full(pad.count, inf), np.zeros(pad.count)))
-        noted = {name: number for name, number in found.items() if isinstance(number, Noted)}
+        noted = {
+            name: _hand_in(number, asks[name])
+            for name, number in found.items()
+            if isinstance(number, Noted)
+        }
         swept = pad.sweep_back(tuple(noted.values()))
         rows = {name: row for row, name in enumerate(noted)}
         outcomes = find_outcomes(template, asks, (), values, plan)
@@ -64,6 +68,13 @@ def find_roundings(
             else Rounding(np.zeros(pad.count), scales[name])
             for name, ask in asks.items()
         }
+
+
+def _hand_in(number: Noted, ask: Ask) -> Noted:
+    """An answer as it is handed in."""
+    if number.angle and not ask.unit.degrees:
+        return number.convert_angle(Floats().scale(ask.unit.scale))
+    return number
 
 
 def _round_swept(pad: Pad, ask: Ask, swept: Swept, row: int, scale: Doubles) -> Rounding[Doubles]:
