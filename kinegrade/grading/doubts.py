@@ -35,11 +35,14 @@ def find_doubts(
     """The doubts, cell by cell; `columns` are the headers of the asks' columns."""
     yield from _find_shared(judged, asks, columns)
     for place, reading in judged.cells.readings.items():
+        amiss = reading.kind in ("unreadable", "wrong unit")
+        if not amiss and not reading.remark:  # as most are; the rest takes its time
+            continue
         row, number = divmod(place, len(asks))
         file, line = judged.rows[row][1].place(number)
         verdict = name_verdict(judged.kind(place))
         complain = partial(Complaint, file, line, columns[number], shorten(reading.typed))
-        if reading.kind in ("unreadable", "wrong unit"):
+        if amiss:
             points = judged.credits[judged.shares[place]] * asks[number].points
             some = Message("marking.some-points", verdict=verdict)
             none = Message("marking.no-points", verdict=verdict)

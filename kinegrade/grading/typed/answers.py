@@ -11,20 +11,21 @@ unreadable, and the reason names both. `number_text` reads digits, `decimal_styl
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
-from functools import cache
+from functools import lru_cache
 from typing import Literal, assert_never
 
 from kinegrade.grading.typed.amount import Amount, convert, make_rational_amount, work_out
 from kinegrade.grading.typed.conversion import Conversion, WrongUnit, find_conversion
 from kinegrade.grading.typed.keyboard import BLANKS, fold, show
+from kinegrade.grading.typed.number_and_unit import split_unit
 from kinegrade.grading.typed.number_text import MOST_DIGITS, DecimalStyle, TypedNumber, Unreadable
 from kinegrade.grading.typed.raised_dot import find_raised_dot
-from kinegrade.grading.typed.sense import find_direction, names_sense, split_sense
+from kinegrade.grading.typed.sense import find_direction, split_sense
+from kinegrade.grading.typed.undressing import undress
 from kinegrade.grading.typed.value import Formula, scan_value
 from kinegrade.language.message import Message, Quoted, Text
-from kinegrade.language.spellings import match_spellings
 from kinegrade.numbers.decimals import round_to_decimal
 from kinegrade.sign_conventions import Convention
 
@@ -32,16 +33,12 @@ _LONGEST_ANSWER = 200
 _TOO_LONG = Message("marking.too-long", most=_LONGEST_ANSWER)
 _SHOWN_DIGITS = 12
 PAPERS_RULE = DecimalStyle()
+_TRIED = "7", "2.25"  # numbers, as they are typed
 
 # What most people type
 PLAIN = rf"([+-]?)([0-9]{{1,{MOST_DIGITS // 2}}})(?:\.([0-9]{{1,{MOST_DIGITS // 2}}}))?"
 _PLAIN = re.compile(PLAIN)
-_NO_LABEL = r"(?!sqrt|pi\b|\u03c0\s*=)"
-_LABEL = re.compile(
-    rf"\|?{_NO_LABEL}[^\W\d][\w'\u2032^{{}}()|\\, ]{{0,30}}(?:[=\u2248]|:(?!=))\s*|=\s*",
-    re.IGNORECASE,
-)
-_ABOUT = r"[\u2248~\u2243\u2245\u223c]"
+_DIGIT = re.compile(r"\d")
 _TAIL = re.compile(r"[\s.;,!\u3001]+$")
 _SIGN = re.compile(r"([+-]?)\s*")
 _NEXT_NUMBER = re.compile(r"[\s.,;'\u3001~=\u2248]*(?:[+-]\s*)?\(?\s*[0-9]")
@@ -95,6 +92,27 @@ def read(
         sign, whole, decimals = plain.groups("")
         value = Fraction(int(f"{sign}{whole}{decimals}"), 10 ** len(decimals))
         return Reading("number", typed, value, typed.removeprefix("+"))
+    parted = split_unit(typed, style)
+    alike = parted and _read_alike(parted.sign, parted.rest, unit, convention, sign)
+    if parted and alike:
+        if alike.kind != "number":
+            return replace(alike, typed=typed)
+        return Reading("number", typed, parted.value, parted.digits)
+    if not _DIGIT.search(typed):
+        return _read_words(typed, unit, convention, sign)
+    return _read_any(typed, unit, style, convention, sign)
+
+
+@lru_cache(maxsize=4096)
+def _read_words(typed: str, unit: str, convention: Convention | None, sign: str) -> Reading:
+    """The reading of a text without digits, which is the same in every style."""
+    return _read_any(typed, unit, PAPERS_RULE, convention, sign)
+
+
+def _read_any(
+    typed: str, unit: str, style: DecimalStyle, convention: Convention | None, sign: str
+) -> Reading:
+    """The reading of a text, whatever it is."""
     text = typed.strip(BLANKS)
     if len(text) > _LONGEST_ANSWER:
         return Reading("unreadable", typed, reason=_TOO_LONG)
@@ -112,6 +130,23 @@ def read(
         return Reading("wrong unit", typed, reason=fault.reason)
 
 
+@lru_cache(maxsize=4096)
+def _read_alike(
+    sign: str, rest: str, unit: str, convention: Convention | None, words: str
+) -> Reading | None:
+    """How every number with that sign is read where `rest` stands behind it: as it is, or not at
+    all for a reason that names no number; None for any other rest. It is the same behind any
+    number, so two are tried.
+    """
+    found: list[Reading] = []
+    for digits in (f"{sign}{each}" for each in _TRIED):
+        tried = _read_any(f"{digits}{rest}", unit, PAPERS_RULE, convention, words)
+        plain = Reading("number", tried.typed, Fraction(digits), digits)
+        found.append(Reading("number", "") if tried == plain else replace(tried, typed=""))
+    first, second = found
+    return first if first == second and not first.remark else None
+
+
 def _read(
     typed: str,
     text: str,
@@ -121,8 +156,8 @@ def _read(
     convention: Convention | None,
     words: str,
 ) -> Reading:
-    answer, sense = split_sense(_TAIL.sub("", _undress(text)))
-    answer = _TAIL.sub("", _undress(answer))
+    answer, sense = split_sense(_TAIL.sub("", undress(text)))
+    answer = _TAIL.sub("", undress(answer))
     sign = _SIGN.match(answer)
     place = sign.end() if sign else 0
     found = scan_value(answer, place, style)
@@ -171,23 +206,6 @@ def _describe_form(text: str) -> Text:
 def _apply_sign(found: TypedNumber, minus: bool) -> str:
     """A typed number in plain digits with its sign."""
     return f"-{found.digits}" if minus else found.digits
-
-
-def _undress(text: str) -> str:
-    """The text without a label before the number (v_B =) and without a word for "about"; a sense
-    (clockwise: 5) is no label.
-    """
-    label = _LABEL.match(text)
-    unlabelled = text[label.end() :] if label and not names_sense(label[0]) else text
-    about = _match_about().match(unlabelled)
-    return (unlabelled[about.end() :] if about else unlabelled).strip()
-
-
-@cache
-def _match_about() -> re.Pattern[str]:
-    """A sign or a word for "about" in any language, the longest of those that begin alike."""
-    words = match_spellings(Message("marking.about"))
-    return re.compile(rf"(?:{_ABOUT}|{words})\s*", re.IGNORECASE)
 
 
 def _find_conversion(rest: str, unit: str, typed: str) -> Conversion:
