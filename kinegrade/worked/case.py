@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
-from functools import cached_property
+from functools import cached_property, lru_cache
 from typing import Any, assert_never
 
 from kinegrade.language import Language
@@ -26,10 +26,12 @@ from kinegrade.worked.construction_steps import Step, list_steps
 from kinegrade.worked.document import Display, Prose, say
 from kinegrade.worked.drawings import Drawings
 from kinegrade.worked.findings import Findings
+from kinegrade.worked.formulas.atoms import Symbol
 from kinegrade.worked.formulas.equation import Equation
 from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.measures import double
 from kinegrade.worked.formulas.notation import Notation
+from kinegrade.worked.formulas.symbols import collect_symbols
 from kinegrade.worked.nearby import find_nearby_motion, find_nearby_points
 from kinegrade.worked.words.naming import Naming
 
@@ -80,6 +82,11 @@ class Case:
     def naming(self) -> Naming:
         """The names of bodies, points and rates."""
         return Naming(self.template, self.language)
+
+    @cached_property
+    def symbols(self) -> Mapping[str, Symbol]:
+        """The symbols of everything that the template's expressions may name."""
+        return collect_symbols(self.template)
 
     @cached_property
     def construction(self) -> tuple[Step, ...]:
@@ -184,6 +191,7 @@ def _is_nothing(number: Any) -> bool:
         return False
 
 
+@lru_cache(maxsize=4096)
 def write_row(row: Row) -> str:
     """A math tree as LaTeX math for sentences and pictures."""
     return write_latex_row(row, SOURCE)

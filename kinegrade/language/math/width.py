@@ -4,6 +4,7 @@ a line of a display, or in a column.
 
 from __future__ import annotations
 
+from functools import lru_cache
 from typing import assert_never
 
 from kinegrade.language.math.tree import (
@@ -42,6 +43,7 @@ _WIDE_SIGNS = frozenset(("+", "-", "=", "<", ">", r"\approx"))
 _SMALL = 0.7  # of a subscript relative to the letter that carries it
 
 
+@lru_cache(maxsize=8192)
 def measure_row(row: Row) -> float:
     r"""The width of a formula in letters of its body.
 

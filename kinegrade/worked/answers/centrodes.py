@@ -25,7 +25,7 @@ from kinegrade.worked.formulas.atoms import Measured, Number, Symbol, Tuple
 from kinegrade.worked.formulas.equation import Equation, Link
 from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.numbers import round_number, state_number, state_quantity
-from kinegrade.worked.formulas.symbols import collect_symbols, read_symbol
+from kinegrade.worked.formulas.symbols import read_symbol
 from kinegrade.worked.steps.poles import explain_pole, name_pole
 
 _SHOWN = 4
@@ -69,7 +69,7 @@ def _explain_circle(body: str, angle: str, case: Case) -> Iterator[Block]:
         Message(
             "solution.centrode",
             body=case.naming.body(body),
-            angle=case.text(collect_symbols(case.template)[angle]),
+            angle=case.text(case.symbols[angle]),
         )
     )
     yield case.show(

@@ -26,7 +26,7 @@ from kinegrade.worked.formulas.expression import Formulation
 from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.leaves import formulate
 from kinegrade.worked.formulas.numbers import state_number, state_quantity, substitute
-from kinegrade.worked.formulas.symbols import PI, collect_symbols, read_symbol
+from kinegrade.worked.formulas.symbols import PI, read_symbol
 
 
 def explain_steps(asked: Sequence[Ask], case: Case, boxes: AnswerBoxes) -> Iterator[Block]:
@@ -76,7 +76,7 @@ def _list_answered(case: Case) -> list[Ask]:
 def _collect_letters(case: Case) -> dict[str, Symbol]:
     """The symbols of givens and steps; those of asks as the question has them."""
     asks = {name: read_symbol(ask.symbol) for name, ask in case.template.asks.items()}
-    return {**collect_symbols(case.template), **asks}
+    return {**case.symbols, **asks}
 
 
 def _find_number(tree: Expression, case: Case) -> Formula | None:

@@ -13,7 +13,7 @@ from kinegrade.worked.formulas.formula import Formula, Function
 from kinegrade.worked.formulas.leaves import formulate
 from kinegrade.worked.formulas.measures import bearing, double, tidy
 from kinegrade.worked.formulas.numbers import measure, state_angle
-from kinegrade.worked.formulas.symbols import collect_symbols, name_coordinate, name_point
+from kinegrade.worked.formulas.symbols import name_coordinate, name_point
 from kinegrade.worked.steps.poles import name_pole
 from kinegrade.worked.vectors.inclinations import Inclination, find_cosine
 
@@ -23,7 +23,7 @@ _RIGHT, _CLOSE = 90.0, 1e-7  # degrees
 def state_place(tree: Expression, case: Case) -> Formula:
     """A length, coordinate or constant in symbols, poles by their letters."""
     letters = {name: name_point(name) for name in case.findings.poles.values()}
-    symbols = {**collect_symbols(case.template), **letters}
+    symbols = {**case.symbols, **letters}
     points = (*case.motion.points, *letters)
     return formulate(symbols, points).state(_name_poles(tree, case))
 

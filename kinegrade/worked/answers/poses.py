@@ -26,7 +26,6 @@ from kinegrade.worked.formulas.equation import Link, drop_repetition, equate
 from kinegrade.worked.formulas.numbers import state_quantity
 from kinegrade.worked.formulas.symbols import (
     INFINITY,
-    collect_symbols,
     join_letters,
     name_coordinate,
     read_symbol,
@@ -69,7 +68,7 @@ def _has_been_placed(ask: Ask, case: Case) -> bool:
     """Whether an answer is a length or a coordinate that the positions have given in its own
     letters.
     """
-    lengths = (collect_symbols(case.template)[name] for name in case.template.scheme.lengths)
+    lengths = (case.symbols[name] for name in case.template.scheme.lengths)
     if any(length.looks_like(read_symbol(ask.symbol)) for length in lengths):
         return True
     match ask.quantity:

@@ -22,7 +22,7 @@ from kinegrade.worked.formulas.atoms import ZERO, add_squares
 from kinegrade.worked.formulas.formula import Formula, Function
 from kinegrade.worked.formulas.measures import length
 from kinegrade.worked.formulas.numbers import measure, state_angle, state_quantity
-from kinegrade.worked.formulas.symbols import collect_symbols, read_symbol
+from kinegrade.worked.formulas.symbols import read_symbol
 from kinegrade.worked.positions.instance import make_instance
 from kinegrade.worked.vectors.arms import find_stated_length, name_length
 
@@ -88,7 +88,7 @@ def _list_lengths(asked: Sequence[Ask], case: Case) -> tuple[_Distance, ...]:
 
 def _list_stated(case: Case) -> Iterator[_Distance]:
     """The distances for which the statement has a given."""
-    symbols = collect_symbols(case.template)
+    symbols = case.symbols
     for first, second in combinations(case.template.scheme.points, 2):
         stated = find_stated_length(first, second, case)
         for name in case.template.parameters:

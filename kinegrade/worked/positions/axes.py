@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Literal, assert_never
 
 from kinegrade.expressions.tree import Call, Expression, Name, Number, Operation
@@ -106,6 +107,7 @@ class Axes:
                 assert_never(tree.sign)
 
 
+@lru_cache(maxsize=256)
 def choose_axes(all_steps: tuple[Step, ...]) -> Axes:
     """The axes in which points are given, with the coordinates that each construction obviously
     makes zero.

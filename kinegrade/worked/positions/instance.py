@@ -39,7 +39,6 @@ from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.leaves import formulate
 from kinegrade.worked.formulas.numbers import state_quantity, substitute
 from kinegrade.worked.formulas.symbols import (
-    collect_symbols,
     join_letters,
     name_coordinate,
     name_point,
@@ -196,7 +195,7 @@ def make_instance(case: Case) -> Instance:
         case,
         (),
         Axes(frozenset(), frozenset()),
-        collect_symbols(case.template),
+        case.symbols,
         dict(case.solution.assembly.values),
         case.arithmetic.fork(),
         {name: find_si_unit(one.unit) for name, one in case.template.parameters.items()},

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence, Set
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from typing import TypeAlias, assert_never
 
 from msgspec import structs
@@ -90,12 +91,14 @@ def is_met(symbol: Symbol, met: Set[Node]) -> bool:
 
 def find_symbols(rows: Iterable[Row]) -> set[Node]:
     """The letters, with an index or without one, that formulas refer to; exponents are left out."""
-    nodes = [node for row in rows for node in list_nodes(row)]
-    met: set[Node] = {
-        structs.replace(node, upper=None) for node in nodes if isinstance(node, Scripts)
-    }
-    met.update(node for node in nodes if isinstance(node, Letter))
-    return met
+    return set().union(*map(_find_row_symbols, rows))
+
+
+@lru_cache(maxsize=4096)  # solutions ask what is met further down, line after line
+def _find_row_symbols(row: Row) -> frozenset[Node]:
+    nodes = list(list_nodes(row))
+    indexed = (structs.replace(node, upper=None) for node in nodes if isinstance(node, Scripts))
+    return frozenset((*indexed, *(node for node in nodes if isinstance(node, Letter))))
 
 
 def write_parts(parts: Iterable[Part], case: Case) -> tuple[Block, ...]:

@@ -21,7 +21,6 @@ from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.leaves import formulate
 from kinegrade.worked.formulas.measures import bearing, tidy
 from kinegrade.worked.formulas.numbers import state_angle
-from kinegrade.worked.formulas.symbols import collect_symbols
 from kinegrade.worked.positions.marked_angles import find_marked_angle
 from kinegrade.worked.positions.right_angles import split_right_angles
 
@@ -78,7 +77,7 @@ def find_given_angle(angle: Expression, case: Case) -> Stated | None:
 
 def _state(sign: int, angle: Expression, case: Case, seen: Seen | None = None) -> Stated:
     """An angle of givens, and of one that a triangle has given."""
-    symbols, values = dict(collect_symbols(case.template)), dict(case.solution.assembly.values)
+    symbols, values = dict(case.symbols), dict(case.solution.assembly.values)
     if seen is not None:
         symbols[seen.name], values[seen.name] = seen.symbol, seen.value
     formula = formulate(symbols).state(angle, True)

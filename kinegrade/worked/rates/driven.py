@@ -29,7 +29,6 @@ from kinegrade.worked.formulas.rotational_speeds import (
     is_rotational_speed,
     turn_into_angle,
 )
-from kinegrade.worked.formulas.symbols import collect_symbols
 from kinegrade.worked.rates.speeds import (
     Statement,
     find_rotation_value,
@@ -192,7 +191,7 @@ def _state_expression(
     where the paper's parameter has the same letters as the algebraic value.
     """
     tree = _find_tree(law, case, level)
-    symbols = collect_symbols(case.template)
+    symbols = case.symbols
     letters = {_drop_upper(symbols[name].row) for name in find_names(tree) if name in symbols}
     if isinstance(tree, Number) or _drop_upper(left.print()) in letters:
         return ()
@@ -202,7 +201,7 @@ def _state_expression(
 
 def _counts_turns(tree: Expression, case: Case) -> bool:
     """Whether a parameter of an expression is a number of turns in a time."""
-    parameters, symbols = case.template.parameters, collect_symbols(case.template)
+    parameters, symbols = case.template.parameters, case.symbols
     names = (name for name in find_names(tree) if name in parameters)
     return any(is_rotational_speed(symbols[name], parameters[name].unit) for name in names)
 

@@ -19,7 +19,6 @@ from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.leaves import formulate
 from kinegrade.worked.formulas.measures import double
 from kinegrade.worked.formulas.numbers import measure, state_number
-from kinegrade.worked.formulas.symbols import collect_symbols
 from kinegrade.worked.senses import state_sense_along, state_way_round
 from kinegrade.worked.vectors.known_vectors import find_stated_sense
 from kinegrade.worked.vectors.magnitudes import orient_track
@@ -114,7 +113,7 @@ def name_relative_rotation(body: str, of: str, case: Case, level: Level) -> Form
 
 def state_expression(tree: Expression, case: Case) -> Formula:
     """An expression of the template in symbols."""
-    return formulate(collect_symbols(case.template)).state(tree)
+    return formulate(case.symbols).state(tree)
 
 
 def state_radius(circle: Call | None, radius: Any, case: Case) -> Formula:

@@ -13,7 +13,7 @@ from kinegrade.worked.formulas.atoms import Symbol
 from kinegrade.worked.formulas.equation import Equation, drop_repetition
 from kinegrade.worked.formulas.measures import double
 from kinegrade.worked.formulas.numbers import state_quantity
-from kinegrade.worked.formulas.symbols import collect_symbols, join_letters, read_symbol
+from kinegrade.worked.formulas.symbols import join_letters, read_symbol
 from kinegrade.worked.positions.algebra import TWO, is_negated
 from kinegrade.worked.positions.instance import METRE, Instance, make_instance
 from kinegrade.worked.positions.leaning_lengths import measure_along
@@ -31,7 +31,7 @@ def find_stated_length(start: str, end: str, case: Case) -> Symbol | None:
     """The symbol of the statement for the distance of two points: their letters, what the figure
     writes between them, or the given at which one is placed from the other.
     """
-    given = collect_symbols(case.template)
+    given = case.symbols
     for ends in ((start, end), (end, start)):
         letters = join_letters(map(case.naming.letter, ends))
         named = (*case.template.parameters, *case.template.scheme.lengths)
@@ -54,7 +54,7 @@ def find_length_tree(start: str, end: str, case: Case) -> Expression | None:
     radius = _find_radius(start, end, case)
     if radius is not None:
         return radius.right if is_negated(radius) else radius
-    symbol, given = find_stated_length(start, end, case), collect_symbols(case.template)
+    symbol, given = find_stated_length(start, end, case), case.symbols
     named = (*case.template.parameters, *case.template.scheme.lengths)
     found = (name for name in named if symbol is not None and given[name].looks_like(symbol))
     name = next(found, None)
@@ -136,7 +136,7 @@ def _find_radius(start: str, end: str, case: Case) -> Expression | None:
 
 def _find_rolling_radius(start: str, end: str, case: Case) -> Symbol | None:
     """The given radius of a body that rolls, between its centre and a point of its rim."""
-    points, given = case.motion.points, collect_symbols(case.template)
+    points, given = case.motion.points, case.symbols
     for relation in case.motion.frames.relations:
         roll = None if relation.source is None else relation.source.find_rolling()
         circle = None if roll is None else case.template.scheme.joints[roll.joint].circle
@@ -153,7 +153,7 @@ def _find_half(start: str, end: str, case: Case) -> Expression | None:
     """Half of a given length between two points, of which one is the first or the second point, and
     the other one their midpoint.
     """
-    given = collect_symbols(case.template)
+    given = case.symbols
     for step in case.construction:
         match step.tree:
             case Call(function="midpoint", arguments=(Name(first), Name(second))):

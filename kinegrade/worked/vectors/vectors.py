@@ -13,7 +13,7 @@ from kinegrade.worked.case import Case
 from kinegrade.worked.formulas.atoms import Symbol, VectorSymbol
 from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.measures import NEGLIGIBLE
-from kinegrade.worked.formulas.symbols import collect_symbols, join_letters, prime
+from kinegrade.worked.formulas.symbols import join_letters, prime
 from kinegrade.worked.unlettered import find_translating_body
 from kinegrade.worked.vectors.known_vectors import find_path_term, is_stated_negative
 from kinegrade.worked.vectors.relatives import find_relative, index_relative
@@ -54,7 +54,7 @@ def name_point_vector(point: str, level: Level, case: Case) -> VectorSymbol:
     if body is None:
         return VectorSymbol(LETTERS[level], case.naming.letter(point).row)
     alone = VectorSymbol(LETTERS[level], ())
-    symbols = collect_symbols(case.template)
+    symbols = case.symbols
     given = any(symbols[name].row == alone.print() for name in case.template.parameters)
     return alone if given else VectorSymbol(LETTERS[level], case.naming.letters(body))
 
