@@ -20,7 +20,7 @@ SKETCH = Picture(polygon_scene(), "velocities", kind="velocities")
 POLYGON = Picture(polygon_scene(), "velocity polygon", kind="polygon")
 POLE = Picture(polygon_scene(), "pole")
 CORNER = Prose("In the polygon, $c'$ is the point of the rod.", on_polygon=True)
-LINES = tuple(Prose(f"Line {number}.", compact=True) for number in range(140))
+LINES = tuple(Prose(f"Line {number}.", compact=True) for number in range(200))
 
 
 def question(*blocks: Block) -> WorkedQuestion:
@@ -71,9 +71,9 @@ def test_pictures_go_that_would_leave_a_second_page_nearly_empty() -> None:
     assert [len(one) for one in said] == [5, 2, 5]
 
 
-def test_pictures_stay_where_two_pages_are_too_few_without_them_too() -> None:
-    long = question(*LINES, *STEPS)
-    assert shorten(long, AREA) == long
+@pytest.mark.parametrize(("lines", "left"), [(140, 5), (160, 2), (195, 5)])
+def test_pictures_stay_where_no_page_is_saved_without_them(lines: int, left: int) -> None:
+    assert len(shown(shorten(question(*LINES[:lines], *STEPS), AREA))) == left
 
 
 def test_the_press_counts_the_pages_that_it_has_set() -> None:

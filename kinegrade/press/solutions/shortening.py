@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from math import floor
+from math import ceil, floor
 
 from kinegrade.press.sheet import WorkedQuestion
 from kinegrade.press.solutions.course import TextArea, arrange_courses
@@ -19,15 +19,17 @@ _NEARLY_EMPTY = 0.25  # of a last page: what it holds is less than that
 
 def shorten(question: WorkedQuestion, area: TextArea) -> WorkedQuestion:
     """The question with as many of its pictures as have room on two pages, by the heights of its
-    parts, or on one less where the last would be nearly empty; with all of them where it does not
-    become so short.
+    parts, or on the fewest that it takes without them; on one less where the last would be nearly
+    empty.
     """
     pages = _measure(question, area)
-    most = MOST_PAGES if pages > MOST_PAGES else floor(pages)
-    if pages <= MOST_PAGES and pages - most >= _NEARLY_EMPTY:
+    if pages <= MOST_PAGES and pages - floor(pages) >= _NEARLY_EMPTY:
         return question
-    shorter = list_shorter(question)
-    return next((one for one in shorter if _measure(one, area) <= most), question)
+    choices = [(one, ceil(_measure(one, area))) for one in list_shorter(question)]
+    fewest = min((count for _, count in choices), default=ceil(pages))
+    most = max(MOST_PAGES, fewest) if pages > MOST_PAGES else floor(pages)
+    shorter = (one for one, count in choices if count <= most < pages)
+    return next(shorter, question)
 
 
 def list_shorter(question: WorkedQuestion) -> Iterator[WorkedQuestion]:
