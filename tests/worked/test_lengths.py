@@ -22,6 +22,8 @@ from tests.worked.lengths import measure_length
         ("slider-crank", "en"),
         ("five-bar-two-driven-cranks", "zh"),
         ("rolling-wheel-rim-points", "en"),
+        ("pin-in-two-rings", "zh"),
+        ("square-on-two-fixed-points", "zh"),
     ],
 )
 def test_an_ordinary_problem_takes_two_pages(name: str, language: str) -> None:

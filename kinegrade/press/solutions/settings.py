@@ -185,7 +185,7 @@ class Column:
             case EquationGroups(groups):
                 return sum(group.height * EM + gap for group in groups)
             case Terms(bands):
-                return find_bands_height(bands, min(self.spread.blocks, 1.0)) + gap
+                return find_bands_height(bands, min((1 + self.spread.blocks) / 2, 1.0)) + gap
             case _:
                 assert_never(body)
 
