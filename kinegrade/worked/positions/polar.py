@@ -77,15 +77,24 @@ def describe_inclination(
     told = _find_acute(rest, abs((heading - axis + _RIGHT) % (2 * _RIGHT) - _RIGHT), instance)
     if told is None or not heading % _RIGHT:
         return None
+    line, back = (
+        instance.case.text(join_letters(map(name_point, ends)))
+        for ends in ((centre.name, point), (point, centre.name))
+    )
+    distance, axis_name = write_positive(radius, instance)[0], _AXIS_NAMES[axis]
+    way = _WAYS[int(heading // _RIGHT)]
+    if distance in (line, back):
+        named = {"line": line, "angle": told}
+        return Message("solution.line-inclined", **named, axis=axis_name, way=way)
     return Message(
         "solution.polar-inclined",
         point=instance.letter(point),
         centre=instance.text(centre),
-        radius=write_positive(radius, instance)[0],
-        line=instance.case.text(join_letters(map(name_point, (centre.name, point)))),
+        radius=distance,
+        line=line,
         angle=told,
-        axis=_AXIS_NAMES[axis],
-        way=_WAYS[int(heading // _RIGHT)],
+        axis=axis_name,
+        way=way,
     )
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator, Sequence, Set
 from typing import assert_never
 
@@ -16,6 +17,9 @@ from kinegrade.worked.case import Case
 from kinegrade.worked.formulas.symbols import read_symbol
 from kinegrade.worked.rates.driven import is_assumed
 from kinegrade.worked.unlettered import find_translating_body
+
+_LENGTH = re.compile(r"\$[A-Z\d_{}']+\$")
+_NARROWED = re.compile(r"([^()（）]+?)\s*[(（]([^()（）]+)[)）]")
 
 
 def name_task(
@@ -37,7 +41,7 @@ def name_task(
 
 def _define(ask: Ask, signed: Set[Node], case: Case) -> Text:
     """The symbol of what is sought with its meaning, where the author gives that in the
-    language.
+    language: what this has in brackets stands behind it, what names the symbol stands for both.
     """
     magnitude = abs(read_symbol(ask.symbol))
     bare = magnitude.print(case.notation)[0] not in signed
@@ -45,7 +49,12 @@ def _define(ask: Ask, signed: Set[Node], case: Case) -> Text:
     if not ask.means.has(case.language):
         return symbol
     means = ask.means.in_language(case.language)
-    return Message("solution.sought", symbol=symbol, means=means)
+    if symbol in means and _LENGTH.fullmatch(symbol):
+        return means
+    narrowed = _NARROWED.fullmatch(means)
+    if narrowed is None:
+        return Message("solution.sought", symbol=symbol, means=means)
+    return Message("solution.sought-of", symbol=symbol, means=narrowed[1], of=narrowed[2])
 
 
 def _name_given(law: Imposed, case: Case) -> Iterator[Message]:
