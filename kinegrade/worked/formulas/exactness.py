@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import fields, is_dataclass
 
 from kinegrade.worked.formulas.atoms import Exact, Measured, Number
 from kinegrade.worked.formulas.formula import (
@@ -53,10 +52,8 @@ def is_numeric(formula: Formula) -> bool:
 def list_parts(formula: Formula) -> Iterator[Formula]:
     """A formula and all that it is made of."""
     yield formula
-    if not is_dataclass(formula):
-        return
-    for name in fields(formula):
-        inner = getattr(formula, name.name)
+    for name in getattr(formula, "__match_args__", ()):  # the fields of a dataclass
+        inner = getattr(formula, name)
         for part in inner if isinstance(inner, tuple) else (inner,):
             if isinstance(part, Formula):
                 yield from list_parts(part)

@@ -16,7 +16,7 @@ letters, `a.dot(b)` sets a dot between them, as where lengths of two letters or 
 
 from __future__ import annotations
 
-from abc import ABC, abstractmethod
+from abc import abstractmethod
 from dataclasses import dataclass
 from itertools import pairwise
 from typing import ClassVar, Literal, TypeAlias
@@ -36,8 +36,11 @@ FunctionName: TypeAlias = Literal["sin", "cos", "tan", "arcsin", "arccos", "arct
 _THIN, _ONE = Space(","), (Digits("1"),)
 
 
-class Formula(ABC):
-    """A formula; where a sign, a bracket or a dot stands is decided when it is printed."""
+class Formula:
+    """A formula; where a sign, a bracket or a dot stands is decided when it is printed.
+
+    It is no ABC: of these, `isinstance` takes ten times as long, and formulas are asked often.
+    """
 
     @abstractmethod
     def print(self, notation: Notation = PLAIN) -> Row:
