@@ -18,12 +18,14 @@ from kinegrade.practice.skeleton import Guide, list_guides
 
 NEIGHBOURS = 8  # positions of which the script makes the one between them
 _COUNTS = (36, 72, 144, 288)  # positions of a turn, or of a swing
-_MOST = 288
+_MOST = 288  # of all turns, in a table of the usual number of rows; more where there are fewer
+_USUAL_ROWS = 12
 _TURNS = 2  # of an input after which the mechanism never is as it was: the rest is much the same
 _TRUE = 0.00003  # of the drawing's longer side: what interpolated positions may be off
 _SURE = 0.0003  # the same, from where on velocity poles are not to be told
 _FAR = 2.0  # sizes of the mechanism that a point may go
 _ON_LINE = 1e-9  # of the mechanism's size
+_MARKED = 5.0  # sizes of the mechanism, from a body's point to its mark
 _BEYOND = 0.06  # sizes of the mechanism: of a guide behind the last place of what moves there
 
 
@@ -68,10 +70,18 @@ def _list_choices(path: MotionPath) -> Iterator[Array]:
     """Displacements, the fewest first: evenly spread, or closer where parts almost jump."""
     low, high = _find_way(path)
     turns = max(1, round((high - low) / path.input.period)) if path.input.period else 1
-    for count in dict.fromkeys(min(_MOST, each * turns) for each in _COUNTS):
+    for count in dict.fromkeys(min(_find_most(path), each * turns) for each in _COUNTS):
         yield _spread(path, count, path.spread)
         if not isinstance(path.end, Open):
             yield _spread(path, count, path.spread_by_length)
+
+
+def _find_most(path: MotionPath) -> int:
+    """How many positions are baked at most: gears that turn often are few points, and take many."""
+    mechanism = path.motion.frames.mechanism
+    places = len(mechanism.points) + 2 * len(list_guides(mechanism))
+    rows = 2 * (places + len(list_unpinned_bodies(path)))
+    return max(_MOST, _MOST * _USUAL_ROWS // rows)
 
 
 def _find_way(path: MotionPath) -> tuple[float, float]:
@@ -140,10 +150,10 @@ def _list_held(path: MotionPath, guide: Guide) -> Iterator[float]:
 
 def _list_marks(path: MotionPath, placement: Placement) -> Iterator[Array]:
     """x and y of a place of each body that no pin holds, far from its first point: velocity poles
-    are found by both.
+    are found by both, and the farther it is, the less of a slow rotation is lost in rounding.
     """
     placing = Placing(path.motion.frames, placement.at)
-    beside = Vector(path.size, 0.0)
+    beside = Vector(_MARKED * path.size, 0.0)
     for body in list_unpinned_bodies(path):
         mark = placing.place(body.name, path.motion.points[body.points[0]] + beside)
         yield from _broadcast(mark, placement.moved.shape)
@@ -160,9 +170,9 @@ def _find_error(path: MotionPath, table: PoseTable) -> float:
     gain = high - low if path.is_closed else None
     between = np.clip(_interpolate(table.moved[None, :], gain)[0], low, high)
     count, loop = 2 * len(path.motion.points), 0.0 if path.is_closed else None
-    rows = np.concatenate([table.places[:count], table.marks])
+    rows = np.concatenate([table.places[:count], table.marks / _MARKED])
     found = _tabulate(path, between)
-    expected = np.concatenate([found.places[:count], found.marks])
+    expected = np.concatenate([found.places[:count], found.marks / _MARKED])
     return float(np.abs(_interpolate(rows, loop) - expected).max())
 
 

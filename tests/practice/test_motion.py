@@ -19,10 +19,12 @@ from tests.practice.node import move_in_node
 
 DRIVEN = [name for name in find_template_names() if load_template(name).scheme.drivers]
 SHARES = [0.013, 0.21, 0.377, 0.5, 0.642, 0.871, 0.97]
-UNSURE = (
-    "crank-slider-in-floating-link",  # told at two in three: elsewhere rounding moves it by 0.2 mm
-    "epicyclic-train-by-tooth-counts",  # a gear turns far between two of many positions
+HARD = (
+    "crank-rocker-towed-wheel",  # a rod turns slowly: what coordinates are rounded by moves a pole
+    "differential-epicyclic-train",  # gears turn seventeen times
+    "epicyclic-train-by-tooth-counts",
 )
+UNKNOWN = 0.1  # of the poles in the picture, at most: about where a body stops turning
 PIXEL = 0.2  # millimetres: the page shows five pixels for each
 FEW = ("slider-crank", "four-bar-parallel-coupler", "bar-through-swivelling-sleeve")
 
@@ -74,10 +76,10 @@ def measure_error(name: str, shares: list[float]) -> float:
     return float(np.abs(found - expected).max())
 
 
-@pytest.mark.sampled(16, first=4, also=UNSURE)
+@pytest.mark.sampled(16, first=4, also=HARD)
 @pytest.mark.parametrize("name", DRIVEN)
 def test_poles_are_where_the_engines_velocities_say(name: str) -> None:
-    """To a pixel, as far as they are in the picture."""
+    """To a pixel, as far as they are in the picture; almost none is left out."""
     template = load_template(name)
     path, solution = find_motion(name), solve_template(template, {})
     motion = write_motion(path, solution, ())
@@ -95,7 +97,7 @@ def test_poles_are_where_the_engines_velocities_say(name: str) -> None:
         seen = np.abs(expected - 60).max(axis=0) < 130
         off = np.hypot(*(found - expected))[seen]
         assert np.nanmax(off, initial=0.0) <= PIXEL, each.body
-        assert np.isnan(off).mean() <= 0.3 or name in UNSURE, each.body
+        assert np.isnan(off).mean() <= UNKNOWN, each.body
 
 
 def _read_pole(shown: dict[str, list[float]] | None) -> list[float]:
