@@ -9,8 +9,8 @@ import math
 import pytest
 
 from kinegrade.language import ENGLISH
-from kinegrade.problem.as_stated import restate
 from kinegrade.numbers.angle import Angle
+from kinegrade.problem.as_stated import restate
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.library.library import load_template
 from kinegrade.worked.solution import write_worked_solution

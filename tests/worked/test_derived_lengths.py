@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 
 import pytest
 
-from kinegrade.problem.template.library.library import find_template_names
-from tests.worked.draws import kept
+from kinegrade.problem.solving import solve_template
+from kinegrade.problem.template.library.library import find_template_names, load_template
+from kinegrade.worked.solution import write_worked_solution
+from tests.worked.draws import drawn, kept
 from tests.worked.telling import displayed, lines
 from tests.worked.test_checks import read_checks
 
@@ -46,3 +49,27 @@ def test_a_length_that_givens_fix_is_derived_once_with_its_reason() -> None:
 def test_a_named_length_that_is_asked_is_not_worked_out_again() -> None:
     (asked,) = (line for line in displayed(kept(ROCKER)) if line.startswith("l_{2}"))
     assert asked.startswith(r"l_{2} &= l_{OA} = ")
+
+
+LEVEL = re.compile(r"\b([A-Z](?:_\{\d\})?)([A-Z](?:_\{\d\})?) &?= (-?)([xy])_\{[^}]*\} - [xy]_\{")
+
+
+@pytest.mark.sampled(12, first=1, also=("rod-sliding-on-driven-wheel",))
+@pytest.mark.parametrize("name", find_template_names())
+def test_a_distance_by_one_coordinate_stands_after_the_other_ones_are_equal(name: str) -> None:
+    """DB = x_D - x_B stood there, and nothing said that D and B have the same height."""
+    for place in range(len(drawn(name))):
+        told = "\n".join(lines(kept(name, place), boxes=False))
+        for first, second, _, axis in LEVEL.findall(told):
+            across = "y" if axis == "x" else "x"
+            letters = re.escape(f"{across}_{{{first}}}"), re.escape(f"{across}_{{{second}}}")
+            level = rf"({letters[0]} - {letters[1]}|{letters[0]}|{letters[1]}) &= .*0$"
+            assert re.search(level, told, re.MULTILINE), f"{first}{second}"
+
+
+def test_it_does_so_where_points_are_level_at_this_instant_alone() -> None:
+    given = {"theta": "60", "beta": "60", "R": "0.8", "r": "0.3", "omega": "-4", "alpha": "10"}
+    solution = solve_template(load_template("wheel-on-circular-track"), given)
+    answers = {name: solution.answers[name] for name in ("v_O", "v_B")}
+    told = write_worked_solution(replace(solution, answers=answers), answers, "en").blocks
+    assert any(line.startswith("y_{D} - y_{B} &= ") for line in displayed(told))

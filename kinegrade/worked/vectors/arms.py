@@ -9,14 +9,16 @@ from collections.abc import Iterable, Iterator
 from kinegrade.expressions.tree import Call, Expression, Name, Operation, find_names, walk
 from kinegrade.mechanics.vector_equation import Part
 from kinegrade.worked.case import Case
-from kinegrade.worked.formulas.atoms import Symbol
-from kinegrade.worked.formulas.equation import Equation, drop_repetition
+from kinegrade.worked.formulas.atoms import AXES, OTHER, ZERO, AxisName, Symbol
+from kinegrade.worked.formulas.equation import Equation, drop_repetition, equate
+from kinegrade.worked.formulas.exactness import list_parts
 from kinegrade.worked.formulas.measures import double
 from kinegrade.worked.formulas.numbers import state_quantity
-from kinegrade.worked.formulas.symbols import join_letters, read_symbol
+from kinegrade.worked.formulas.symbols import join_letters, name_coordinate, read_symbol
 from kinegrade.worked.positions.algebra import TWO, is_negated
 from kinegrade.worked.positions.instance import METRE, Instance, make_instance
 from kinegrade.worked.positions.leaning_lengths import measure_along
+from kinegrade.worked.vectors.summands import PLACES
 from kinegrade.worked.vectors.vectors import vanishes
 
 
@@ -84,6 +86,7 @@ def introduce_lengths(ends: Iterable[tuple[str, str]], case: Case) -> Iterator[E
             continue
         found = _state_length(start, end, case)
         if found is not None:
+            yield from _state_level(start, end, found, case)
             yield found
             case.findings.arms[pair] = join_letters(map(case.naming.letter, (start, end)))
 
@@ -113,6 +116,30 @@ def _state_length(start: str, end: str, case: Case) -> Equation | None:
     symbol = join_letters(map(case.naming.letter, (start, end)))
     value = state_quantity(instance.quantity(instance.value(tree), METRE))
     return Equation(symbol, drop_repetition(instance.worked_out(symbol, tree), value))
+
+
+def _state_level(start: str, end: str, length: Equation, case: Case) -> Iterator[Equation]:
+    """y_D - y_B = 0 before a distance by the other coordinates alone, where two points lie on a
+    parallel to an axis at this instant, though not as they are placed.
+    """
+    told = {part for link in length.links for part in list_parts(link.right)}
+    names = {axis: _name_coordinates(axis, (start, end), case) for axis in AXES}
+    other = next((axis for axis in AXES if not told & {*names[axis]}), None)
+    if other is None or not told & {*names[OTHER[other]]}:
+        return
+    instance = make_instance(case)
+    pair = instance.axes.pair(Operation("-", Name(start), Name(end)))
+    apart = pair[PLACES[other]] if pair else None
+    if not isinstance(apart, Operation) or is_negated(apart):  # one is zero, and told
+        return
+    if not instance.sign(apart):
+        symbols = instance.formula(apart)
+        yield Equation(symbols, (*instance.worked_out(symbols, apart), *equate(ZERO)))
+
+
+def _name_coordinates(axis: AxisName, ends: tuple[str, str], case: Case) -> tuple[Symbol, Symbol]:
+    first, second = (name_coordinate(axis, case.naming.letter(point)) for point in ends)
+    return first, second
 
 
 def _measure_distance(start: str, end: str, instance: Instance) -> Expression | None:
