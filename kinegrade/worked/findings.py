@@ -136,6 +136,13 @@ class Findings:
         default_factory=lambda: {"velocity": frozenset(), "acceleration": frozenset()}
     )
 
+    def is_negative(self, symbol: Formula) -> bool:
+        """Whether an equation has given a letter a negative value."""
+        return any(
+            one.left.looks_like(symbol) and one.links and one.links[-1].right.sign < 0
+            for one in self.printed
+        )
+
     def spares(self, rate: Rate, level: Level) -> bool:
         """Whether neither an answer nor a later step needs a rate."""
         return rate in self.spared[level]

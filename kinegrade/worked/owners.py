@@ -3,17 +3,20 @@
 from __future__ import annotations
 
 from kinegrade.errors import ExpressionError
-from kinegrade.language.math.tree import Row, Sign
+from kinegrade.expressions.tree import Name
+from kinegrade.language.math.tree import Row, Scripts, Sign
+from kinegrade.problem.quantities.functions import find_motion_calls
+from kinegrade.problem.template.template import Ask
 from kinegrade.worked.case import Case, write_row
 from kinegrade.worked.formulas.atoms import VectorSymbol
+from kinegrade.worked.formulas.symbols import prime, read_symbol
 
 
 def index_owner(letters: Row, point: str, body: str, case: Case) -> Row:
     """The letters of a point, with the body where the point belongs to several that move apart."""
     owner = _find_owner(point, case)
-    return (
-        letters if owner and _moves_alike(point, owner, body, case) else _index(letters, body, case)
-    )
+    alike = owner and _moves_alike(point, owner, body, case)
+    return letters if alike else _index(letters, point, body, case)
 
 
 def name_owned_point(point: str, body: str, vector: VectorSymbol, case: Case) -> str:
@@ -21,14 +24,40 @@ def name_owned_point(point: str, body: str, vector: VectorSymbol, case: Case) ->
     point that no body has alone its vector's symbol tells.
     """
     letters, owner = case.naming.letter(point).row, _find_owner(point, case)
-    indexed = _index(letters, body, case)
+    indexed = _index(letters, point, body, case)
     if owner is None:
         return write_row(indexed if vector.lower == indexed else letters)
     return write_row(letters if _moves_alike(point, owner, body, case) else indexed)
 
 
-def _index(letters: Row, body: str, case: Case) -> Row:
+def _index(letters: Row, point: str, body: str, case: Case) -> Row:
+    """The letters with those of the body; where the statement has another letter for the point of
+    one body, B' of the wheel, this for that body and the plain one for the other.
+    """
+    primed = prime(case.naming.letter(point)).row
+    owners = set[str]()
+    for ask in case.template.asks.values():
+        if _has_index(ask, primed):
+            owners |= _list_owners(ask, point)
+    if owners:
+        return primed if body in owners else letters
     return (*letters, Sign("("), *case.naming.letters(body), Sign(")"))
+
+
+def _list_owners(ask: Ask, point: str) -> set[str]:
+    """The bodies of which a question names a point."""
+    owners = set[str]()
+    for call in find_motion_calls(ask.quantity):
+        match call.arguments:
+            case (Name(named), Name(owner), *_) if named == point:
+                owners.add(owner)
+    return owners
+
+
+def _has_index(ask: Ask, letters: Row) -> bool:
+    """Whether the symbol of a question has the letters of a point as its index."""
+    first, *_ = read_symbol(ask.symbol).row
+    return isinstance(first, Scripts) and (first.lower or ())[: len(letters)] == letters
 
 
 def _find_owner(point: str, case: Case) -> str | None:

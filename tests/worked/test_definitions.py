@@ -155,3 +155,10 @@ def test_an_acceleration_that_counts_against_the_velocity_says_so() -> None:
     values = {"v_B": "0.6", "a_B": "2"}
     said = list(proses(stated("slotted-rocker-and-slider-two-drivers", **values)))
     assert "Given: the acceleration of $B$." in said
+
+
+def test_a_given_motion_counts_as_that_of_the_points_beside_it_that_are_asked_for() -> None:
+    # v_Q was positive to the left, v_C negative to the left
+    told = displayed(stated("spool-pulled-by-cord", u="-15", w="20"))
+    assert r"v_{Q} &= -u = -15\,\unit{cm/s}\quad\text{(to the left)}" in told
+    assert r"a_{Q} &= a = 20\,\unit{cm/s^2}\quad\text{(to the right)}" in told

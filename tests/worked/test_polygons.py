@@ -8,13 +8,13 @@ from itertools import pairwise
 
 import pytest
 
-from kinegrade.figure.scene import THIN, Strokes
+from kinegrade.figure.scene import THIN, Outline, Strokes
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.library.library import find_template_names, load_template
 from kinegrade.worked.case import write_row
 from kinegrade.worked.document import Block, Picture, Pictures, Prose, TermTable
 from kinegrade.worked.solution import write_worked_solution
-from tests.worked.draws import drawn, stated, told
+from tests.worked.draws import drawn, kept, stated, told
 
 
 def list_drawings(blocks: Sequence[Block], caption: str) -> list[Picture]:
@@ -62,7 +62,7 @@ def test_a_rotation_that_is_not_worked_out_is_in_no_picture() -> None:
 def test_vectors_too_short_to_draw_are_named_below_the_picture() -> None:
     blocks = stated("rolling-wheel-pin-slotted-rocker", phi="-3")
     (picture,) = list_drawings(blocks, "velocities")
-    assert picture.caption == r"velocities (too short to draw: $v_{\mathrm{e}}$)"
+    assert picture.caption == r"velocities, dashed: sought (too short to draw: $v_{\mathrm{e}}$)"
 
 
 def test_a_vector_too_short_for_a_polygon_is_named_below_it() -> None:
@@ -126,3 +126,13 @@ def test_a_velocity_in_a_slot_has_a_thin_line_to_its_symbol_outside() -> None:
     ends = [line[0] - label.centre for part in strokes if part.pen == THIN for line in part.lines]
     beside = (label.width / 2 + 0.5, label.height / 2 + 0.5)
     assert any(abs(end.x) < beside[0] and abs(end.y) < beside[1] for end in ends)
+
+
+@pytest.mark.sampled(12, first=1)
+@pytest.mark.parametrize("name", find_template_names())
+def test_the_caption_says_what_an_outline_in_a_polygon_is(name: str) -> None:
+    """It looked like an arrow of another kind."""
+    for polygon in list_drawings(kept(name), "velocity polygon"):
+        outlines = (one for one in polygon.scene.primitives if isinstance(one, Outline))
+        hollow = any(one.fill == "none" for one in outlines)
+        assert ("outline" in polygon.caption) == hollow

@@ -121,6 +121,14 @@ WRONG: dict[Law, tuple[Block, ...]] = {
         Prose("Sought: $v_{B}$ (speed of slider $B$)."),
         Display((read_math(r"v_{B} = -2\,\unit{m/s}", ""),)),
     ),
+    "senses": (
+        Display(
+            (
+                read_math(r"v_{B} &= 2\,\unit{m/s}\quad\text{(to the left)}", ""),
+                read_math(r"v_{C} &= -3\,\unit{m/s}\quad\text{(to the left)}", ""),
+            )
+        ),
+    ),
     "lettered": (
         Prose(
             r"Check by Pythagoras: left side $(2\,\unit{m})^{2} = 4\,\unit{m^2}$, right side"

@@ -261,7 +261,7 @@ def test_a_vector_equation_has_its_table_and_its_pictures() -> None:
     )
     pictures = next(block for block in blocks[step:] if isinstance(block, Pictures))
     assert [picture.caption for picture in pictures.pictures] == [
-        "velocities",
+        "velocities, dashed: sought",
         "velocity polygon, 1 mm corresponds to 0.05 m/s",
     ]
 

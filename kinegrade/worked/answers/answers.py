@@ -126,7 +126,8 @@ def _state_last_line(ask: Ask, working: Working, case: Case) -> Equation:
     ]
     values = state_value(ask, case) if between else state_quantity(answer)
     links = drop_repetition(equate(*between), values)
-    return Equation(symbol, links, _state_sense(ask, case))
+    signed = ask.sign == "magnitude" and case.findings.is_negative(symbol)
+    return Equation(abs(symbol) if signed else symbol, links, _state_sense(ask, case))
 
 
 def _count_turns(ask: Ask, working: Working, case: Case) -> Equation:

@@ -189,6 +189,7 @@ def _explain_about_base(
     start, end = reversed(ends)
     formulas = equate(name_length(start, end, case).dot(symbols), size.dot(numbers))
     result = state_number(length(value, case.arithmetic), "m/s^2")
-    found = Equation(name, (*formulas, *result))
+    left = abs(name) if case.findings.is_negative(name) else name
+    found = Equation(left, (*formulas, *result))
     yield case.show(*introduce_lengths(((start, end),), case), found)
     return Fact(name, value, False)

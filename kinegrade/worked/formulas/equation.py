@@ -10,14 +10,13 @@ from typing import Literal, TypeAlias
 
 from kinegrade.language.math.tree import Mark, Row, Sign
 from kinegrade.language.math.width import measure_row
-from kinegrade.worked.formulas.atoms import ZERO, Measured
+from kinegrade.worked.formulas.atoms import Measured
 from kinegrade.worked.formulas.exactness import is_exact, is_numeric, is_rounded
 from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.notation import Notation
 from kinegrade.worked.formulas.printed_values import find_printed_value
 
 Relation: TypeAlias = Literal["=", r"\approx", ":"]
-_NOTHING = 1e-12
 _SAME = 1e-9  # relative, of numbers that are not far below
 _SMALL = 1e-3
 WIDEST = 68  # letters that fit on a line of a display
@@ -51,12 +50,8 @@ class Equation:
         )
 
     def _list_told(self) -> tuple[Link, ...]:
-        """The links without an exact form that would stand after numbers that have been rounded,
-        and without such numbers before a zero: these do not amount to it.
-        """
+        """The links without an exact form that would stand after numbers that have been rounded."""
         links = self.links
-        if links and links[-1] == Link("=", ZERO):
-            links = tuple(link for link in links if not _misses_zero(link.right))
         places = (place for place, link in enumerate(links) if is_rounded(link.right))
         first = next(places, len(links))
         return tuple(
@@ -105,12 +100,6 @@ def _is_missed(numbers: Formula, link: Link, notation: Notation) -> bool:
 
 def _find_unit(figure: Formula) -> str:
     return figure.size.unit if isinstance(figure.size, Measured) else ""
-
-
-def _misses_zero(numbers: Formula) -> bool:
-    """Whether rounded numbers amount to next to nothing rather than to nothing."""
-    rounded = is_numeric(numbers) and is_rounded(numbers)
-    return rounded and abs(find_printed_value(numbers)) > _NOTHING
 
 
 def _list_groups(links: tuple[Link, ...]) -> Iterator[tuple[Link, ...]]:

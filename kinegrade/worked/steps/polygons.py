@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from decimal import Decimal
 
-from kinegrade.figure.scene import Scene
+from kinegrade.figure.scene import Outline, Scene
 from kinegrade.figure.vectors.chains import Arrow, find_order, find_scale
 from kinegrade.figure.vectors.polygon import draw_polygon
 from kinegrade.language.message import Message, list_all
@@ -55,7 +55,19 @@ def draw_equation(equation: VectorEquation, stage: Stage, scale: float | None) -
         unit=read_unit(case.notation.name(UNITS[stage.level, False])).printed,
     )
     symbols = [arrow.symbol for side in sides for arrow in side]
-    return replace(describe(scene, scale_words, symbols, case), kind="polygon")
+    caption = _explain_outlines(scene, scale_words)
+    return replace(describe(scene, caption, symbols, case), kind="polygon")
+
+
+def _explain_outlines(scene: Scene, caption: Message) -> Message:
+    """The caption with what an arrow means that is drawn as an outline, without a filling."""
+    outlines = (part for part in scene.primitives if isinstance(part, Outline))
+    hollow = [part for part in outlines if part.fill == "none"]
+    if not hollow:
+        return caption
+    if len(hollow) > 1:
+        return Message("solution.picture-outlines", picture=caption)
+    return Message("solution.picture-outlined", picture=caption)
 
 
 def describe(scene: Scene, caption: Message, symbols: Iterable[str], case: Case) -> Picture:

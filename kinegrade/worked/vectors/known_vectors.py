@@ -4,9 +4,17 @@ positive sense.
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Mapping
 from typing import assert_never
 
-from kinegrade.expressions.tree import find_names
+from kinegrade.expressions.tree import (
+    Call,
+    Name,
+    Number,
+    Operation,
+    find_names,
+    is_literal_zero,
+)
 from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.laws import (
     EqualBeltSpeed,
@@ -27,7 +35,9 @@ from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Level
 from kinegrade.worked.case import Case
 from kinegrade.worked.findings import Piece, Ways
-from kinegrade.worked.formulas.measures import double
+from kinegrade.worked.formulas.measures import double, find_sign
+
+_AXES: Mapping[str, Vector] = {"x": Vector(1, 0), "y": Vector(0, 1)}
 
 
 def find_stated_sense(term: Term, case: Case, level: Level) -> int:
@@ -63,8 +73,9 @@ def _find_piece(term: Term, case: Case, level: Level) -> Piece | None:
 
 
 def find_given_sign(law: Law, relation: Relation, case: Case, level: Level) -> int:
-    """-1 where the statement gives the size of a point's negative speed, or of its change, with the
-    sense in words; else 1.
+    """-1 where a point's velocity or acceleration counts positive against the driver's direction:
+    where questions count those of points beside it so, else where the statement gives the size of
+    a negative one, with the sense in words; else 1.
     """
     match law:
         case SharedPoint() | GuidedPoint() | EqualRotation() | ImposedRotation():
@@ -73,11 +84,38 @@ def find_given_sign(law: Law, relation: Relation, case: Case, level: Level) -> i
             return 1
         case ImposedMotion(of=of) if of != GROUND:
             return 1
-        case ImposedMotion() | ImposedCircling():
-            value = {"velocity": relation.velocity, "acceleration": relation.acceleration}[level]
-            return -1 if double(value) < 0 and not _is_signed(law, case, level) else 1
+        case ImposedMotion(direction=direction):
+            asked = {find_sign(direction.dot(one)) for one in _list_asked_senses(direction, case)}
+            return asked.pop() if len(asked) == 1 else _find_own_sign(law, relation, case, level)
+        case ImposedCircling():
+            return _find_own_sign(law, relation, case, level)
         case _:
             assert_never(law)
+
+
+def _find_own_sign(law: Imposed, relation: Relation, case: Case, level: Level) -> int:
+    """-1 where the statement gives the size of a negative value, with the sense in words."""
+    value = {"velocity": relation.velocity, "acceleration": relation.acceleration}[level]
+    return -1 if double(value) < 0 and not _is_signed(law, case, level) else 1
+
+
+def _list_asked_senses(along: Vector, case: Case) -> Iterator[Vector]:
+    """The senses in which questions count velocities and accelerations along a line that have the
+    letter of a point alone.
+    """
+    for ask in case.template.asks.values():
+        sign, tree = 1, ask.quantity
+        if isinstance(tree, Operation) and is_literal_zero(tree):
+            sign, tree = -1, tree.right
+        match tree:
+            case Call("x" | "y" as axis, (Call("velocity" | "acceleration"),)):
+                sense = _AXES[axis] * sign
+                if "," not in ask.symbol and not double(sense.cross(along)):
+                    yield sense
+            case Name() | Number() | Operation() | Call():
+                continue
+            case _:
+                assert_never(tree)
 
 
 def _is_signed(law: Imposed, case: Case, level: Level) -> bool:

@@ -39,6 +39,16 @@ KNOWN: Mapping[Law, frozenset[str]] = {
     "marked": frozenset(),
     "named": frozenset(),
     "size": frozenset(),
+    # found by its rotation, the velocity of a point lies along a track by chance; -a_{D,y} or
+    # -v_{A,x} is asked; of two centres on one circle the given one counts clockwise
+    "senses": frozenset(
+        (
+            "crank-rocker-towed-wheel",
+            "elliptic-trammel-end-driven",
+            "slider-driven-gear-on-rack",
+            "two-wheels-on-cylinder",
+        )
+    ),
     "lettered": frozenset(),
     "doubled": frozenset(),
     "redone": frozenset(),

@@ -43,7 +43,12 @@ from tests.worked.reader.formula_reader import (
 )
 from tests.worked.reader.givens import find_introduced, find_letters, read_givens
 from tests.worked.reader.inclined import find_underived
-from tests.worked.reader.meanings import find_negative_sizes, find_unmarked, find_unnamed
+from tests.worked.reader.meanings import (
+    find_negative_sizes,
+    find_two_senses,
+    find_unmarked,
+    find_unnamed,
+)
 from tests.worked.reader.polygons import judge_polygons
 from tests.worked.reader.tables import find_early, find_without_sense
 
@@ -73,6 +78,7 @@ Law: TypeAlias = Literal[
     "marked",
     "named",
     "size",
+    "senses",
     "lettered",
     "doubled",
 ]
@@ -99,6 +105,7 @@ LAWS: dict[Law, str] = {
     "marked": "what the indices n and t mark is said before them, or is asked for",
     "named": "the letters of angular accelerations are told in a sentence before equations have them",
     "size": "a letter defined as a magnitude has no negative value",
+    "senses": "velocities of points along one line are positive in one sense, and accelerations",
     "lettered": "a side of a check begins with letters",
     "doubled": "a side of a check has each number once",
     "redone": "whoever works out a check with its printed numbers gets what it prints, to one of the last digit",
@@ -172,6 +179,7 @@ def find_faults(blocks: Sequence[Block], solution: Solution) -> Iterator[Fault]:
     misnamed = find_misnamed(blocks, solution, known.worth)
     yield from (Fault("between", angle) for angle in misnamed)
     yield from (Fault("size", line) for line in find_negative_sizes(blocks, solution))
+    yield from (Fault("senses", line) for line in find_two_senses(blocks))
     yield from (Fault("lettered", side) for side in find_unlettered(blocks))
     yield from (Fault("doubled", side) for side in find_doubled(blocks))
     yield from (Fault("redone", check) for check in find_unrepeatable(blocks))

@@ -14,6 +14,7 @@ from tests.worked.reader.equations import Line, Said, read_page
 from tests.worked.reader.forms import is_decimal
 from tests.worked.reader.formula_reader import name_symbol
 from tests.worked.reader.givens import read_givens
+from tests.worked.telling import unbox
 
 # How the languages name the normal and the tangential part of an acceleration
 _PARTS = {
@@ -23,6 +24,11 @@ _PARTS = {
     ),
 }
 _MEANT = re.compile(r"\$([^$]*)\$ ?[(（]")  # what stands before its meaning in brackets
+# v_{A} &= ... = -2 m/s (to the left), the letter of a point alone
+_ALONG = re.compile(
+    r"(?P<kind>[va])_\{[A-Z](?:_\{\w\})?'*\} &.*(?:=|\\approx) (?P<sign>-?)[\d.]+\\,\\unit\{[^}]*\}"
+    r"\\quad(?P<way>\\text\{\([^)]*\)\})$"
+)
 _PART = re.compile(r"\^\{\\mathrm\{([nt])\}\}")
 
 
@@ -65,6 +71,20 @@ def find_negative_sizes(blocks: Sequence[Block], solution: Solution) -> Iterator
                     yield part.text
             case Line() | Said():
                 continue
+
+
+def find_two_senses(blocks: Sequence[Block]) -> Iterator[str]:
+    """The velocities, and accelerations, of points that have one direction beside values of both
+    signs: no single sense along that line is positive.
+    """
+    found: dict[tuple[str, str], str] = {}
+    for block in blocks:
+        for line in block.lines if isinstance(block, Display) else ():
+            told = _ALONG.match(write_row(unbox(line)))
+            if told is not None:
+                kind, sign, way = told.group("kind", "sign", "way")
+                if found.setdefault((kind, way), sign) != sign:
+                    yield write_row(line)
 
 
 def find_unnamed(blocks: Sequence[Block], solution: Solution) -> Iterator[str]:
