@@ -1,5 +1,4 @@
-"""The fast twin of `judging.decision.decide`: the same decisions for thousands of answers at once,
-in a fraction of the time.
+"""The fast twin of `judging.decision.decide`: the same decisions for thousands of answers at once.
 
 `marks` uses it. Plain numbers are compared in double precision by `comparison` and `mistaken`.
 `decide` settles whatever this leaves open: a number near a bound, mistakes that cannot be ranked,
@@ -178,14 +177,15 @@ class BlockJudge:
         return self.alternatives.get(which, ())
 
     def _decided(self, block: JudgedBlock, place: int, names: Collection[str] | None) -> Decision:
-        """One answer, decided exactly; only the mistakes with these names are considered, or
-        all.
-        """
+        """One answer, decided exactly, with the mistakes of these names, or all, considered."""
         row, number = divmod(place, len(self.asks))
-        key, reread = block.rows.papers[row].key(number, names), partial(block.cells.reread, place)
-        return decide(
-            block.cells.reading(place), key, self._ruling(place), self._others(block, place), reread
-        )
+        paper, reading = block.rows.papers[row], block.cells.reading(place)
+        terms = self._ruling(place), self._others(block, place), partial(block.cells.reread, place)
+        if names is None:  # most are right, and need no mistake worked out
+            verdict, share = decide(reading, paper.key(number, ()), *terms)
+            if verdict.kind == "right":
+                return verdict, share
+        return decide(reading, paper.key(number, names), *terms)
 
     def _led_on(self, block: JudgedBlock, follows: Follows) -> Iterator[tuple[int, range]]:
         """Rows and questions in which a number that is not right comes after another number, and
