@@ -90,7 +90,7 @@ def test_a_part_of_a_relative_acceleration_is_taken_as_it_was_found() -> None:
 def test_of_a_rope_the_straight_part_translates_with_its_load() -> None:
     told = _read("hoist-with-gears")
     assert "the straight part of the rope with the load: translation" in told
-    assert "$r_{3}$ of the gear" in told
+    assert "the drum, which turns with the gear" in told
 
 
 def test_a_check_along_the_radius_of_a_moving_circle_is_named_by_the_composition() -> None:
