@@ -68,7 +68,7 @@ def test_an_open_belt_between_fixed_pulleys() -> None:
     chapter = read_chapter("# Velocities", solution)
     assert chapter.partition(f"{title}\n")[2] == as_read(
         r"""
-        The belt is open, so both rims always move with its speed
+        The belt is open, so both pulley rims always move with its speed
             in the same sense:
         1\,\unit{m} \cdot \omega &= 3\,\unit{m} \cdot \omega_{O}
         \omega &= \frac{3\,\unit{m}}{1\,\unit{m}} \cdot \omega_{O} =
@@ -77,7 +77,7 @@ def test_an_open_belt_between_fixed_pulleys() -> None:
     )
     assert read_chapter("# Accelerations", solution).partition(f"{title}\n")[2] == as_read(
         r"""
-        Both rims always have the speed of the open belt; differentiated
+        Both pulley rims always have the speed of the open belt; differentiated
             with respect to time:
         1\,\unit{m} \cdot \alpha &= 3\,\unit{m} \cdot \alpha_{O}
         \alpha &= \frac{3\,\unit{m}}{1\,\unit{m}} \cdot \alpha_{O} = \frac{3\,\unit{m}}{1\,\unit{m}} \cdot
@@ -91,7 +91,7 @@ def test_a_crossed_belt_about_a_fixed_pulley() -> None:
     solution = solve_small(CARRIED, omega="omega(pulley) in rad/s")
     assert read_chapter("## A belt joins the pulley and the ground", solution) == as_read(
         r"""
-        The belt is crossed, so relative to the arm $OC$ both rims always move with its
+        The belt is crossed, so relative to the arm $OC$ both pulley rims always move with its
             speed in opposite senses:
         (1 + 1)\,(\omega - \omega_{OC}) &= -3\,\unit{m} \cdot (0 - \omega_{OC})
         \omega &= \omega_{OC} + \frac{3\,\unit{m}}{1 + 1} \cdot \omega_{OC} = 2\,\unit{rad/s} +

@@ -34,7 +34,7 @@ def test_an_absolute_velocity_that_rolling_calls_by_its_point_is_said_to_be_the_
 @pytest.mark.parametrize("name", ["hoist-with-gears", "two-stage-belt-drive"])
 def test_wheels_about_fixed_axes_are_not_seen_from_the_ground(name: str) -> None:
     told = _read(name)
-    assert "rims that drive each other have equal speeds" in told.replace("Rims", "rims")
+    assert "coupled rims have equal speeds" in told.replace("Coupled", "coupled")
     assert "the ground" not in told
 
 
