@@ -13,7 +13,6 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from math import remainder
-from typing import TypeAlias
 
 from kinegrade.exam.folder.contradictions import (
     describe_difference,
@@ -30,12 +29,10 @@ from kinegrade.students.following.connections import (
     find_generic_plan,
     find_stages,
 )
-from kinegrade.students.following.follow_through import Follower
-from kinegrade.students.following.followed_steps import StepFollower
+from kinegrade.students.following.followers import AnyFollower, make_follower
 from kinegrade.students.mistaking.mistakes import convert_parameter
 
 KEPT = 256  # instances kept in memory, so that the student's next answers find theirs
-AnyFollower: TypeAlias = Follower | StepFollower
 _AGREEMENT = (
     1e-6  # relative, between doubles and the key: rounding stays below, an edited template above
 )
@@ -102,11 +99,7 @@ class FollowThrough:
             name: convert_parameter(parameter, texts[name])
             for name, parameter in template.parameters.items()
         }
-        follower: AnyFollower
-        if template.scheme.has_mechanism:
-            follower = Follower(template, values, self.plan(question, template))
-        else:
-            follower = StepFollower(template, values)
+        follower = make_follower(template, values, self.plan(question, template))
         self._require_same(follower, kept, name_place(self.exam.key, student, question))
         return follower
 

@@ -1,7 +1,9 @@
-"""What follows for one ask from a student's value for another, as a quadratic in that value.
+"""What follows for one ask from a student's value for another: a quadratic in that value, or the
+root of one.
 
 The plan is linear in each rate, and normal accelerations are quadratic in velocities, so that most
-of what students carry on from is of this form; what is not is said to be so.
+of what students carry on from is a quadratic; the magnitude of a vector that is linear in a rate is
+the root of one. What is neither is said to be so.
 """
 
 from __future__ import annotations
@@ -10,6 +12,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import chain
+from math import sqrt
 
 from kinegrade.exam.setting.setting import SetQuestion
 from kinegrade.mechanics.plan import Plan
@@ -20,8 +23,7 @@ from kinegrade.students.following.connections import (
     find_generic_plan,
     find_stages,
 )
-from kinegrade.students.following.follow_through import Follower
-from kinegrade.students.following.followed_steps import StepFollower
+from kinegrade.students.following.followers import AnyFollower, make_follower
 from kinegrade.students.mistaking.mistakes import convert_parameter
 
 # Times the right answer: three values determine a quadratic, at the others it has to hold, as far
@@ -66,9 +68,10 @@ class FollowTable:
 
     def write(self, question: SetQuestion) -> tuple[str, ...]:
         """For each way of following in a draw the places of the two asks and the coefficients, none
-        where no quadratic does; a "+" behind them where they hold for values of the right sign
-        alone. Of what is unsigned they give the value but for its sign. Behind the first place and
-        "&" is that of an ask with whose right answer something else follows, without coefficients.
+        where nothing of the kind does; an "r" behind those of what is the root of a quadratic, a
+        "+" where they hold for values of the right sign alone. Of what is unsigned they give the
+        value but for its sign. Behind the first place and "&" is that of an ask with whose right
+        answer something else follows, without coefficients.
         """
         follower = self._make_follower(question.drawn.values)
         fits = (
@@ -94,21 +97,19 @@ class FollowTable:
             if ask not in (fit.earlier, fit.later) and stage[ask] <= stage[fit.later]
         )
 
-    def _make_follower(self, texts: Mapping[str, str]) -> Follower | StepFollower:
+    def _make_follower(self, texts: Mapping[str, str]) -> AnyFollower:
         values = {
             name: convert_parameter(parameter, texts[name])
             for name, parameter in self.template.parameters.items()
         }
-        if self.template.scheme.has_mechanism:
-            return Follower(self.template, values, self.plan)
-        return StepFollower(self.template, values)
+        return make_follower(self.template, values, self.plan)
 
 
 @dataclass(frozen=True)
 class _Fit:
     """What follows for the ask `later`, which may be `unsigned`, from values of an earlier one."""
 
-    follower: Follower | StepFollower
+    follower: AnyFollower
     earlier: str
     later: str
     unsigned: bool
@@ -154,18 +155,42 @@ class _Fit:
             yield ()
             return
         for way in range(count):
-            coefficients = _interpolate([(value, ways[way]) for value, ways in tried])
-            holds = all(self._holds(coefficients, value, ways[way]) for value, ways in proved)
-            yield tuple(f"{each:.{_DIGITS}g}" for each in coefficients) if holds else ()
+            known = [(value, ways[way]) for value, ways in tried]
+            others = [(value, ways[way]) for value, ways in proved]
+            yield self._fit_quadratic(known, others) or _fit_root(known, others)
 
     def _follow(self, value: float) -> tuple[float, Sequence[float]]:
         return value, self.follower.consequences({self.earlier: value}, self.later)
+
+    def _fit_quadratic(self, tried: Points, proved: Points) -> tuple[str, ...]:
+        """The coefficients of the quadratic through the tried points, if it has the others too."""
+        coefficients = _interpolate(tried)
+        holds = all(self._holds(coefficients, value, follows) for value, follows in proved)
+        return _write_numbers(coefficients) if holds else ()
 
     def _holds(self, coefficients: Coefficients, value: float, follows: float) -> bool:
         constant, linear, square = coefficients
         terms = (constant, linear * value, square * value**2)
         found = abs(sum(terms)) if self.unsigned else sum(terms)
         return abs(found - follows) <= _SAME * max(map(abs, terms))
+
+
+def _fit_root(tried: Points, proved: Points) -> tuple[str, ...]:
+    """The coefficients, and an "r", of the quadratic through the squares at the tried points, if
+    its root has the others too.
+    """
+    squares = [(value, follows**2) for value, follows in tried]
+    coefficients = constant, linear, square = _interpolate(squares)
+    for value, follows in (*tried, *proved):
+        terms = (constant, linear * value, square * value**2)
+        room = _SAME * sqrt(max(map(abs, terms)))
+        if abs(sqrt(max(sum(terms), 0.0)) - follows) > room:
+            return ()
+    return *_write_numbers(coefficients), "r"
+
+
+def _write_numbers(coefficients: Coefficients) -> tuple[str, ...]:
+    return tuple(f"{each:.{_DIGITS}g}" for each in coefficients)
 
 
 def _is_near(value: float, others: Sequence[float]) -> bool:

@@ -7,10 +7,13 @@ from __future__ import annotations
 import csv
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
+from fractions import Fraction
 from pathlib import Path
 from random import Random
 
 import kinegrade
+from kinegrade.exam.folder.exam_folder import open_exam
+from kinegrade.exam.follow_through import FollowThrough
 from kinegrade.language import ENGLISH
 from kinegrade.marks_folder.rows import MarkedAnswer
 from kinegrade.practice.document import PracticeQuestion, PracticeSheet
@@ -18,7 +21,7 @@ from kinegrade.practice.making import make_practice_sheet
 from tests.practice.node import Shown, Typed
 from tests.small_class import kinegrade as command
 
-WORDS = "practice"
+WORDS, EXAM = "practice", "EXAM"
 Judge = Callable[[PracticeSheet, Typed], list[list[list[Shown]]]]
 
 
@@ -55,9 +58,9 @@ class Marked:
         shown = judge(self.sheet, self.typed)
         return [
             Pair(
-                f"{self.bank} draw-{number + 1} q{place + 1}.{ask.name}",
+                f"{self.bank} {name_draw(number)} q{place + 1}.{ask.name}",
                 self.typed[place][number][row],
-                _describe(self.answers[f"draw-{number + 1}", f"q{place + 1}", ask.name]),
+                _describe(self.answers[name_draw(number), f"q{place + 1}", ask.name]),
                 " ".join((said.kind, *said.mistakes)),
                 said.is_cut_off,
             )
@@ -70,18 +73,36 @@ class Marked:
 
 
 def mark_answers(bank: Path, folder: Path, draws: int, seed: int) -> Marked:
-    """Answers to so many draws of a bank, or to as many as there are, marked by the command line."""
+    """Answers to so many draws of a bank, or to as many as there are, marked by the command line:
+    right, rounded, mistaken, carried on, nonsense.
+    """
+    random = Random(seed)
+
+    def type_answers(question: PracticeQuestion, number: int, carrying: Carrying) -> Iterator[str]:
+        return _type_anything(question, number, carrying, random)
+
+    return mark_typed(bank, folder, draws, type_answers)
+
+
+def mark_typed(bank: Path, folder: Path, draws: int, type_answers: Typing) -> Marked:
+    """What is typed for so many draws of a bank, or for as many as there are, marked by the command
+    line.
+    """
     blueprint = kinegrade.Bank.read(bank).blueprint
     sheet = make_practice_sheet(blueprint, draws, WORDS, ENGLISH).sheet
     fewest = min(len(question.draws) for question in sheet.questions)
     if fewest < draws:
-        return mark_answers(bank, folder, fewest, seed)
-    random = Random(seed)
+        return mark_typed(bank, folder, fewest, type_answers)
+    _generate(bank, folder, draws)
+    follows = FollowThrough(open_exam(folder / EXAM))
     typed = [
-        [list(_type_answers(question, number, random)) for number in range(len(question.draws))]
-        for question in sheet.questions
+        [
+            list(type_answers(question, number, Carrying(follows, number, place)))
+            for number in range(len(question.draws))
+        ]
+        for place, question in enumerate(sheet.questions)
     ]
-    marked = _mark(bank, folder, sheet, typed, draws)
+    marked = _mark(folder, sheet, typed)
     answers = {(each.student, each.question, each.ask): each for each in marked}
     return Marked(bank.name, sheet, typed, answers)
 
@@ -92,52 +113,73 @@ def _describe(answer: MarkedAnswer) -> str:
     return " ".join((verdict, *answer.mistakes))
 
 
-def _mark(
-    bank: Path, folder: Path, sheet: PracticeSheet, typed: Typed, draws: int
-) -> Iterator[MarkedAnswer]:
-    """The marks of the answers, by the command line."""
-    names = [f"draw-{number + 1}" for number in range(draws)]
-    roster, answers = folder / "roster.csv", folder / "answers.csv"
+def _generate(bank: Path, folder: Path, draws: int) -> None:
+    """The exam with the draws of the sheet, by the command line."""
+    names = [name_draw(number) for number in range(draws)]
+    roster = folder / "roster.csv"
     rows_of = "".join(f"{name},{name}\n" for name in names)
     roster.write_text(f"student,name\n{rows_of}", encoding="utf-8")
+    exam = folder / EXAM
+    made = command("generate", bank, roster, "-o", exam, "--reproducible", WORDS, "--jobs", "1")
+    assert made.exit_code < 2, made.stderr
+
+
+def _mark(folder: Path, sheet: PracticeSheet, typed: Typed) -> Iterator[MarkedAnswer]:
+    """The marks of the answers, by the command line."""
+    answers = folder / "answers.csv"
     with answers.open("w", encoding="utf-8", newline="") as file:
         rows = csv.writer(file)
         asked = enumerate(sheet.questions, 1)
         rows.writerow(["student", *(f"q{q}.{ask.name}" for q, each in asked for ask in each.asks)])
-        for number, name in enumerate(names):
-            rows.writerow([name, *(cell for question in typed for cell in question[number])])
-    exam, marks = folder / "EXAM", folder / "MARKS"
-    made = command("generate", bank, roster, "-o", exam, "--reproducible", WORDS, "--jobs", "1")
-    assert made.exit_code < 2, made.stderr
-    done = command("grade", exam, answers, "-o", marks)
+        for number in range(len(typed[0])):
+            cells = (cell for question in typed for cell in question[number])
+            rows.writerow([name_draw(number), *cells])
+    marks = folder / "MARKS"
+    done = command("grade", folder / EXAM, answers, "-o", marks)
     assert done.exit_code < 2, done.stderr
     return iter(kinegrade.open_marks(marks).answers())
 
 
-def _type_answers(question: PracticeQuestion, number: int, random: Random) -> Iterator[str]:
-    """What a student types for a draw: right, rounded, mistaken, carried on, nonsense."""
-    draw, own = question.draws[number], dict[int, float]()
+def name_draw(number: int) -> str:
+    """Whose paper has a draw."""
+    return f"draw-{number + 1}"
+
+
+@dataclass(frozen=True)
+class Carrying:
+    """What follows by the marking, not by the page, from the answers typed for a question."""
+
+    follows: FollowThrough
+    number: int
+    place: int
+
+    def list_values(self, own: Mapping[str, float], later: str) -> Iterator[float]:
+        """The values for a later ask: from each own answer alone."""
+        for ask, value in own.items():
+            found = self.follows(
+                name_draw(self.number), f"q{self.place + 1}", {ask: Fraction(value)}, later
+            )
+            yield from map(float, found)
+
+
+Typing = Callable[[PracticeQuestion, int, Carrying], Iterator[str]]
+
+
+def _type_anything(
+    question: PracticeQuestion, number: int, carrying: Carrying, random: Random
+) -> Iterator[str]:
+    """What a student types for a draw."""
+    draw, own = question.draws[number], dict[str, float]()
     for row, ask in enumerate(question.asks):
         shown, _, ratios = draw.keys[row]
         right = float(shown)
         known = [float(ratio) * (right or 1.0) for ratio in ratios.split(" ") if ratio]
         value = random.choice((
             right, right, right * 1.004, right * random.uniform(0.4, 1.8), -right,
-            *(random.choice(known) for _ in range(2) if known), *_carry_on(question, number, row, own),
+            *(random.choice(known) for _ in range(2) if known), *carrying.list_values(own, ask.name),
         ))  # fmt: skip
-        own[row] = value
+        own[ask.name] = value
         yield _write(value, ask.unit, random)
-
-
-def _carry_on(
-    question: PracticeQuestion, number: int, row: int, own: dict[int, float]
-) -> Iterator[float]:
-    """What follows from the student's own values, as often as other values."""
-    for text in question.draws[number].follows:
-        from_, to, *numbers = text.removesuffix(" +").split(" ")
-        if numbers and int(to) == row and int(from_) in own:
-            constant, linear, square = map(float, numbers)
-            yield constant + linear * own[int(from_)] + square * own[int(from_)] ** 2
 
 
 def _write(value: float, unit: str, random: Random) -> str:

@@ -49,15 +49,17 @@ function isKnown({ from, coefficients, ofItsSign }, keys, judged) {
  * @param {Key[]} keys
  * @param {Verdict[]} judged
  */
-function isWithinRounding({ from, to, coefficients }, question, keys, judged) {
+function isWithinRounding(following, question, keys, judged) {
+  const { from, to, coefficients, isRoot } = following;
   const error = Math.max(...judged.map((each, place) => findError(each, keys[place])));
   if (coefficients === null || error === 0) return false;
   const own = judged[from].value;
   const later = judged[to].value;
-  const found = workOut(coefficients, own);
+  const found = workOut(following, own);
   const follows = UNSIGNED.includes(question.asks[to].convention ?? "") ? Math.abs(found) : found;
   const [constant, linear, square] = coefficients;
-  const reach = LEVER * error * Math.max(...[constant, linear * own, square * own * own].map(Math.abs));
+  const largest = Math.max(...[constant, linear * own, square * own * own].map(Math.abs));
+  const reach = LEVER * error * (isRoot ? Math.sqrt(largest) : largest);
   const nearest = Math.min(Math.max(later, follows - reach), follows + reach);
   return agrees(later, nearest, keys[to]);
 }

@@ -1,6 +1,7 @@
 // @ts-check
 // Follow-through: answers that follow from the student's own wrong answers to other asks. What
-// follows is baked as a + b x + c x^2 in the student's value x. See judging/follow.py.
+// follows is baked as a + b x + c x^2 in the student's value x, or as the root of that. See
+// judging/follow.py.
 
 const LEAST = 1 / 20;
 const MOST = 60;
@@ -15,6 +16,7 @@ const SIGN_ALONE = 1 / 100;
  * @property {number | null} beside the ask with whose right answer something else follows
  * @property {number} to
  * @property {[number, number, number] | null} coefficients null where they do not do
+ * @property {boolean} isRoot whether it is the root of what they give
  * @property {boolean} ofItsSign whether they hold for values of the right sign alone
  */
 
@@ -22,16 +24,19 @@ const SIGN_ALONE = 1 / 100;
 function readFollows(draw) {
   return draw.follows.map((text) => {
     const ofItsSign = text.endsWith(" +");
-    const [taken, to, ...numbers] = text.replace(" +", "").split(" ");
+    const isRoot = text.replace(" +", "").endsWith(" r");
+    const [taken, to, ...numbers] = text.replace(" +", "").replace(" r", "").split(" ");
     const [from, beside = null] = taken.split("&").map(Number);
     const coefficients = numbers.length ? /** @type {[number, number, number]} */ (numbers.map(Number)) : null;
-    return { from, beside, to: Number(to), coefficients, ofItsSign };
+    return { from, beside, to: Number(to), coefficients, isRoot, ofItsSign };
   });
 }
 
-/** @param {[number, number, number]} coefficients @param {number} value */
-function workOut([constant, linear, square], value) {
-  return constant + linear * value + square * value * value;
+/** @param {Following} following one that has coefficients @param {number} value @returns {number} */
+function workOut({ coefficients, isRoot }, value) {
+  const [constant, linear, square] = coefficients ?? [NaN, NaN, NaN];
+  const found = constant + linear * value + square * value * value;
+  return isRoot ? Math.sqrt(Math.max(found, 0)) : found;
 }
 
 /**
@@ -102,12 +107,12 @@ function doesFollow(ways, keys, verdicts, isUnsigned) {
   const later = verdicts[to].value;
   const right = keys[from].value;
   if (!own || !right) return false;
-  const known = ways.flatMap(({ coefficients, ofItsSign }) =>
-    coefficients && (!ofItsSign || own * right > 0) ? [coefficients] : [],
+  const known = ways.filter(
+    ({ coefficients, ofItsSign }) => coefficients && (!ofItsSign || own * right > 0),
   );
   const fits = (/** @type {number} */ value, factor = 1) =>
-    known.some((coefficients) => {
-      const found = workOut(coefficients, value);
+    known.some((way) => {
+      const found = workOut(way, value);
       return agrees(later, factor * (isUnsigned ? Math.abs(found) : found), keys[to]);
     });
   return fits(own) && !isCopied(later, own, keys[to], right) && !isTrivial(own, right, fits);

@@ -16,6 +16,7 @@ from kinegrade.students.following.followed_quantities import (
     find_level,
     find_share,
 )
+from kinegrade.students.following.followers import AnyFollower, make_follower
 from kinegrade.students.mistaking.mistakes import convert_parameter
 
 _INSTANCES = 3  # looked at to see which asks are connected
@@ -31,7 +32,7 @@ def find_connections(template: Template, asks: Collection[str]) -> Mapping[str, 
     found: dict[str, set[str]] = {name: set() for stage in stages for name in stage}
     for number in range(_INSTANCES):
         with suppress(KinegradeError, ArithmeticError):
-            follower = Follower(template, choose_generic_values(template, number))
+            follower = make_follower(template, choose_generic_values(template, number))
             for earlier, later in _find_connected(follower, stages):
                 found[later].add(earlier)
     return {
@@ -43,8 +44,10 @@ def find_connections(template: Template, asks: Collection[str]) -> Mapping[str, 
 
 def find_generic_plan(template: Template) -> Plan | None:
     """The plan of a template, found where nothing is special; None where no drawable values have
-    one.
+    one, as steps have none.
     """
+    if not template.scheme.has_mechanism:
+        return None
     for number in range(_INSTANCES):
         with suppress(KinegradeError, ArithmeticError):
             return Follower(template, choose_generic_values(template, number)).plan
@@ -65,7 +68,7 @@ def choose_generic_values(template: Template, number: int) -> dict[str, float]:
 
 
 def _find_connected(
-    follower: Follower, stages: Sequence[Sequence[str]]
+    follower: AnyFollower, stages: Sequence[Sequence[str]]
 ) -> Iterator[tuple[str, str]]:
     """Which ask each one depends on in an instance: a change of the first, by nearly a third,
     changes the second in some way of going on.
