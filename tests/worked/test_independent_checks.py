@@ -36,7 +36,6 @@ WITHOUT = frozenset(
         "guided-rack-and-gear",
         "hoist-with-gears",
         "pole-sleeve-slider-rod",
-        "rod-sliding-on-driven-wheel",
         "rolling-wheel-pole-acceleration",
         "rolling-wheel-rim-points",
         "square-on-two-fixed-points",

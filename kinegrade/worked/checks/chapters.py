@@ -19,6 +19,7 @@ from kinegrade.worked.checks.constraints import list_constraint_checks
 from kinegrade.worked.checks.forms import is_told, leave_out, list_rates, list_solved
 from kinegrade.worked.checks.places import list_place_checks
 from kinegrade.worked.checks.poles import list_pole_checks
+from kinegrade.worked.checks.seen import list_seen_checks
 from kinegrade.worked.checks.theorems import list_theorem_checks
 from kinegrade.worked.checks.tracks import list_track_checks
 from kinegrade.worked.checks.trains import list_train_checks
@@ -70,6 +71,8 @@ def _list_rate_checks(stages: Mapping[Step, Stage], level: Level, case: Case) ->
     for _, stage in last_first:
         yield from list_constraint_checks(stage)
     yield from list_new_body_checks(level, case)
+    if level == "velocity":
+        yield from list_seen_checks(case)
 
 
 @dataclass(frozen=True)
