@@ -55,7 +55,7 @@ def test_a_unit_vector_has_the_given_angle_alone(angle: str, x: str, y: str) -> 
 
 
 def test_a_point_beyond_a_right_angle_is_placed_by_the_given_angle() -> None:
-    assert r"x_{B} &= x_{A} - r_{2}\sin\varphi" in _page("crossed-belt-drive")
+    assert r"y_{O} &= y_{B} - R\cos\varphi" in _page("rolling-wheel-pin-slotted-rocker")
 
 
 def test_a_line_whose_angle_the_figure_marks_has_no_angle_of_its_own() -> None:
