@@ -191,7 +191,7 @@ def _is_nothing(number: Any) -> bool:
         return False
 
 
-@lru_cache(maxsize=4096)
+@lru_cache(maxsize=2048)
 def write_row(row: Row) -> str:
     """A math tree as LaTeX math for sentences and pictures."""
     return write_latex_row(row, SOURCE)

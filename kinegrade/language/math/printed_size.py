@@ -88,7 +88,7 @@ class PrintedSize(Struct, frozen=True):
     height: float
 
 
-@lru_cache(maxsize=8192)  # a page is laid out in many ways, with the same formulas
+@lru_cache(maxsize=4096)  # a page is laid out in many ways, with the same formulas
 def measure_printed(row: Row) -> PrintedSize:
     r"""The size of a formula; its width is not smaller than what is printed.
 

@@ -43,7 +43,7 @@ _WIDE_SIGNS = frozenset(("+", "-", "=", "<", ">", r"\approx"))
 _SMALL = 0.7  # of a subscript relative to the letter that carries it
 
 
-@lru_cache(maxsize=8192)
+@lru_cache(maxsize=2048)
 def measure_row(row: Row) -> float:
     r"""The width of a formula in letters of its body.
 

@@ -94,7 +94,7 @@ def find_symbols(rows: Iterable[Row]) -> set[Node]:
     return set().union(*map(_find_row_symbols, rows))
 
 
-@lru_cache(maxsize=4096)  # solutions ask what is met further down, line after line
+@lru_cache(maxsize=2048)  # solutions ask what is met further down, line after line
 def _find_row_symbols(row: Row) -> frozenset[Node]:
     nodes = list(list_nodes(row))
     indexed = (structs.replace(node, upper=None) for node in nodes if isinstance(node, Scripts))
