@@ -179,7 +179,7 @@ def test_a_wheel_between_tracks_is_checked_from_the_other_contact() -> None:
         Check(
             "the velocity of $C$ from the point of contact with the rack $B$",
             r"v_{C} = 75\,\unit{mm/s}",
-            r"-v_{B} + r\,\omega = -100\,\unit{mm/s} + 70\,\unit{mm} \cdot 2.5\,\unit{rad/s} = 75\,\unit{mm/s}",
+            r"v_{B} + r\,\omega = -100\,\unit{mm/s} + 70\,\unit{mm} \cdot 2.5\,\unit{rad/s} = 75\,\unit{mm/s}",
         ),
         Check(
             "the acceleration of $C$ along the tracks from the point of contact with the rack $B$",
