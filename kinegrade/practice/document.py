@@ -57,8 +57,8 @@ class PracticeDraw:
     """The instance of a question with one set of numbers; `texts` are the statement, the figure,
     for each ask how far it may be off, and the parts of the worked solution. `follows` has the
     places of two asks, and what follows for the second from a value of the first: the coefficients
-    of its powers 0, 1 and 2, with an "r" where it is the root of their sum; and those with a third, with whose right answer something else
-    follows. `motion` is None for what cannot move.
+    of its powers 0, 1 and 2, with an "r" where it is the root of their sum; and those with a third,
+    with whose right answer something else follows. `motion` is None for what cannot move.
     """
 
     texts: tuple[tuple[Line, ...], ...]

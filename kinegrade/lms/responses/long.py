@@ -1,11 +1,11 @@
 """Answers one below the other: a line for each student and ask, in any order, by the id or by the
-code of the paper. What belongs to one student becomes one row.
+code of the paper. What one student handed in at one time becomes one row.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
 
 from kinegrade.ask_names import AskNames
 from kinegrade.errors import TableError
@@ -21,7 +21,9 @@ from kinegrade.files.rows.row import Row
 from kinegrade.files.tables import Complaint, Table
 from kinegrade.language.message import Fault, Message, Quoted
 from kinegrade.language.spellings import list_preferred_spellings
+from kinegrade.lms.responses.long_attempts import LongAttempt, settle_attempts
 from kinegrade.lms.responses.people import Kind
+from kinegrade.lms.responses.sheet import SUBMITTED
 from kinegrade.lms.responses.typed_rows import Attempts, TypedRow, TypedRows, whole
 
 TITLE = Message("responses.long")
@@ -37,6 +39,7 @@ class _Columns:
     people: Mapping[Kind, Sequence[int]]
     parts: tuple[int, ...]
     answer: int
+    time: tuple[int, ...]
 
 
 def recognises(header: Sequence[str]) -> bool:
@@ -84,15 +87,7 @@ def _find_columns(header: Sequence[str]) -> _Columns | None:
     answer = find(list_preferred_spellings(_ANSWER))
     if not any(people.values()) or not parts or not answer:
         return None
-    return _Columns(people, parts, answer[0])
-
-
-@dataclass
-class _Student:
-    """What was gathered of one student: the first row, and for each ask the row of its answer."""
-
-    first: Row
-    answers: dict[str, Row] = field(default_factory=dict)
+    return _Columns(people, parts, answer[0], tuple(find([SUBMITTED])))
 
 
 class _Gathered:
@@ -104,7 +99,7 @@ class _Gathered:
         self.named = AskNames(head.columns, shuffled=True)
         self.numbered = AskNames(head.columns)
         self.by_number = False
-        self.students: dict[str, _Student] = {}
+        self.students: dict[str, dict[str, LongAttempt]] = {}
         self.complaints: list[Complaint] = []
 
     def take(self, row: Row) -> None:
@@ -115,11 +110,13 @@ class _Gathered:
             problem = Message("responses.no-ask", name=Quoted(shorten(written)))
             self._complain(row, problem, Message("marking.not-graded"))
             return
-        student = self.students.setdefault(self._find_owner(row), _Student(row))
-        before = student.answers.setdefault(column, row)
+        attempts = self.students.setdefault(self._find_owner(row), {})
+        time = "".join(trim(row.cell(place)) for place in self.columns.time)
+        attempt = attempts.setdefault(time, LongAttempt(row, time))
+        before = attempt.answers.setdefault(column, row)
         here, there = (trim(each.cell(self.columns.answer)) for each in (row, before))
         if not is_answered(there):
-            student.answers[column] = row
+            attempt.answers[column] = row
         elif is_answered(here) and here != there:
             place = f"{self.table.file}:{before.line}"
             problem = Message(
@@ -147,15 +144,35 @@ class _Gathered:
     def _complain(self, row: Row, problem: Message, done: Message) -> None:
         self.complaints.append(Complaint(self.table.file, row.line, "", whole(row), problem, done))
 
+    def _settle(self) -> Iterator[LongAttempt]:
+        """The attempts of all students; times that differ within one are complained of."""
+        for attempts in self.students.values():
+            for attempt in settle_attempts([*attempts.values()], self.columns.answer):
+                last = attempts[attempt.time]
+                self.complaints += [self._tell_other_time(each, last) for each in attempt.others]
+                yield attempt
+
+    def _tell_other_time(self, other: LongAttempt, last: LongAttempt) -> Complaint:
+        """That a time is not that at which the attempt was handed in."""
+        problem = Message(
+            "responses.other-time",
+            here=Quoted(shorten(other.time)),
+            there=Quoted(shorten(last.time)),
+            place=f"{self.table.file}:{last.first.line}",
+        )
+        done = Message("responses.one-attempt", time=shorten(last.time))
+        row, column = other.first, self.table.header[self.columns.time[0]]
+        return Complaint(self.table.file, row.line, column, whole(row), problem, done)
+
     def typed_rows(self) -> TypedRows:
-        """Everything, student by student."""
+        """Everything, student by student and attempt by attempt."""
         columns, answer = self.head.columns, self.columns.answer
         rows, lines = [], {}
-        for student in self.students.values():
-            found = [student.answers.get(column) for column in columns]
+        for attempt in self._settle():
+            found = [attempt.answers.get(column) for column in columns]
             responses = tuple("" if row is None else row.cell(answer) for row in found)
-            rows.append(TypedRow(student.first, responses))
-            first = student.first.line
+            rows.append(TypedRow(attempt.first, responses, submitted=attempt.time))
+            first = attempt.first.line
             lines[first] = tuple(first if row is None else row.line for row in found)
         return TypedRows(
             columns,
