@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations
+from typing import assert_never
 
 from kinegrade.language.message import Message
 from kinegrade.mechanics.rates import make_turning
@@ -220,4 +221,10 @@ def _measure_turning(pair: _Pair, arm: _Arm, level: Level, *, across: bool) -> f
     case, far = arm.case, double(arm.vector.squared())
     if across:
         return double(case.rates(level)[make_turning(pair.body)]) * far
-    return -(double(case.motion.omega(pair.body)) ** 2) * far if level == "acceleration" else 0.0
+    match level:
+        case "velocity":
+            return 0.0  # a rotation adds nothing along the arm
+        case "acceleration":
+            return -(double(case.motion.omega(pair.body)) ** 2) * far
+        case _:
+            assert_never(level)
