@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
+from kinegrade.errors import TableError
 from kinegrade.files.output import output_folder
 from kinegrade.files.placing.edits import find_edits
 from kinegrade.language.message import Message
@@ -13,6 +14,7 @@ from kinegrade.marks_folder.folder import MarksFolder, open_marks
 from kinegrade.marks_folder.layout import FILES, MARKER
 from kinegrade.marks_folder.merging import Merging, Preference
 from kinegrade.public.outcome import Outcome
+from kinegrade.reports.term.split_students import find_renamed_students
 from kinegrade.reports.unlike_names import find_unlike_names
 
 
@@ -25,11 +27,15 @@ def merge_marks(
 ) -> Outcome:
     """Writes the folder `output`, whole or not at all, with the marks of all folders.
 
-    Raises TableError for students who handed in to several, unless there is a preference,
-    OutputError.
+    Raises TableError for students who handed in to several, unless there is a preference, and for
+    those who would stand twice as their id has changed, OutputError.
     """
     merging = Merging(folders, preference)
     totals = {str(each.path): each.totals for each in folders}
+    former_ids = {str(each.path): each.former_ids for each in folders}
+    renamed = tuple(find_renamed_students(totals, former_ids))
+    if renamed:
+        raise TableError(*renamed)
     complaints = (*merging.find_different_maxima(), *find_unlike_names(totals))
     contents, edits = (*FILES, moodle.FILE), find_edits(output, marker=MARKER)
     with output_folder(output, marker=MARKER, contents=contents, force=force) as path:

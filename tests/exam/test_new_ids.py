@@ -93,13 +93,29 @@ def test_a_term_tells_marks_that_have_the_old_id(exam: Path) -> None:
     said = kinegrade("term", first, second, "-o", exam.with_name("term.csv"))
     assert said.exit_code == 1
     assert (
-        '0012: "0012" (in QUIZ) is "4711" in FINAL - give the new id to the other exams, too, by '
-        "kinegrade exchange EXAM OLD NEW --new-id, and mark them again\n"
+        '0012: "0012" (in QUIZ) is "4711" in FINAL - mark these again; an exam that still has the '
+        "old id gets the new one by kinegrade exchange EXAM OLD NEW --new-id\n"
     ) in said.stderr
     kinegrade("exchange", other, "0012", "4711", *NEW)
     kinegrade("grade", other, sheet, "-o", first, "--force")
     said = kinegrade("term", first, second, "-o", exam.with_name("term.csv"), "--force")
     assert "0012" not in said.stderr
+
+
+def test_marks_before_and_after_a_new_id_are_not_merged(exam: Path) -> None:
+    sheet, first, second = (exam.with_name(name) for name in ("typed.csv", "MARKS", "AGAIN"))
+    sheet.write_text("student,q1.v_B\n0012,1\n", encoding="utf-8")
+    assert kinegrade("grade", exam, sheet, "-o", first).exit_code == 1
+    assert kinegrade("exchange", exam, "0012", "4711", *NEW).exit_code == 0
+    assert kinegrade("grade", exam, sheet, "-o", second).exit_code == 1
+    for pair in ((first, second), (second, first)):
+        said = kinegrade("merge", *pair, "-o", exam.with_name("ALL"), "--prefer", "better")
+        assert said.exit_code == 2
+        assert f'0012: "0012" (in {first}) is "4711" in {second} - mark these again' in said.stderr
+        assert not exam.with_name("ALL").exists()
+    assert kinegrade("grade", exam, sheet, "-o", first, "--force").exit_code == 1
+    said = kinegrade("merge", first, second, "-o", exam.with_name("ALL"), "--prefer", "better")
+    assert said.exit_code == 0, said.stderr
 
 
 def test_a_policy_may_have_the_old_id(exam: Path) -> None:
