@@ -240,7 +240,7 @@ def test_a_part_from_which_a_student_is_excused_is_empty(marked: Path, tmp_path:
         ('HW2 = ["88", "7"]\nFINAL = ["8"]', [
             'excused.HW2: no student "88" in any of the marks',
             'excused.HW2: "7" has sat HW2 - expected students who have not - leave this one out, so '
-            "that the points count",
+            "that the points count, or set the exam aside for this student under [set-aside]",
             'excused.FINAL: "8" has sat FINAL',
         ]),
     ],
@@ -253,6 +253,27 @@ def test_excuses_that_do_not_fit_are_all_told(
     assert [each for each in said if each not in done.stderr] == []
     assert all("plan.toml" in line for line in done.stderr.splitlines())
     assert not (tmp_path / "term.csv").exists()
+
+
+def test_an_exam_that_a_student_sat_may_be_set_aside(marked: Path, tmp_path: Path) -> None:
+    output = tmp_path / "term.csv"
+    stated = '[excused]\nHW2 = ["8"]\n\n[set-aside]\nHW2 = ["7"]\n'
+    done = run(marked, output, plan=PLAN.replace("best = 1", "best = 2") + stated)
+    assert done.exit_code == 0, done.stderr
+    rows = {row["student"]: tuple(row.values())[2:] for row in table(output)}
+    assert rows["7"] == ("100", "excused", "100", "100", "100", "1.0", "marked")
+    assert rows["8"][:2] == ("100", "excused")
+    assert "HW2: 2 students are excused" in done.stderr
+
+
+def test_an_exam_is_set_aside_for_known_students_alone(marked: Path, tmp_path: Path) -> None:
+    stated = '[set-aside]\nHWII = ["7"]\nHW2 = ["88"]\n'
+    done = run(marked, tmp_path / "term.csv", plan=PLAN + stated)
+    assert done.exit_code == 2
+    assert 'set-aside.HWII: no marks "HWII"' in done.stderr
+    done = run(marked, tmp_path / "term.csv", plan=PLAN + '[set-aside]\nHW2 = ["88"]\n')
+    assert done.exit_code == 2
+    assert 'set-aside.HW2: no student "88" in any of the marks' in done.stderr
 
 
 def test_the_same_marks_give_the_same_bytes(marked: Path, tmp_path: Path) -> None:

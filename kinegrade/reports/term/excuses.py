@@ -1,7 +1,11 @@
-"""Who is excused from which exam of a term: it does not count for them.
+"""Who is excused from which exam of a term, and for whom one that they sat is set aside: it does
+not count for them.
 
 [excused]
 HW2 = ["1002", "1004"]
+
+[set-aside]
+FINAL = ["1003"]
 """
 
 from __future__ import annotations
@@ -15,7 +19,7 @@ from kinegrade.files.fields.values import text
 from kinegrade.language.message import Fault, Message, Quoted
 from kinegrade.marks_folder.rows import ClassTotals
 
-_TABLE = "excused"
+_EXCUSED, _SET_ASIDE = "excused", "set-aside"
 Excuses = Mapping[str, frozenset[str]]  # for an exam, by its name, the ids of students
 
 
@@ -28,34 +32,46 @@ def read_excuses(stated: Table, names: Sequence[str]) -> Excuses:
     return {name: frozenset(stated.listing(name, text, '"1002"')) for name in stated}
 
 
-def require_excusable(file: Path, excuses: Excuses, exams: Mapping[str, ClassTotals]) -> None:
-    """Raises PolicyError with all excuses of students who are in no exam, or who sat the exam from
-    which they are excused.
+def require_excusable(
+    file: Path, excused: Excuses, set_aside: Excuses, exams: Mapping[str, ClassTotals]
+) -> None:
+    """Raises PolicyError with all students who are in no exam, or who sat the exam from which they
+    are excused: one that they sat is to be set aside.
     """
-    faults = tuple(
-        Fault(f"{file}: {_TABLE}.{name}", *said)
-        for name, students in excuses.items()
-        for said in _list_unfit(name, students, exams)
+    faults = (
+        *_find_unknown(f"{file}: {_EXCUSED}", excused, exams),
+        *_find_present(f"{file}: {_EXCUSED}", excused, exams),
+        *_find_unknown(f"{file}: {_SET_ASIDE}", set_aside, exams),
     )
     if faults:
         raise PolicyError(*faults)
 
 
-def _list_unfit(
-    name: str, students: frozenset[str], exams: Mapping[str, ClassTotals]
-) -> Iterator[tuple[Message, Message, Message]]:
-    """What is wrong with the excuses from an exam, what was expected and what to do."""
+def _find_unknown(
+    where: str, excuses: Excuses, exams: Mapping[str, ClassTotals]
+) -> Iterator[Fault]:
+    """A fault for each student who is in no exam."""
     known = {each.student for totals in exams.values() for each in totals.students}
-    sat = {each.student for each in exams[name].students if each.is_present}
-    for student in sorted(students - known):
-        yield (
-            Message("term.no-student", student=Quoted(student)),
-            Message("term.a-listed-student"),
-            suggest(student, known),
-        )
-    for student in sorted(students & sat):
-        yield (
-            Message("term.sat", student=Quoted(student), name=name),
-            Message("term.one-who-has-not"),
-            Message("term.leave-out"),
-        )
+    for name, students in excuses.items():
+        for student in sorted(students - known):
+            yield Fault(
+                f"{where}.{name}",
+                Message("term.no-student", student=Quoted(student)),
+                Message("term.a-listed-student"),
+                suggest(student, known),
+            )
+
+
+def _find_present(
+    where: str, excuses: Excuses, exams: Mapping[str, ClassTotals]
+) -> Iterator[Fault]:
+    """A fault for each student who sat the exam."""
+    for name, students in excuses.items():
+        sat = {each.student for each in exams[name].students if each.is_present}
+        for student in sorted(students & sat):
+            yield Fault(
+                f"{where}.{name}",
+                Message("term.sat", student=Quoted(student), name=name),
+                Message("term.one-who-has-not"),
+                Message("term.leave-out"),
+            )

@@ -11,6 +11,9 @@ weight = "70 %"
 [excused]
 HW2 = ["1002"]
 
+[set-aside]
+FINAL = ["1003"]
+
 [scale]
 kind = "german"
 """
@@ -38,6 +41,9 @@ PLAN = (
     #: Who is excused from which marks, `HW2 = ["1002"]`: they do not count for these students, and
     #: what else belongs to the part, or the other parts where nothing does, counts the more.
     "excused",
+    #: For whom marks are set aside although these students were there, `FINAL = ["1003"]`: they
+    #: do not count, as if the student were excused.
+    "set-aside",
     #: Which grades the totals of the term earn: a table `[scale]`, as in a bank.
     "scale",
 )
@@ -69,13 +75,19 @@ class Part:
 
 @dataclass(frozen=True, slots=True)
 class Plan:
-    """The parts of a term, whose weights add up to 1, its scale, None for no grades, and who is
-    excused from what.
+    """The parts of a term, whose weights add up to 1, its scale, None for no grades, who is
+    excused from what, and for whom what is set aside although they sat it.
     """
 
     parts: tuple[Part, ...]
     scale: StatedScale | None = None
     excused: Excuses = field(default_factory=dict)
+    set_aside: Excuses = field(default_factory=dict)
+
+    def find_uncounted(self, student: str) -> frozenset[str]:
+        """The names of the marks that do not count for a student."""
+        stated = (*self.excused.items(), *self.set_aside.items())
+        return frozenset(name for name, students in stated if student in students)
 
 
 def plan_evenly(names: Sequence[str]) -> Plan:
@@ -113,12 +125,13 @@ def read_plan(path: Path, names: Sequence[str]) -> Plan:
         table.missing("parts", Message("fields.a-table-like", like=_LIKE))
     parts = [_read_part(name, each) for name, each in tables.items()]
     scale, excused = read_scale(table), read_excuses(table.table("excused"), names)
+    set_aside = read_excuses(table.table("set-aside"), names)
     known = [each for each in parts if each is not None]
     if len(known) == len(tables) and tables:
         for what in (*_list_mismatches(known, names), *_list_sums(known)):
             table.fault("parts", what)
     table.faults.require_none()
-    return Plan(tuple(known), scale, excused)
+    return Plan(tuple(known), scale, excused, set_aside)
 
 
 def _read_part(name: str, table: Table) -> Part | None:

@@ -76,8 +76,10 @@ def _gather(exams: Exams) -> Mapping[str, Mapping[str, StudentTotal]]:
 def _work_out(
     student: str, listed: Mapping[str, StudentTotal], plan: Plan, scale: Scale | None
 ) -> TermResult:
-    sat = {name: total for name, total in listed.items() if total.is_present}
-    excused = frozenset(name for name, whose in plan.excused.items() if student in whose)
+    excused = plan.find_uncounted(student)
+    sat = {
+        name: total for name, total in listed.items() if total.is_present and name not in excused
+    }
     counted = {part.name: _count(part, sat, excused) for part in plan.parts}
     total, hidden = _add_up([each for each in counted.values() if each is not None])
     name = next((each.name for each in listed.values() if each.name), "")
