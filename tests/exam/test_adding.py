@@ -380,6 +380,24 @@ def test_who_was_assigned_a_spare_paper_need_not_be_in_the_roster(tmp_path: Path
     assert [each["student"] for each in head["students"]] == [*CLASS, "0099", *LATE]
 
 
+def test_a_class_generated_again_needs_who_was_assigned_a_spare_paper_in_the_roster(
+    tmp_path: Path,
+) -> None:
+    exam = generated(write(tmp_path), *WORDS, "--spare", "1") / "EXAM"
+    code = json.loads((exam / "exam.json").read_text(encoding="utf-8"))["spares"][0]["paper"]
+    assert kinegrade("assign", exam, code, "0099", "--name", "Dora").exit_code == 0
+    result = generate(tmp_path, "--force")
+    assert result.exit_code == 2
+    assert "1 would be gone (0099)" in result.stderr
+    assert "also who was assigned a spare paper or withdrew" in result.stderr
+    key = (exam / "key.jsonl").read_text(encoding="utf-8")
+    (tmp_path / "roster.csv").write_text(roster({**CLASS, "0099": "Dora"}), encoding="utf-8")
+    generated(tmp_path, "--force")
+    assert sorted((exam / "key.jsonl").read_text(encoding="utf-8").splitlines()) == sorted(
+        key.splitlines()
+    )
+
+
 def test_a_bank_without_a_template_of_the_exam_is_refused(folder: Path) -> None:
     bank = folder / "bank.toml"
     text = bank.read_text(encoding="utf-8").replace('"crank.toml"', '"other.toml"')

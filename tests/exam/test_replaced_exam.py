@@ -108,7 +108,10 @@ def test_a_student_whose_paper_is_printed_is_not_dropped(folder: Path) -> None:
     write_inputs(folder, "ac")
     line = refused(folder)
     assert "EXAM: 0 of 3 papers would change and 1 would be gone (b), 0 be new - " in line
-    assert "and every student in the roster, also who withdrew (exports leave alone" in line
+    assert (
+        "and every student in the roster, also who was assigned a spare paper or withdrew (exports leave alone"
+        in line
+    )
     assert "give changed ids by kinegrade exchange --new-id" in line
 
 
