@@ -73,3 +73,13 @@ def test_it_does_so_where_points_are_level_at_this_instant_alone() -> None:
     answers = {name: solution.answers[name] for name in ("v_O", "v_B")}
     told = write_worked_solution(replace(solution, answers=answers), answers, "en").blocks
     assert any(line.startswith("y_{D} - y_{B} &= ") for line in displayed(told))
+
+
+@pytest.mark.parametrize("beta", ["45", "50"])
+def test_half_a_right_angle_does_not_exchange_sine_and_cosine(beta: str) -> None:
+    """DE stands across CD, which makes beta with the x axis; at 45 degrees it went by the cosine,
+    which gives the right number there alone.
+    """
+    solution = solve_template(load_template("crank-rocker-towed-wheel"), {"beta": beta})
+    told = "\n".join(lines(write_worked_solution(solution, ("v_E",), "en").blocks))
+    assert r"DE = \frac{x_{E} - x_{D}}{\sin\beta}" in told

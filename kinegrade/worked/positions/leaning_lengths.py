@@ -4,7 +4,7 @@ OM = x_M/cos(phi).
 
 from __future__ import annotations
 
-from math import cos, sin
+from math import atan2, pi
 
 from kinegrade.expressions.tree import Expression, Name, Operation, walk
 from kinegrade.numbers.angle import Angle
@@ -15,6 +15,7 @@ from kinegrade.worked.positions.right_angles import make_unit
 from kinegrade.worked.positions.stated_angles import find_stated_tree
 
 _CLOSE = 1e-9
+_Ratios = tuple[Expression, Expression]
 
 
 def measure_along(start: str, end: str, instance: Instance) -> Expression | None:
@@ -22,22 +23,34 @@ def measure_along(start: str, end: str, instance: Instance) -> Expression | None
     coordinates that is the shorter formula, or else the larger; None along an axis, and where no
     given angle states the line.
     """
-    angle = find_stated_tree((start, end), instance.case)
+    stated = find_stated_tree((start, end), instance.case)
     away = instance.case.motion.points[end] - instance.case.motion.points[start]
     size, (x, y) = double(away.squared()) ** 0.5, map(double, away)
-    if angle is None or min(abs(x), abs(y)) < _CLOSE * size:
+    if stated is None or min(abs(x), abs(y)) < _CLOSE * size:
         return None
+    sign, angle = stated
     pair = instance.axes.pair(Operation("-", Name(end), Name(start))) or (ZERO, ZERO)
+    ratios = _split(sign * _measure(instance.value(angle)), make_unit(angle), atan2(y, x))
+    if ratios is None:
+        return None
     sides = sorted(
-        zip(pair, (x, y), strict=True), key=lambda side: (_count(side[0]), -abs(side[1]))
+        zip(pair, ratios, (x, y), strict=True), key=lambda side: (_count(side[0]), -abs(side[2]))
     )
-    part, seen = sides[0]
-    value = _measure(instance.value(angle))
-    for ratio, number in zip(make_unit(angle), (cos(value), sin(value)), strict=True):
-        if part != ZERO and abs(abs(seen) - size * abs(number)) < _CLOSE * size:
-            above, below = (make_positive(one, instance.sign(one)) for one in (part, ratio))
-            return over(above, below)
-    return None
+    part, ratio, _ = sides[0]
+    if part == ZERO:
+        return None
+    return over(*(make_positive(one, instance.sign(one)) for one in (part, ratio)))
+
+
+def _split(angle: float, unit: _Ratios, bearing: float) -> _Ratios | None:
+    """The shares of a length on a line that x and y are: cosine and sine of the angle, or the other
+    way round where the line is a right angle from there; None where it is neither.
+    """
+    quarters = (bearing - angle) / (pi / 2)
+    if abs(quarters - round(quarters)) > _CLOSE:
+        return None
+    cosine, sine = unit
+    return (cosine, sine) if round(quarters) % 2 == 0 else (sine, cosine)
 
 
 def _measure(angle: object) -> float:

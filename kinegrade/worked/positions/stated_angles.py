@@ -48,15 +48,16 @@ def find_stated_angle(ends: tuple[str, str], case: Case) -> Stated | None:
     return _state(sign, plain, case, seen)
 
 
-def find_stated_tree(ends: tuple[str, str], case: Case) -> Expression | None:
+def find_stated_tree(ends: tuple[str, str], case: Case) -> tuple[int, Expression] | None:
     """The given angle that states the line through two points, as an expression without right
-    angles; None where none does.
+    angles, with the sign with which it counts counter-clockwise; None where none does.
     """
     given = (one for one in _list_stated(ends, case.construction) if _is_given(one, case))
-    angle, marked = next(given, None), find_marked_angle(ends, case)
+    angle = next(given, None)
     if angle is None:
-        return marked[1] if marked else None
-    return split_right_angles(angle)[1]
+        return find_marked_angle(ends, case)
+    sign, plain, _ = split_right_angles(angle)
+    return sign, plain
 
 
 def _find_among_givens(ends: tuple[str, str], case: Case) -> Stated | None:
