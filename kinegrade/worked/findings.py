@@ -143,6 +143,12 @@ class Findings:
             for one in self.printed
         )
 
+    def is_size_alone(self, symbol: Formula) -> bool:
+        """Whether equations have given the magnitude of what a letter is, and not its sign."""
+        lefts = [one.left for one in self.printed]
+        sized = any(one.looks_like(abs(symbol)) for one in lefts)
+        return sized and not any(one.looks_like(symbol) for one in lefts)
+
     def spares(self, rate: Rate, level: Level) -> bool:
         """Whether neither an answer nor a later step needs a rate."""
         return rate in self.spared[level]

@@ -111,7 +111,7 @@ def test_velocities_by_the_instantaneous_centre() -> None:
             \approx 0.6667\,\unit{rad/s}\quad\text{(counter-clockwise)}
         \left|v_{A}\right| &= PA \cdot \omega = 4\,\unit{m} \cdot 0.6667\,\unit{rad/s}
             \approx 2.667\,\unit{m/s}\quad\text{(downwards)}
-        v_{A} &= -\frac{8}{3}\,\unit{m/s} \approx -2.667\,\unit{m/s}
+        v_{A} &= -\left|v_{A}\right| = -\frac{8}{3}\,\unit{m/s} \approx -2.667\,\unit{m/s}
         """
     )
 
@@ -190,7 +190,7 @@ def test_a_rod_in_instantaneous_translation() -> None:
         v_{A} &= OA \cdot \omega_{OA} = 6\,\unit{m/s}\quad\text{(to the left)}
         \omega &= 0
         \left|v_{B}\right| &= v_{A} = 6\,\unit{m/s}\quad\text{(to the left)}
-        v_{B} &= -6\,\unit{m/s}
+        v_{B} &= -\left|v_{B}\right| = -6\,\unit{m/s}
         """
     )
 

@@ -141,6 +141,13 @@ WRONG: dict[Law, tuple[Block, ...]] = {
             r" 4\,\unit{m^2}$, right side $b^{2} = 4\,\unit{m^2}$; they agree."
         ),
     ),
+    "signed": (
+        Display((read_math(r"\left|v_{B}\right| = 2\,\unit{m/s}", ""),)),
+        Prose(
+            r"Check by Pythagoras: left side $-v_{B} = 2\,\unit{m/s}$, right side"
+            r" $\left|v_{B}\right| = 2\,\unit{m/s}$; they agree."
+        ),
+    ),
     "redone": (
         Prose(
             r"Check by Pythagoras: left side $(2\,\unit{m/s})^{2} + (1.333\,\unit{m/s})^{2} \approx"

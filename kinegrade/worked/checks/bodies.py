@@ -28,7 +28,7 @@ from kinegrade.worked.formulas.numbers import measure
 from kinegrade.worked.owners import name_owned_point
 from kinegrade.worked.unlettered import is_lettered
 from kinegrade.worked.vectors.arms import name_length
-from kinegrade.worked.vectors.components import find_heading, state_signed
+from kinegrade.worked.vectors.components import find_heading, name_signed, state_signed
 from kinegrade.worked.vectors.facts import make_key
 from kinegrade.worked.vectors.inclinations import (
     find_cosine,
@@ -171,7 +171,9 @@ class _Arm:
         return found if len(found) == len(products) else None
 
     def _multiply_piece(self, line: Vector, piece: Piece) -> Amount | None:
-        product = self.length.times(Amount(piece.symbol, state_signed(piece, self.case)))
+        letters = name_signed(piece, self.case)
+        number = state_signed(piece, self.case, letters.sign)
+        product = self.length.times(Amount(letters.size, number, letters.sign))
         if not double(line.cross(piece.value)):
             return product.signed(find_sign(line.dot(piece.positive)))
         heading = find_heading(piece, self.case)

@@ -18,13 +18,13 @@ from kinegrade.worked.formulas.equation import Equation, Link, equate
 from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.measures import double, length, size
 from kinegrade.worked.formulas.numbers import measure, state_number
-from kinegrade.worked.senses import state_way, state_way_about
+from kinegrade.worked.senses import state_way_about
 from kinegrade.worked.steps.couplers import Coupler, explain_base_speed
 from kinegrade.worked.steps.pole_distances import PoleTriangle
 from kinegrade.worked.steps.poles import name_pole
 from kinegrade.worked.vectors.arms import introduce_lengths, name_length
 from kinegrade.worked.vectors.projection import PARALLEL
-from kinegrade.worked.vectors.results import state_rotation_result
+from kinegrade.worked.vectors.results import state_rotation_result, state_sense
 from kinegrade.worked.vectors.vectors import name_part, name_point_vector, name_value
 
 
@@ -126,6 +126,7 @@ def _state_way_of(sought: Part, term: Term, case: Case) -> Row:
             arm = case.motion.points[sought.point] - case.motion.points[sought.base]
             return state_way_about(sought.value, arm, sought.base, case)
         case "sliding" | "arc":
-            return state_way(sought.value, case)
+            positive = sought.coefficient or sought.value
+            return state_sense(double(sought.value.dot(positive)), positive, sought, case)
         case _:
             assert_never(term.kind)

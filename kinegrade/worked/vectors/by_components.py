@@ -15,7 +15,7 @@ from kinegrade.worked.formulas.equation import Equation, equate
 from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.measures import double, is_zero, length
 from kinegrade.worked.formulas.numbers import measure, state_number
-from kinegrade.worked.vectors.components import find_heading, state_signed
+from kinegrade.worked.vectors.components import find_heading, name_signed, state_signed
 from kinegrade.worked.vectors.facts import make_key
 from kinegrade.worked.vectors.inclinations import Inclination, find_cosine
 from kinegrade.worked.vectors.summands import name_component
@@ -71,7 +71,9 @@ def project_components(
             return ()
         cosine = find_cosine(heading, axis)
         turned = (heading.quarters - axis.quarters) % 4
-        size = state_signed(piece, case) if in_numbers else piece.symbol
+        letters = name_signed(piece, case)
+        number = state_signed(piece, case, letters.sign).signed(letters.sign)
+        size = number if in_numbers else letters
         if cosine is not None:
             share = size.size * cosine.state(in_numbers)
             shares.append(share.signed(cosine.sign * size.sign))

@@ -83,17 +83,29 @@ def _project(piece: Piece, axis: AxisName, case: Case) -> tuple[Summand, ...] | 
     if cosine is None and quarters % 2:
         return ()
     sign = 1 - quarters if cosine is None else cosine.sign
-    size = state_signed(piece, case)
+    letters = name_signed(piece, case)
+    sign, size = sign * letters.sign, state_signed(piece, case, letters.sign)
     if cosine is None:
-        return (Summand(_SIGNS[sign], piece.symbol, (size,)),)
+        return (Summand(_SIGNS[sign], letters.size, (size,)),)
     numbers = (size, cosine.state(True)) if double(piece.value[PLACES[axis]]) else (NOTHING,)
-    return (Summand(_SIGNS[sign], piece.symbol * cosine.state(False), numbers),)
+    return (Summand(_SIGNS[sign], letters.size * cosine.state(False), numbers),)
 
 
-def state_signed(piece: Piece, case: Case) -> Formula:
-    """The number of a piece, negative where it points against its positive sense."""
-    size = length(piece.value, case.arithmetic)
+def name_signed(piece: Piece, case: Case) -> Formula:
+    """The letter of a piece; where it points against its positive sense, and its magnitude alone
+    has been found, less that magnitude.
+    """
     against = double(piece.value.dot(piece.positive)) < 0
+    sized = against and case.findings.is_size_alone(piece.symbol)
+    return -abs(piece.symbol) if sized else piece.symbol
+
+
+def state_signed(piece: Piece, case: Case, sign: int = 1) -> Formula:
+    """The number of a piece, negative where it points against its positive sense; the opposite of
+    that where `sign` is negative.
+    """
+    size = length(piece.value, case.arithmetic)
+    against = double(piece.value.dot(piece.positive)) * sign < 0
     return measure(-size if against else size, piece.symbol.unit)
 
 

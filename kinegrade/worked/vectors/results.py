@@ -80,11 +80,11 @@ def state_vector_value(symbol: Formula, part: Part, case: Case, level: Level) ->
     if part.term is None or part.coefficient is None:
         return Equation(symbol, state_number(length(part.value, case.arithmetic), unit))
     value = measure_along_direction(part.term, case, level)
-    sense = _state_sense(double(value), part.coefficient, part, case)
+    sense = state_sense(double(value), part.coefficient, part, case)
     return Equation(symbol, state_number(value, unit), sense)
 
 
-def _state_sense(value: float, positive: Vector, part: Part, case: Case) -> Row:
+def state_sense(value: float, positive: Vector, part: Part, case: Case) -> Row:
     """The direction beside the value of an unknown vector; of a clockwise rotation about what,
     where the vector is slanting.
     """

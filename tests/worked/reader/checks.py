@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Iterator, Sequence
+from functools import cache
 from itertools import pairwise
 
 from kinegrade.language.known import known_languages
@@ -48,14 +49,19 @@ def find_doubled(blocks: Sequence[Block]) -> Iterator[str]:
 
 def _list_checks(blocks: Sequence[Block]) -> Iterator[list[str]]:
     """Both sides of each check."""
-    sentences = [_make_pattern(language) for language in known_languages()]
-    for block in blocks:
-        if isinstance(block, Prose):
-            found = next(filter(None, (one.fullmatch(block.text) for one in sentences)), None)
-            if found:
-                yield [side.strip().strip("$") for side in found.groups()]
+    yield from filter(None, map(split_check, blocks))
 
 
+def split_check(block: Block) -> list[str]:
+    """Both sides of a check; none for anything else."""
+    if not isinstance(block, Prose):
+        return []
+    sentences = map(_make_pattern, known_languages())
+    found = next(filter(None, (one.fullmatch(block.text) for one in sentences)), None)
+    return [side.strip().strip("$") for side in found.groups()] if found else []
+
+
+@cache
 def _make_pattern(language: str) -> re.Pattern[str]:
     message = Message("solution.check", way=_ANY, left=_ANY, right=_ANY)
     way, left, right, end = re.escape(write_sentence(message, language)).split(_ANY)

@@ -51,6 +51,7 @@ KNOWN: Mapping[Law, frozenset[str]] = {
     ),
     "lettered": frozenset(),
     "doubled": frozenset(),
+    "signed": frozenset(),
     "redone": frozenset(),
     "figure": frozenset(),
     "sign": frozenset(),

@@ -50,6 +50,7 @@ from tests.worked.reader.meanings import (
     find_unnamed,
 )
 from tests.worked.reader.polygons import judge_polygons
+from tests.worked.reader.signs import find_senseless
 from tests.worked.reader.tables import find_early, find_without_sense
 
 Law: TypeAlias = Literal[
@@ -81,6 +82,7 @@ Law: TypeAlias = Literal[
     "senses",
     "lettered",
     "doubled",
+    "signed",
 ]
 LAWS: dict[Law, str] = {
     "equal": "a sign of equality joins equal values, to within what rounding can do",
@@ -108,6 +110,7 @@ LAWS: dict[Law, str] = {
     "senses": "velocities of points along one line are positive in one sense, and accelerations",
     "lettered": "a side of a check begins with letters",
     "doubled": "a side of a check has each number once",
+    "signed": "the letter of a motion in a check has been given a value with its sign before",
     "redone": "whoever works out a check with its printed numbers gets what it prints, to one of the last digit",
     "figure": "the printed numbers of a line amount to the rounded figure said of them, to one of its last digit",
     "sign": "a sign of equality joins numbers that amount to the same as they are printed",
@@ -182,6 +185,7 @@ def find_faults(blocks: Sequence[Block], solution: Solution) -> Iterator[Fault]:
     yield from (Fault("senses", line) for line in find_two_senses(blocks))
     yield from (Fault("lettered", side) for side in find_unlettered(blocks))
     yield from (Fault("doubled", side) for side in find_doubled(blocks))
+    yield from (Fault("signed", side) for side in find_senseless(blocks, solution))
     yield from (Fault("redone", check) for check in find_unrepeatable(blocks))
     for wrong in judge_polygons(blocks, known.amounts):
         yield Fault(wrong.law, wrong.line)
