@@ -57,14 +57,14 @@ def test_a_composition_of_velocities() -> None:
         r"""
         Rotations are positive counter-clockwise. A vector's letter stands for its component in the direction given in its first table ($\perp$ with $\curvearrowleft$: turned
             counter-clockwise from what is named).
-        Values are rounded in print alone.
+        Calculations keep all digits; only what is printed is rounded.
         Given: the angular velocity of the crank $O_{1}A$.
         \omega_{O_{1}A} &= 2\,\unit{rad/s}\quad\text{(counter-clockwise)}
         ## Composition of motions: moving point $A$, moving frame on $OB$
         $\boldsymbol{v}_{\mathrm{a}} = \boldsymbol{v}_{\mathrm{e}} + \boldsymbol{v}_{\mathrm{r}}$: the
             absolute velocity of $A$ (of the crank $O_{1}A$) is its transport velocity (that of the
             point of $OB$ which is at $A$) plus the relative one (seen from $OB$).
-            Here $O_{1}A = x_{A} = 4\,\unit{m}$, $OA = \sqrt{x_{A}^{2} + y_{A}^{2}} =
+            Here $y_{O_{1}} - y_{A} = 3\,\unit{m} - 3\,\unit{m} = 0$, $O_{1}A = x_{A} = 4\,\unit{m}$, $OA = \sqrt{x_{A}^{2} + y_{A}^{2}} =
             \sqrt{(4\,\unit{m})^{2} + (3\,\unit{m})^{2}} = 5\,\unit{m}$.
         [ ] \boldsymbol{v}_{\mathrm{a}} | $O_{1}A \cdot \omega_{O_{1}A} = 8\,\unit{m/s}$ | $\perp
             O_{1}A,\curvearrowleft$

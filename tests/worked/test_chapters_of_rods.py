@@ -181,7 +181,7 @@ def test_a_rod_in_instantaneous_translation() -> None:
     assert read_chapter("# Velocities", solution) == as_read(
         r"""
         Rotations are positive counter-clockwise.
-        Values are rounded in print alone.
+        Calculations keep all digits; only what is printed is rounded.
         Given: the angular velocity of $OA$.
         \omega_{OA} &= 2\,\unit{rad/s}\quad\text{(counter-clockwise)}
         ## $AB$: velocity pole

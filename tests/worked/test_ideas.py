@@ -158,7 +158,10 @@ def test_accelerations_follow_alike_only_where_their_steps_are_those_of_velociti
 
 def test_a_belt_says_what_links_the_rotations() -> None:
     # the idea said what is known and sought, and nothing of why it can be found
-    link = "Seen from the arm $OA$, coupled rims have equal speeds, which links the rotations."
+    link = (
+        "Seen from the arm $OA$, the rims of pulleys joined by a belt have equal speeds, which "
+        "links the rotations."
+    )
     assert read_idea("crossed-belt-drive").count(link) == 1
 
 

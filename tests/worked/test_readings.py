@@ -31,10 +31,16 @@ def test_an_absolute_velocity_that_rolling_calls_by_its_point_is_said_to_be_the_
     assert r"Here $\boldsymbol{a}_{\mathrm{a}} = \boldsymbol{a}_{C}$" in told
 
 
-@pytest.mark.parametrize("name", ["hoist-with-gears", "two-stage-belt-drive"])
-def test_wheels_about_fixed_axes_are_not_seen_from_the_ground(name: str) -> None:
+@pytest.mark.parametrize(
+    ("name", "rims"),
+    [
+        ("hoist-with-gears", "The pitch circles of gears in mesh have equal speeds"),
+        ("two-stage-belt-drive", "The rims of pulleys joined by a belt have equal speeds"),
+    ],
+)
+def test_wheels_about_fixed_axes_are_not_seen_from_the_ground(name: str, rims: str) -> None:
     told = _read(name)
-    assert "coupled rims have equal speeds" in told.replace("Coupled", "coupled")
+    assert rims in told
     assert "the ground" not in told
 
 
