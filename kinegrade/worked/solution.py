@@ -17,17 +17,16 @@ from kinegrade.mechanics.relations import Chain
 from kinegrade.mechanics.vector_equation import Level
 from kinegrade.problem.as_stated import restate
 from kinegrade.problem.pole_names import find_poles
-from kinegrade.problem.quantities.functions import find_motion_calls
-from kinegrade.problem.quantities.motion_functions import MOTION_FUNCTIONS
 from kinegrade.problem.solution import Solution
 from kinegrade.problem.template.template import Ask, Method
+from kinegrade.worked.acceleration_ideas import explain_accelerations
 from kinegrade.worked.answers.boxes import AnswerBoxes
 from kinegrade.worked.answers.named_steps import explain_steps
 from kinegrade.worked.answers.poses import explain_pose_answers, is_positional
 from kinegrade.worked.asked_senses import count_as_asked
 from kinegrade.worked.case import Case
 from kinegrade.worked.checks.chapters import check_places
-from kinegrade.worked.contacts import find_contact, introduce_contacts
+from kinegrade.worked.contacts import introduce_contacts
 from kinegrade.worked.conventions import find_conventions
 from kinegrade.worked.document import Block, Heading, WorkedSolution
 from kinegrade.worked.economy import leave_out_unused
@@ -40,7 +39,7 @@ from kinegrade.worked.positions.positions import explain_positions
 from kinegrade.worked.rate_chapters import find_stages, list_found, write_rate_chapters
 from kinegrade.worked.rates.kinds import describe_motions
 from kinegrade.worked.rates.rim_tracks import join_rims
-from kinegrade.worked.steps.couplers import goes_by_pole, name_method
+from kinegrade.worked.steps.couplers import goes_by_pole
 from kinegrade.worked.steps.given_steps import is_given
 from kinegrade.worked.steps.ideas import find_reasons, say_idea
 from kinegrade.worked.steps.methods import Way, find_way
@@ -126,7 +125,7 @@ def _write_blocks(case: Case, asked: Sequence[Ask], boxes: AnswerBoxes) -> Itera
     case.findings.poles_sought = find_poles(moving)
     known = () if case.findings.places_alone else given
     reasons = find_reasons(stages.items(), asked, case, bool(accelerations))
-    others = tuple(_explain_accelerations(stages, accelerations, moving, case))
+    others = tuple(explain_accelerations(stages, accelerations, moving, case))
     points = find_used_points(case, moving, (*velocities, *accelerations))
     contacts = tuple(introduce_contacts(case, points))
     placed = explain_positions(case, [*points, *find_placed_points(case, still)])
@@ -198,32 +197,3 @@ def collect_needs(
     for ask in asked:
         needs |= find_needs(ask.quantity, case.reader, paths)
     return needs
-
-
-def _explain_accelerations(
-    velocities: Mapping[Step, Stage],
-    accelerations: Sequence[Step],
-    asked: Iterable[Ask],
-    case: Case,
-) -> Iterator[Message]:
-    """Whether the accelerations take steps of the velocities, with vectors, by the same methods;
-    else, where a pole has given velocities, that it gives no accelerations.
-    """
-    if not accelerations:
-        return
-    given = list_found(step for step in accelerations if is_given(step, case))
-    stages = find_stages(accelerations, case, "acceleration", given)
-    vectorial = any(stage.equations for stage in stages.values())
-    poles = any(map(name_method, velocities.values()))
-    if vectorial and stages.keys() <= velocities.keys() and not poles:
-        yield Message("solution.idea-accelerations")
-        return
-    bodies = case.motion.frames.mechanism.bodies
-    contacts = any(find_contact(body.name, case) for body in bodies if not body.particle)
-    points = any(
-        MOTION_FUNCTIONS[call.function].level == "acceleration"
-        for ask in asked
-        for call in find_motion_calls(ask.quantity)
-    )
-    if (poles or contacts) and (vectorial or points):
-        yield Message("solution.idea-accelerations-base")

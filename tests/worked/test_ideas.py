@@ -13,7 +13,7 @@ from kinegrade.problem.template.template import METHODS, Method
 from kinegrade.worked.document import Block, Heading, Prose
 from kinegrade.worked.solution import write_worked_solution
 from tests.worked.draws import kept
-from tests.worked.telling import proses
+from tests.worked.telling import lines, proses
 
 ALIKE = "The accelerations follow in the same way; "
 IDLE = "The method asked for changes nothing here"
@@ -281,3 +281,12 @@ def find_points(text: str) -> set[str]:
     formulas = re.findall(r"\$(.*?)\$", text)
     plain = [one.replace("{", "").replace("}", "") for one in formulas]
     return {letter for one in plain for letter in re.findall(r"[A-Z](?:_\d)?'?", one)}
+
+
+def test_a_point_on_a_circle_about_a_fixed_axis_takes_no_base_point() -> None:
+    # it was said of the rod between two wheels on a cylinder, whose pole is the cylinder's centre
+    solution = solve_template(load_template("two-wheels-on-cylinder"), {})
+    asked = solution.template.asked()
+    told = "\n".join(lines(write_worked_solution(solution, asked, "en").blocks))
+    assert "a_{B}^{\\mathrm{n}}" in told
+    assert "acceleration of its own" not in told

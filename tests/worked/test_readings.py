@@ -102,4 +102,4 @@ def test_of_a_rope_the_straight_part_translates_with_its_load() -> None:
 def test_a_check_along_the_radius_of_a_moving_circle_is_named_by_the_composition() -> None:
     told = _read("eccentric-cam-offset-follower")
     assert "constant length" not in told
-    assert "In the answer box (positive clockwise about $C$):" in told
+    assert "Counted as asked for (positive clockwise about $C$):" in told

@@ -41,10 +41,10 @@ def test_a_given_motion_along_a_line_of_two_points_is_told_from_point_to_point()
 @pytest.mark.parametrize(
     ("language", "convention"),
     [
-        ("en", "In the answer box (positive clockwise about $C$):"),
-        ("zh", "答案框中（绕 $C$ 顺时针为正）："),
+        ("en", "Counted as asked for (positive clockwise about $C$):"),
+        ("zh", "按题中规定的正方向（绕 $C$ 顺时针为正）："),
         # the author has no words in German
-        ("de", "Mit dem Vorzeichen des Antwortfelds:"),
+        ("de", "Mit dem Vorzeichen der Frage:"),
     ],
 )
 def test_an_answer_in_the_opposite_sense_names_the_sign_that_is_asked_for(
@@ -126,5 +126,5 @@ COUNTED_AGAIN = {
 @pytest.mark.sampled(12, first=1)
 @pytest.mark.parametrize("name", find_template_names())
 def test_a_symbol_has_one_sense_on_a_page(name: str) -> None:
-    turned = any("answer box" in line for line in lines(kept(name, 1)))
+    turned = any("Counted as asked" in line for line in lines(kept(name, 1)))
     assert turned == (name in COUNTED_AGAIN)

@@ -50,7 +50,7 @@ def _describe_motion(
         told = [letters[0], *(one for one in letters[1:] if is_met(one, met))]
         listed = list_plainly(f"${case.text(letter)}$" for letter in told)
         name = Message("solution.turning-body", body=name, letters=listed)
-    pivot = mechanism.find_pivots().get(body.name) or _find_common_centre(body, case)
+    pivot = find_fixed_axis(body, case)
     if pivot is not None:
         return Message("solution.rotates", body=name, point=case.naming.point(pivot))
     tracks = dict.fromkeys(describe_track(roll, case) for roll in _list_rolls(body, used, case))
@@ -66,6 +66,12 @@ def _list_rolls(body: Body, used: Set[int], case: Case) -> Iterator[NoSlip]:
         roll = relation.source.find_rolling() if relation.source else None
         if roll and roll.body == body.name and (index in used or on_ground):
             yield roll
+
+
+def find_fixed_axis(body: Body, case: Case) -> str | None:
+    """The point through which the fixed axis of a body goes; None where it has none."""
+    pivots = case.motion.frames.mechanism.find_pivots()
+    return pivots.get(body.name) or _find_common_centre(body, case)
 
 
 def _find_common_centre(body: Body, case: Case) -> str | None:
