@@ -2,11 +2,19 @@
 
 from __future__ import annotations
 
+import re
+from collections.abc import Mapping, Sequence
+from math import atan2, degrees
+
 import pytest
 
 from kinegrade.language import Language
-from tests.worked.draws import kept, stated
+from kinegrade.mechanics.vector import Vector
+from kinegrade.problem.template.library.library import find_template_names
+from tests.worked.draws import drawn, kept, stated
 from tests.worked.telling import proses
+
+PLAIN = str.maketrans("", "", "_{}")
 
 
 def _read(name: str, language: Language = "en") -> str:
@@ -89,3 +97,32 @@ def test_lines_make_no_obtuse_angle() -> None:
         r"$OA$ makes $180^\circ - \beta$ with the $x$ axis, so $\boldsymbol{v}_{A} \perp OA$ makes "
         r"$180^\circ - \beta$ with the $y$ axis"
     ) in told
+
+
+LINE = r"\$(?:\\overrightarrow\{)?([A-Z](?:_\{\d\})?)([A-Z](?:_\{\d\})?)(\})?\$"
+BETWEEN = re.compile(rf"angle between {LINE} and {LINE} is")
+
+
+def _measure_corner(letters: Sequence[str], points: Mapping[str, Vector]) -> float:
+    """The angle of two directions, in degrees."""
+    first, second, third, fourth = (points[each.translate(PLAIN)] for each in letters)
+    one, other = second - first, fourth - third
+    return abs(degrees(atan2(float(one.cross(other)), float(one.dot(other)))))
+
+
+@pytest.mark.sampled(12, first=1, also=("toggle-press",))
+@pytest.mark.parametrize("name", find_template_names())
+def test_an_obtuse_angle_is_one_of_vectors(name: str) -> None:
+    """CB and BD were said to make 2 beta = 100 degrees, where the bars make 80 degrees at B."""
+    for place, solution in enumerate(drawn(name)):
+        points = solution.motion.points
+        told = "\n".join(proses(kept(name, place)))
+        for one, two, arrow, three, four, _ in BETWEEN.findall(told):
+            if {each.translate(PLAIN) for each in (one, two, three, four)} <= {*points}:
+                obtuse = _measure_corner((one, two, three, four), points) > 90
+                assert bool(arrow) == obtuse, (one, two, three, four)
+
+
+def test_so_it_is_where_the_bars_make_an_acute_one() -> None:
+    told = "\n".join(proses(stated("toggle-press", beta="50")))
+    assert r"between $\overrightarrow{CB}$ and $\overrightarrow{BD}$ is $2\beta$, so" in told

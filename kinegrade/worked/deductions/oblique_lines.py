@@ -8,7 +8,7 @@ from kinegrade.mechanics.vector_equation import Part
 from kinegrade.worked.case import Case
 from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.measures import bearing
-from kinegrade.worked.formulas.symbols import join_letters
+from kinegrade.worked.formulas.symbols import draw_arrow, join_letters
 from kinegrade.worked.vectors.inclinations import (
     Inclination,
     find_ends,
@@ -66,16 +66,25 @@ def direct_lines(
     first: ObliqueLine, second: ObliqueLine, angle: float, case: Case
 ) -> tuple[Formula, Formula]:
     """The letters of two lines, one of them from its other end where only so the angle, in
-    degrees, is that between the directions of the letters.
+    degrees, is that between the directions of the letters; the vectors along them where it is
+    obtuse, as lines make no obtuse angle.
     """
     between = abs((first.direction - second.direction + _HALF) % (2 * _HALF) - _HALF)
-    if abs(between - angle) < _CLOSE:
-        return first.letters, second.letters
-    if second.ends:
-        return first.letters, _turn_letters(second.ends, case)
-    return _turn_letters(first.ends, case) if first.ends else first.letters, second.letters
+    as_they_are, obtuse = abs(between - angle) < _CLOSE, angle > _RIGHT + _CLOSE
+    turned = [False, False]
+    if not as_they_are:
+        turned = [second.ends is None, second.ends is not None]
+    one, other = (
+        _write_line(line, case, turned=back, obtuse=obtuse)
+        for line, back in zip((first, second), turned, strict=True)
+    )
+    return one, other
 
 
-def _turn_letters(ends: tuple[str, str], case: Case) -> Formula:
-    """The letters of a line from its end to its start."""
-    return join_letters(map(case.naming.letter, ends[::-1]))
+def _write_line(line: ObliqueLine, case: Case, *, turned: bool, obtuse: bool) -> Formula:
+    """The letters of a line, from its end to its start if `turned`, with an arrow if `obtuse`."""
+    if line.ends is None:
+        return line.letters
+    ends = line.ends[::-1] if turned else line.ends
+    letters = map(case.naming.letter, ends)
+    return draw_arrow(letters) if obtuse else join_letters(letters)
