@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from typing import assert_never
 
 from kinegrade.expressions.tree import Call, Expression, Name, Number, Operation, find_names
+from kinegrade.mechanics.ground import GROUND
 from kinegrade.problem.template.template import Template
 
 _CENTRED = frozenset({"polar", "foot", "toward", "circle", "line"})
@@ -25,6 +26,7 @@ class Step:
 
     point: str
     tree: Expression
+    track: Call | None = None  # the fixed line along which a joint lets the point slide
 
 
 def list_steps(template: Template) -> tuple[Step, ...]:
@@ -37,8 +39,17 @@ def list_steps(template: Template) -> tuple[Step, ...]:
         hoisted: list[Step] = []
         before = sum(step.point not in template.scheme.points for step in found)
         plain = unnest(tree, hoisted, before, taken, top=True)
-        found += [*hoisted, Step(point, plain)]
+        found += [*hoisted, Step(point, plain, _find_track(point, template))]
     return tuple(found)
+
+
+def _find_track(point: str, template: Template) -> Call | None:
+    """The line fixed to the ground along which a point slides; None for any other point."""
+    for joint in template.scheme.joints:
+        fixed = joint.point == point and joint.of == GROUND
+        if fixed and joint.on is not None and joint.on.function == "line":
+            return joint.on
+    return None
 
 
 def unnest(

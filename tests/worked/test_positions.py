@@ -466,7 +466,22 @@ def test_of_two_directions_with_one_tangent_the_side_tells_which_is_meant() -> N
 def test_a_point_at_a_distance_is_placed_by_the_acute_angle_with_an_axis() -> None:
     """It lay in the direction -90 degrees - beta, counted counter-clockwise from the x axis."""
     said = (
-        r"$D$ lies at the distance $l$ from $B$; $BD$ makes $\beta$ with the $y$ axis and points "
-        "downwards to the right:"
+        r"$B$ lies at the distance $l$ from $C$; $CB$ makes $\beta$ with the $y$ axis and points "
+        "downwards to the left:"
     )
     assert said in list(proses(kept("toggle-press")))
+
+
+@pytest.mark.parametrize(
+    ("language", "reason"),
+    [
+        ("en", "$A$ slides along the $x$ axis."),
+        ("de", "$A$ gleitet auf der $x$-Achse."),
+        ("zh", "$A$ 沿 $x$ 轴滑动。"),
+    ],
+)
+def test_a_coordinate_that_a_track_gives_is_not_worked_out(language: Language, reason: str) -> None:
+    """y_A = 0.9464 m - 1.65 m sin 35 degrees was said to be about 0: A is on the ground."""
+    page = stated("rod-ground-and-incline", language, l="1.65", theta="35", gamma="98")
+    assert any(text.startswith(reason) for text in proses(page))
+    assert [line for line in lines(page) if line.startswith("y_{A}")] == ["y_{A} &= 0"]

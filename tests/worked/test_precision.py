@@ -36,10 +36,10 @@ def test_an_angle_is_compared_in_degrees() -> None:
 
 def test_rounded_numbers_that_miss_zero_stand_before_about_zero() -> None:
     """They were left out: why v_{C,x} vanishes had no numbers."""
-    page = displayed(stated("rod-ground-incline-fixed-centrode", gamma="110", theta="15", l="0.7"))
-    (line,) = (one for one in page if one.startswith("y_{A}"))
-    assert line.startswith(r"y_{A} &= y_{B} - l\sin\theta = ")
-    assert line.endswith(r"\sin 15^\circ \approx 0")
+    page = displayed(stated("rod-sliding-on-driven-wheel"))
+    (line,) = (one for one in page if one.startswith("v_{B,y}"))
+    assert line.startswith(r"v_{B,y} &= -v_{A}\cos\beta + \omega_{AB}\,x_{B} = ")
+    assert line.endswith(r"\cdot (-0.4\,\unit{m}) \approx 0")
 
 
 def test_the_opposite_of_a_coordinate_has_its_square() -> None:

@@ -148,6 +148,11 @@ WRONG: dict[Law, tuple[Block, ...]] = {
             r" $\left|v_{B}\right| = 2\,\unit{m/s}$; they agree."
         ),
     ),
+    "zero": (
+        Display(
+            (read_math(r"y_{A} &= 2\,\unit{m} - 4\,\unit{m} \cdot \sin 30^\circ \approx 0", ""),)
+        ),
+    ),
     "redone": (
         Prose(
             r"Check by Pythagoras: left side $(2\,\unit{m/s})^{2} + (1.333\,\unit{m/s})^{2} \approx"

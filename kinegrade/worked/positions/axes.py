@@ -109,13 +109,14 @@ class Axes:
 
 @lru_cache(maxsize=256)
 def choose_axes(all_steps: tuple[Step, ...]) -> Axes:
-    """The axes in which points are given, with the coordinates that each construction obviously
-    makes zero.
+    """The axes in which points are given, with the coordinates that each construction, or the fixed
+    line along which a point slides, obviously makes zero.
     """
     axes = Axes(frozenset(step.point for step in all_steps), frozenset())
     for step in all_steps:
         leaves = (Call("x", (Name(step.point),)), Call("y", (Name(step.point),)))
-        pairs = [axes.pair(step.tree), *_find_meeting_coordinates(step.tree, axes)]
+        lines = (*_list_lines(step.tree), *([step.track] if step.track else ()))
+        pairs = [axes.pair(step.tree), *(_find_line_coordinates(line, axes) for line in lines)]
         zeros = {
             leaf
             for pair in pairs
@@ -127,19 +128,21 @@ def choose_axes(all_steps: tuple[Step, ...]) -> Axes:
     return axes
 
 
-def _find_meeting_coordinates(tree: Expression, axes: Axes) -> Iterator[Pair]:
-    """What lines parallel to the axes say about the point in which they meet something; ONE where
-    they say nothing.
-    """
-    if not isinstance(tree, Call) or tree.function != "meet":
-        return
-    for shape in tree.arguments[:2]:
-        if isinstance(shape, Call) and shape.function == "line":
-            start, direction = find_line(shape, axes)
-            yield (
-                ONE if direction[0] != ZERO else start[0],
-                ONE if direction[1] != ZERO else start[1],
-            )
+def _list_lines(tree: Expression) -> Iterator[Call]:
+    """The lines that meet something in a point."""
+    if isinstance(tree, Call) and tree.function == "meet":
+        for shape in tree.arguments[:2]:
+            if isinstance(shape, Call) and shape.function == "line":
+                yield shape
+
+
+def _find_line_coordinates(line: Call, axes: Axes) -> Pair:
+    """What a line parallel to an axis says about its points; ONE where it says nothing."""
+    start, direction = find_line(line, axes)
+    return (
+        ONE if direction[0] != ZERO else start[0],
+        ONE if direction[1] != ZERO else start[1],
+    )
 
 
 def find_line(shape: Call, axes: Axes) -> tuple[Pair, Pair]:

@@ -55,11 +55,28 @@ def _explain_construction(step: Step, instance: Instance) -> Part:
     pair = instance.axes.pair(tree) or (ZERO, ZERO)
     if pair == (ZERO, ZERO):
         return Stated(_name_origin(step.point, instance), ())
-    sentence = _describe_place(step, instance)
+    sentence = _join(_describe_track(step, instance), _describe_place(step, instance))
     found = instance.coordinates(step.point, pair)
     if sentence is None:
         return Coordinates((instance.letter(step.point),), found)
     return Stated(sentence, found, tuple(_find_used(tree, instance)))
+
+
+def _describe_track(step: Step, instance: Instance) -> Message | None:
+    """That a point slides along an axis, where its construction does not say that it lies there."""
+    point, pair = instance.letter(step.point), instance.axes.pair(step.tree) or (ZERO, ZERO)
+    if instance.axes.x(step.point) == ZERO != pair[0]:
+        return Message("solution.on-axis", point=point, axis=Message("solution.y-axis"))
+    if instance.axes.y(step.point) == ZERO != pair[1]:
+        return Message("solution.on-axis", point=point, axis=Message("solution.x-axis"))
+    return None
+
+
+def _join(first: Message | None, following: Message | None) -> Message | None:
+    """Two sentences, or the one that there is."""
+    if first is None or following is None:
+        return first or following
+    return Message("solution.sentences", first=first, next=following)
 
 
 def _name_origin(point: str, instance: Instance) -> Message:

@@ -43,7 +43,7 @@ from kinegrade.worked.formulas.symbols import (
     name_coordinate,
     name_point,
 )
-from kinegrade.worked.positions.algebra import Pair, make_positive
+from kinegrade.worked.positions.algebra import ZERO, Pair, make_positive
 from kinegrade.worked.positions.axes import Axes, choose_axes, length_of
 from kinegrade.worked.positions.parts import Derived
 
@@ -170,8 +170,11 @@ class Instance:
 
     def coordinates(self, point: str, pair: Pair) -> tuple[Derived, Derived]:
         """x = ..., y = ... of a named point worked out."""
+        across, up = pair
         x, y = (name_coordinate(axis, self.symbols[point]) for axis in AXES)
-        return Derived(x, self.equation(x, pair[0])), Derived(y, self.equation(y, pair[1]))
+        across = ZERO if self.axes.x(point) == ZERO else across
+        up = ZERO if self.axes.y(point) == ZERO else up
+        return Derived(x, self.equation(x, across)), Derived(y, self.equation(y, up))
 
     def coordinate_lines(self, point: str, pair: Pair) -> tuple[Row, ...]:
         """The lines of both coordinates."""

@@ -52,6 +52,7 @@ KNOWN: Mapping[Law, frozenset[str]] = {
     "lettered": frozenset(),
     "doubled": frozenset(),
     "signed": frozenset(),
+    "zero": frozenset(),
     "redone": frozenset(),
     "figure": frozenset(),
     "sign": frozenset(),

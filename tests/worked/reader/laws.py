@@ -52,6 +52,7 @@ from tests.worked.reader.meanings import (
 from tests.worked.reader.polygons import judge_polygons
 from tests.worked.reader.signs import find_senseless
 from tests.worked.reader.tables import find_early, find_without_sense
+from tests.worked.reader.zeros import find_rounded_away
 
 Law: TypeAlias = Literal[
     "equal",
@@ -83,6 +84,7 @@ Law: TypeAlias = Literal[
     "lettered",
     "doubled",
     "signed",
+    "zero",
 ]
 LAWS: dict[Law, str] = {
     "equal": "a sign of equality joins equal values, to within what rounding can do",
@@ -111,6 +113,7 @@ LAWS: dict[Law, str] = {
     "lettered": "a side of a check begins with letters",
     "doubled": "a side of a check has each number once",
     "signed": "the letter of a motion in a check has been given a value with its sign before",
+    "zero": "a coordinate of a point of the mechanism that is 0 is not found by rounding",
     "redone": "whoever works out a check with its printed numbers gets what it prints, to one of the last digit",
     "figure": "the printed numbers of a line amount to the rounded figure said of them, to one of its last digit",
     "sign": "a sign of equality joins numbers that amount to the same as they are printed",
@@ -186,6 +189,7 @@ def find_faults(blocks: Sequence[Block], solution: Solution) -> Iterator[Fault]:
     yield from (Fault("lettered", side) for side in find_unlettered(blocks))
     yield from (Fault("doubled", side) for side in find_doubled(blocks))
     yield from (Fault("signed", side) for side in find_senseless(blocks, solution))
+    yield from (Fault("zero", line) for line in find_rounded_away(blocks, solution))
     yield from (Fault("redone", check) for check in find_unrepeatable(blocks))
     for wrong in judge_polygons(blocks, known.amounts):
         yield Fault(wrong.law, wrong.line)
