@@ -10,7 +10,7 @@ import pytest
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.library.library import find_template_names, load_template
 from kinegrade.worked.solution import write_worked_solution
-from tests.worked.draws import drawn, kept
+from tests.worked.draws import drawn, kept, stated
 from tests.worked.telling import displayed, lines
 from tests.worked.test_checks import read_checks
 
@@ -83,3 +83,10 @@ def test_half_a_right_angle_does_not_exchange_sine_and_cosine(beta: str) -> None
     solution = solve_template(load_template("crank-rocker-towed-wheel"), {"beta": beta})
     told = "\n".join(lines(write_worked_solution(solution, ("v_E",), "en").blocks))
     assert r"DE = \frac{x_{E} - x_{D}}{\sin\beta}" in told
+
+
+def test_a_length_is_derived_by_a_given_one_where_both_are_one_step() -> None:
+    """OA was x_A/cos(phi), about 1.6 m: l/sin(phi) is 1.6 m, and takes no rounded coordinate."""
+    told = "\n".join(lines(stated("bar-through-swivelling-sleeve", phi="150", l="0.8")))
+    given = r"OA = \frac{l}{\sin\varphi} = \frac{0.8\,\unit{m}}{\sin 150^\circ} = 1.6\,\unit{m}"
+    assert given in told

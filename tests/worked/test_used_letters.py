@@ -2,6 +2,11 @@
 
 from __future__ import annotations
 
+import re
+
+import pytest
+
+from kinegrade.problem.template.library.library import find_template_names
 from tests.worked.draws import kept
 from tests.worked.telling import displayed, lines, proses
 
@@ -35,3 +40,12 @@ def test_a_primed_corner_of_a_polygon_is_explained_once() -> None:
     assert told == [
         "In the polygon, $c'$ denotes the point of the follower that coincides with $C$."
     ]
+
+
+@pytest.mark.sampled(12, first=1, also=("tangent-cam-with-roller", "differential-epicyclic-train"))
+@pytest.mark.parametrize("name", find_template_names())
+def test_an_origin_is_told_where_coordinates_follow(name: str) -> None:
+    told = list(lines(kept(name)))
+    for place, line in enumerate(told):
+        if line.endswith("is the origin of the coordinates."):
+            assert re.search(r"\b[xy]_\{", "\n".join(told[place + 1 :]))

@@ -6,8 +6,9 @@ from __future__ import annotations
 
 from math import atan2, pi
 
-from kinegrade.expressions.tree import Expression, Name, Operation, walk
+from kinegrade.expressions.tree import Call, Expression, Name, Operation, walk
 from kinegrade.numbers.angle import Angle
+from kinegrade.worked.formulas.atoms import AXES
 from kinegrade.worked.formulas.measures import double
 from kinegrade.worked.positions.algebra import ZERO, make_positive, over
 from kinegrade.worked.positions.instance import Instance
@@ -19,9 +20,9 @@ _Ratios = tuple[Expression, Expression]
 
 
 def measure_along(start: str, end: str, instance: Instance) -> Expression | None:
-    """The distance as a coordinate over a sine or cosine of a given angle: of the difference of
-    coordinates that is the shorter formula, or else the larger; None along an axis, and where no
-    given angle states the line.
+    """The distance as a coordinate over a sine or cosine of a given angle: by a length that is
+    given, else of the difference of coordinates that is the shorter formula, or else the larger;
+    None along an axis, and where no given angle states the line.
     """
     stated = find_stated_tree((start, end), instance.case)
     away = instance.case.motion.points[end] - instance.case.motion.points[start]
@@ -29,17 +30,31 @@ def measure_along(start: str, end: str, instance: Instance) -> Expression | None
     if stated is None or min(abs(x), abs(y)) < _CLOSE * size:
         return None
     sign, angle = stated
-    pair = instance.axes.pair(Operation("-", Name(end), Name(start))) or (ZERO, ZERO)
+    placed = instance.axes.pair(Operation("-", Name(end), Name(start))) or (ZERO, ZERO)
+    pair = [_find_given(one, instance) for one in placed]
     ratios = _split(sign * _measure(instance.value(angle)), make_unit(angle), atan2(y, x))
     if ratios is None:
         return None
     sides = sorted(
-        zip(pair, ratios, (x, y), strict=True), key=lambda side: (_count(side[0]), -abs(side[2]))
+        zip(pair, ratios, (x, y), strict=True),
+        key=lambda side: (not isinstance(side[0], Name), _count(side[0]), -abs(side[2])),
     )
     part, ratio, _ = sides[0]
     if part == ZERO:
         return None
     return over(*(make_positive(one, instance.sign(one)) for one in (part, ratio)))
+
+
+def _find_given(coordinate: Expression, instance: Instance) -> Expression:
+    """The length by which a template states a coordinate, so that no rounded one stands for it; the
+    coordinate where it states none.
+    """
+    for step in instance.steps:
+        leaves = (Call(axis, (Name(step.point),)) for axis in AXES)
+        for leaf, tree in zip(leaves, instance.axes.pair(step.tree) or (), strict=False):
+            if leaf == coordinate and isinstance(tree, Name):
+                return tree
+    return coordinate
 
 
 def _split(angle: float, unit: _Ratios, bearing: float) -> _Ratios | None:

@@ -51,7 +51,8 @@ Part: TypeAlias = Coordinates | Stated | tuple[Block, ...]
 
 def select_used(parts: Sequence[Part], later: Iterable[Row]) -> tuple[Part, ...]:
     """The parts without the coordinates and lengths that neither later formulas nor the parts left
-    refer to, and without those of which nothing is left; none where that is the origin alone.
+    refer to, and without those of which nothing is left; without the origin where no coordinate
+    is left.
     """
     kept: list[Part] = []
     met = find_symbols(later)
@@ -60,7 +61,8 @@ def select_used(parts: Sequence[Part], later: Iterable[Row]) -> tuple[Part, ...]
             case Coordinates() | Stated():
                 found = tuple(each for each in part.found if is_met(each.symbol, met))
                 before = part.before if isinstance(part, Stated) else ()
-                if found or not part.found:
+                origin = not part.found and (bool(kept) or _has_coordinates(met))
+                if found or origin:
                     kept.append(replace(part, found=found))
                 elif any(is_met(each.symbol, met) for each in before):
                     found, before = before, ()
@@ -75,6 +77,12 @@ def select_used(parts: Sequence[Part], later: Iterable[Row]) -> tuple[Part, ...]
                 assert_never(part)
     worked_out = any(not isinstance(part, Stated) or part.found for part in kept)
     return tuple(reversed(kept)) if worked_out else ()
+
+
+def _has_coordinates(met: Set[Node]) -> bool:
+    """Whether formulas refer to a coordinate of a point."""
+    indexed = (node for node in met if isinstance(node, Scripts) and node.lower)
+    return any(node.base in (Letter("x"), Letter("y")) for node in indexed)
 
 
 def list_lines(blocks: Iterable[Block]) -> Iterator[Row]:
