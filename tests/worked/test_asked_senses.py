@@ -37,7 +37,7 @@ def test_a_guided_point_moves_positive_in_the_sense_of_the_question() -> None:
     [
         ("belt-driven-bicycle", "n_{A}"),
         ("pin-in-two-rings", r"a_{\mathrm{r},1}^{\mathrm{t}}"),
-        ("rod-ground-and-incline", "v_{B,s}"),
+        ("rod-ground-and-incline", "a_{B,s}"),
         ("square-on-two-fixed-points", r"v_{\mathrm{r},B}"),
     ],
 )

@@ -20,6 +20,7 @@ from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.measures import double, length
 from kinegrade.worked.formulas.numbers import measure, state_number
 from kinegrade.worked.vectors.arms import introduce_lengths, name_length
+from kinegrade.worked.vectors.known_vectors import find_stated_sense
 from kinegrade.worked.vectors.results import state_rotation_result, state_vector_value
 from kinegrade.worked.vectors.stage import Stage, measure_along_direction
 from kinegrade.worked.vectors.vectors import UNITS, name_part, name_point_vector, name_value
@@ -125,11 +126,13 @@ def _state_motion(triangle: RigidTriangle, stage: Stage) -> Iterator[Equation]:
             assert_never(stage.level)
     rate = case.rates(stage.level)[make_turning(triangle.body)]
     turned = case.naming.turning(triangle.body, stage.level)
-    symbols = _name_arm(part, case).dot(turned)
+    sign, unit = find_stated_sense(part.term, case, stage.level), UNITS[stage.level, False]
+    symbols = _name_arm(part, case).dot(turned).signed(sign)
     numbers = arm.dot(measure(rate, UNITS[stage.level, True])) if double(rate) else ZERO
+    links = state_number(measure_along_direction(part.term, case, stage.level) * sign, unit)
     left = name_part(triangle.equation, part, case)
-    result = state_vector_value(left, part, case, stage.level)
-    yield Equation(left, lead_to(left, (symbols, numbers), result.links), result.aside)
+    way = state_vector_value(left, part, case, stage.level).aside
+    yield Equation(left, lead_to(left, (symbols, numbers.signed(sign)), links), way)
 
 
 def _state_normal(triangle: RigidTriangle, part: Part, case: Case) -> Equation:

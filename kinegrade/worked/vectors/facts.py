@@ -77,6 +77,8 @@ def _find_sense(part: Part, case: Case, level: Level) -> Vector:
     """The direction in which a part's number counts positive: the part's direction where only its
     magnitude is given.
     """
+    if part.term is not None and part.term.kind == "arc" and part.part != "n":
+        return find_positive_sense(part.term, case, level)
     if part.coefficient is not None:
         return part.coefficient
     if part.term is None or part.part == "n" or part.term.kind == "rotation":

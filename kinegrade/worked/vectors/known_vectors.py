@@ -45,11 +45,12 @@ def find_stated_sense(term: Term, case: Case, level: Level) -> int:
     against it.
 
     A driver may impose a point's motion in the direction opposite to the joint's; what is given
-    counts positive in its own sense, and so does what has been found by its size.
+    counts positive in its own sense, and so does what circles about the same centre, and what has
+    been found by its size.
     """
     for relation in case.motion.frames.relations:
         law = relation.source
-        if law is not None and _imposes(relation, term):
+        if law is not None and (_imposes(relation, term) or _circles_beside(relation, term)):
             along = law.find_imposed_direction()
             opposite = along is not None and double(along.dot(term.coefficient())) < 0
             return find_given_sign(law, relation, case, level) * (-1 if opposite else 1)
@@ -129,6 +130,16 @@ def _imposes(relation: Relation, term: Term) -> bool:
     """Whether a driver's relation gives the rate of a term and nothing else."""
     chain = (*relation.left, *relation.right)
     return len(chain) == 1 and not relation.turning and chain[0].rate == term.rate
+
+
+def _circles_beside(relation: Relation, term: Term) -> bool:
+    """Whether a driver moves another point about the fixed centre about which a point moves."""
+    chain = (*relation.left, *relation.right)
+    if not isinstance(relation.source, ImposedCircling) or len(chain) != 1:
+        return False
+    driven = chain[0]
+    fixed = driven.frame == term.frame == GROUND
+    return fixed and driven.kind == term.kind == "arc" and driven.base == term.base
 
 
 def find_positive_sense(term: Term, case: Case, level: Level) -> Vector:

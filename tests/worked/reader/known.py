@@ -40,13 +40,12 @@ KNOWN: Mapping[Law, frozenset[str]] = {
     "named": frozenset(),
     "size": frozenset(),
     # found by its rotation, the velocity of a point lies along a track by chance; -a_{D,y} or
-    # -v_{A,x} is asked; of two centres on one circle the given one counts clockwise
+    # -v_{A,x} is asked
     "senses": frozenset(
         (
             "crank-rocker-towed-wheel",
             "elliptic-trammel-end-driven",
             "slider-driven-gear-on-rack",
-            "two-wheels-on-cylinder",
         )
     ),
     "lettered": frozenset(),
