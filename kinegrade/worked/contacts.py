@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+import re
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import replace
 from typing import assert_never
 
@@ -15,6 +16,8 @@ from kinegrade.expressions.tree import (
     find_names,
     list_parts,
 )
+from kinegrade.language.math.reading import read_math
+from kinegrade.language.math.tree import Row
 from kinegrade.language.message import Message
 from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.relations import Term
@@ -22,8 +25,12 @@ from kinegrade.mechanics.vector_equation import Level
 from kinegrade.problem.quantities.functions import find_motion_calls
 from kinegrade.problem.quantities.motion_functions import MOTION_FUNCTIONS
 from kinegrade.worked.case import Case
-from kinegrade.worked.document import Block
+from kinegrade.worked.document import Block, Display, Heading, Pictures, Prose, TermTable
 from kinegrade.worked.formulas.measures import is_zero
+from kinegrade.worked.formulas.symbols import read_symbol
+from kinegrade.worked.positions.parts import find_symbols, is_met
+
+_FORMULA = re.compile(r"\$([^$\n]+)\$")
 
 
 def turn_about_contact(term: Term, case: Case) -> Term | None:
@@ -98,12 +105,38 @@ def _is_point(function: str) -> bool:
     return function in MOTION_FUNCTIONS and MOTION_FUNCTIONS[function].derivation == "point"
 
 
-def introduce_contacts(case: Case, used: Collection[str]) -> Iterator[Block]:
-    """Where bodies roll in points that the figure does not show."""
+def introduce_contacts(
+    case: Case, used: Collection[str], later: Sequence[Block]
+) -> Iterator[Block]:
+    """Where bodies roll in points that the figure does not show and that `later` blocks name."""
     bodies = case.motion.frames.mechanism.bodies
     shown = {point for body in bodies for point in body.points} | {*case.template.figure.labels}
     for body in bodies:
         point = find_contact(body.name, case)
-        if point is not None and point in used and point not in shown:
-            name, letter = case.naming.body(body.name), case.naming.point(point)
+        if point is None or point in shown or point not in used:
+            continue
+        name, letter = case.naming.body(body.name), case.naming.point(point)
+        if is_met(read_symbol(letter), find_symbols(_list_formulas(later))):
             yield case.say(Message("solution.unmarked-contact", body=name, point=letter))
+
+
+def _list_formulas(blocks: Iterable[Block]) -> Iterator[Row]:
+    """All formulas of displays, tables and sentences."""
+    for block in blocks:
+        match block:
+            case Prose(text) | Heading(text):
+                yield from _read_formulas(text)
+            case Display(lines):
+                yield from lines
+            case TermTable(terms):
+                for term in terms:
+                    yield term.symbol
+                    yield from _read_formulas(f"{term.magnitude} {term.direction}")
+            case Pictures():
+                continue
+            case _:
+                assert_never(block)
+
+
+def _read_formulas(text: str) -> Iterator[Row]:
+    return (read_math(formula, "solution") for formula in _FORMULA.findall(text))

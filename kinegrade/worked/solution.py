@@ -127,7 +127,6 @@ def _write_blocks(case: Case, asked: Sequence[Ask], boxes: AnswerBoxes) -> Itera
     reasons = find_reasons(stages.items(), asked, case, bool(accelerations))
     others = tuple(explain_accelerations(stages, accelerations, moving, case))
     points = find_used_points(case, moving, (*velocities, *accelerations))
-    contacts = tuple(introduce_contacts(case, points))
     placed = explain_positions(case, [*points, *find_placed_points(case, still)])
     told = len(case.findings.told)
     poses = explain_pose_answers(case, (ask.name for ask in still))
@@ -145,6 +144,7 @@ def _write_blocks(case: Case, asked: Sequence[Ask], boxes: AnswerBoxes) -> Itera
         yield from describe_motions(case, used, (*velocities, *accelerations))
     sought = (read_symbol(ask.symbol).row for ask in still)
     where = placed.write_used((*used, *sought)) if moving else placed.write()
+    contacts = introduce_contacts(case, points, (*where, *poses, *later, *checks))
     yield from _head_positions((*contacts, *where), case)
     yield from poses
     yield from boxes.state_missing(still)

@@ -34,7 +34,7 @@ def test_a_sum_of_whole_degrees_is_read_at_a_glance() -> None:
 
 
 @pytest.mark.parametrize(
-    ("language", "start"), [("de", "Der Winkel zwischen"), ("zh", "$OP$ 与 $PC$ 的夹角为")]
+    ("language", "start"), [("de", "$\\angle OPC$ ist"), ("zh", "$\\angle OPC$ 等于")]
 )
 def test_it_is_said_in_the_language_of_the_page(language: Language, start: str) -> None:
     blocks = told(solve_template(load_template("geneva-drive"), {}), language=language)

@@ -87,10 +87,18 @@ def test_a_distance_along_a_line_is_not_found_twice() -> None:
     assert page.count("OB &= ") == 1
 
 
-def test_a_contact_that_the_figure_does_not_show_is_introduced() -> None:
-    page = _page("rolling-wheel-pin-slotted-rocker")
+def test_a_contact_that_the_figure_does_not_show_is_introduced_where_the_page_uses_it() -> None:
+    for name in ("rolling-wheel-pin-slotted-rocker", "planetary-gear-external-rim-velocities"):
+        assert "touches its track" not in _page(name)
+    shipped = find_shipped("templates") / "rolling-wheel-pin-slotted-rocker.toml"
+    text = shipped.read_text(encoding="utf-8").replace(
+        '"magnitude(velocity(B, wheel))", unit = "m/s", sign = "magnitude"',
+        '"y(velocity(B))", unit = "m/s", sign = "+y"',
+    )
+    solution = solve_template(read_template("wheel", text, kept=True), {})
+    page = "\n".join(lines(write_worked_solution(solution, ["v_B"], "en").blocks))
     assert "The wheel touches its track at $P$." in page
-    assert "touches its track" not in _page("planetary-gear-external-rim-velocities")
+    assert "is normal to $PB$" in page
 
 
 def test_the_angle_between_two_velocities_goes_by_directions_that_are_found() -> None:

@@ -30,8 +30,8 @@ def test_a_velocity_normal_to_a_link_has_the_angle_of_the_link_with_the_other_ax
 
 def test_two_links_have_an_angle_between_them() -> None:
     reason = (
-        r"The angle between $CB$ and $BD$ is $2\beta$, so $\boldsymbol{v}_{B} \perp CB$ makes "
-        r"$90^\circ - 2\beta$ with $BD$."
+        r"$\angle CBD$ is $180^\circ - 2\beta$, so $\boldsymbol{v}_{B} \perp CB$ "
+        r"makes $90^\circ - 2\beta$ with $BD$."
     )
     assert reason in _read("toggle-press")
 
@@ -51,8 +51,8 @@ def test_vectors_along_one_another_have_the_angle_together() -> None:
 
 def test_an_acceleration_known_by_its_two_parts_has_the_angle_of_its_link() -> None:
     reason = (
-        r"The angle between $DG$ and $GB$ is $\beta$, so $\boldsymbol{a}_{G}^{\mathrm{t}} \perp DG$ "
-        r"makes $90^\circ - \beta$ with $GB$"
+        r"$\angle DGB$ is $180^\circ - \beta$, so "
+        r"$\boldsymbol{a}_{G}^{\mathrm{t}} \perp DG$ makes $90^\circ - \beta$ with $GB$"
     )
     assert reason in _read("stone-crusher")
 
@@ -123,6 +123,21 @@ def test_an_obtuse_angle_is_one_of_vectors(name: str) -> None:
                 assert bool(arrow) == obtuse, (one, two, three, four)
 
 
-def test_so_it_is_where_the_bars_make_an_acute_one() -> None:
+def test_bars_with_a_common_pin_make_the_angle_of_their_triangle() -> None:
     told = "\n".join(proses(stated("toggle-press", beta="50")))
-    assert r"between $\overrightarrow{CB}$ and $\overrightarrow{BD}$ is $2\beta$, so" in told
+    assert r"$\angle CBD$ is $180^\circ - 2\beta$, so" in told
+
+
+@pytest.mark.parametrize(
+    ("language", "said"),
+    [
+        ("en", r"$\angle AMB$ is $180^\circ - 2\theta$, so"),
+        ("de", r"$\angle AMB$ ist $180^\circ - 2\theta$, also"),
+        ("zh", r"$\angle AMB$ 等于 $180^\circ - 2\theta$，故"),
+    ],
+)
+def test_two_sides_of_a_triangle_make_its_angle(language: Language, said: str) -> None:
+    # 2 theta, the exterior angle, was said of AM and MB
+    page = "\n".join(proses(stated("scissor-lift", language, theta="55")))
+    assert said in page
+    assert r"$2\theta - 90^\circ$" in page

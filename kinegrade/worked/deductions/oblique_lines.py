@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from kinegrade.language.math.tree import Sign
 from kinegrade.mechanics.vector_equation import Part
 from kinegrade.worked.case import Case
+from kinegrade.worked.formulas.atoms import Symbol
 from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.measures import bearing
 from kinegrade.worked.formulas.symbols import draw_arrow, join_letters
@@ -60,6 +62,28 @@ def draw_line(ends: tuple[str, str], direction: float, case: Case) -> ObliqueLin
     start, end = (case.motion.points[point] for point in ends)
     named, letters = name_along(bearing(end - start), ends, case), map(case.naming.letter, ends)
     return ObliqueLine(join_letters(letters), bearing(end - start), named, ends) if named else None
+
+
+def measure_corner(first: ObliqueLine, second: ObliqueLine, case: Case) -> float | None:
+    """The angle of two lines at the point that both end in, in degrees; None without one."""
+    common = {*(first.ends or ())} & {*(second.ends or ())}
+    if len(common) != 1:
+        return None
+    (corner,) = common
+    directions = [
+        line.direction if line.ends and line.ends[0] == corner else line.direction + _HALF
+        for line in (first, second)
+    ]
+    return abs((directions[0] - directions[1] + _HALF) % (2 * _HALF) - _HALF)
+
+
+def name_corner(first: ObliqueLine, second: ObliqueLine, case: Case) -> Symbol:
+    """The angle at that point by the letters of both lines: that of a triangle."""
+    one, other = first.ends or (), second.ends or ()
+    (corner,) = {*one} & {*other}
+    (start,), (end,) = {*one} - {corner}, {*other} - {corner}
+    letters = join_letters(map(case.naming.letter, (start, corner, end)))
+    return Symbol((Sign(r"\angle"), *letters.print()))
 
 
 def direct_lines(

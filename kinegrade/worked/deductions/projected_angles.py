@@ -15,6 +15,8 @@ from kinegrade.worked.deductions.oblique_lines import (
     direct_lines,
     draw_line,
     find_line,
+    measure_corner,
+    name_corner,
 )
 from kinegrade.worked.findings import Pair
 from kinegrade.worked.formulas.atoms import Symbol, VectorSymbol
@@ -36,6 +38,7 @@ from kinegrade.worked.vectors.stage import Stage, find_axis, find_share_cosine
 from kinegrade.worked.vectors.vectors import name_part
 
 _RIGHT, _HALF = 90.0, 180.0
+_CLOSE = 1e-6  # degrees
 _X, _Y = Symbol((Letter("x"),)), Symbol((Letter("y"),))
 AXIS_NAMES = {0.0: Message("solution.projection-x"), 90.0: Message("solution.projection-y")}
 
@@ -82,10 +85,15 @@ class _Leaning:
         complement = turned == (self.cosine.function == "cos")
         size = abs(self._measure_angle(complement=complement))
         less = _HALF if size > _HALF else 0.0  # no two directions make more: one line from its end
+        corner = measure_corner(first, others[0], case)
+        if corner is not None and abs(corner - (size - less)) > _CLOSE:
+            letters = case.text(name_corner(first, others[0], case))
+            angle = self._tell_supplement(complement=complement, less=less)
+            return Message("solution.corner-angle", corner=letters, angle=angle)
         lines = direct_lines(first, others[0], size - less, case)
-        letters = zip(("first", "second"), (case.text(line) for line in lines), strict=True)
+        names = zip(("first", "second"), (case.text(line) for line in lines), strict=True)
         angle = self._tell_angle(complement=complement, less=less)
-        return Message("solution.between-lines", **dict(letters), angle=angle)
+        return Message("solution.between-lines", **dict(names), angle=angle)
 
     def state(self, others: Sequence[VectorSymbol]) -> Message:
         """The angle with the axis of the vector, and of others along it."""
@@ -109,6 +117,15 @@ class _Leaning:
         if complement and self._measure_angle(complement=True) >= 0:
             return f"${case.text(state_angle(_RIGHT) - angle)}$"
         return f"${case.text(angle - state_angle(less + _RIGHT * complement))}$"
+
+    def _tell_supplement(self, *, complement: bool, less: float) -> str:
+        """What that angle falls short of two right angles by: the angle of a triangle at the corner
+        of two of its sides, where the lines make the exterior one.
+        """
+        case, angle = self.case, self.cosine.angle
+        if complement and self._measure_angle(complement=True) >= 0:
+            return f"${case.text(angle + state_angle(_RIGHT))}$"
+        return f"${case.text(state_angle(_HALF + less + _RIGHT * complement) - angle)}$"
 
     def _tell_acute(self, *, complement: bool) -> str:
         """The same, where the angle is obtuse by what it differs from one or two half turns: two

@@ -17,6 +17,8 @@ from kinegrade.worked.case import Case
 from kinegrade.worked.document import Block, Display
 from kinegrade.worked.formulas.atoms import Symbol
 
+COORDINATES = (Letter("x"), Letter("y"))
+
 
 @dataclass(frozen=True)
 class Derived:
@@ -59,10 +61,9 @@ def select_used(parts: Sequence[Part], later: Iterable[Row]) -> tuple[Part, ...]
     for part in reversed(parts):
         match part:
             case Coordinates() | Stated():
-                found = tuple(each for each in part.found if is_met(each.symbol, met))
+                found = _select_met(part.found, met)
                 before = part.before if isinstance(part, Stated) else ()
-                origin = not part.found and (bool(kept) or _has_coordinates(met))
-                if found or origin:
+                if found or not part.found:
                     kept.append(replace(part, found=found))
                 elif any(is_met(each.symbol, met) for each in before):
                     found, before = before, ()
@@ -75,14 +76,29 @@ def select_used(parts: Sequence[Part], later: Iterable[Row]) -> tuple[Part, ...]
                 met |= find_symbols(list_lines(part))
             case _:
                 assert_never(part)
-    worked_out = any(not isinstance(part, Stated) or part.found for part in kept)
-    return tuple(reversed(kept)) if worked_out else ()
+    placed = _has_coordinates(met)
+    return tuple(part for part in reversed(kept) if placed or not _is_origin(part))
+
+
+def _is_origin(part: Part) -> bool:
+    """Whether a part says where the origin is."""
+    return isinstance(part, Stated) and not part.found
+
+
+def _select_met(found: Sequence[Derived], met: Set[Node]) -> tuple[Derived, ...]:
+    """Those to which later formulas refer, or the lines of those that follow them."""
+    kept, known = list[Derived](), set(met)
+    for each in reversed(found):
+        if is_met(each.symbol, known):
+            kept.append(each)
+            known |= find_symbols(each.lines)
+    return tuple(reversed(kept))
 
 
 def _has_coordinates(met: Set[Node]) -> bool:
     """Whether formulas refer to a coordinate of a point."""
     indexed = (node for node in met if isinstance(node, Scripts) and node.lower)
-    return any(node.base in (Letter("x"), Letter("y")) for node in indexed)
+    return any(node.base in COORDINATES for node in indexed)
 
 
 def list_lines(blocks: Iterable[Block]) -> Iterator[Row]:

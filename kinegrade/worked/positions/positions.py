@@ -6,15 +6,16 @@ Everything follows the constructions of the template, in its order, with this pa
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 from kinegrade.language.math.tree import Row
 from kinegrade.language.message import Message
 from kinegrade.numbers.angle import Angle
 from kinegrade.worked.case import Case
-from kinegrade.worked.construction_steps import select_needed
+from kinegrade.worked.construction_steps import Step, select_needed
 from kinegrade.worked.document import Block
+from kinegrade.worked.positions.algebra import ZERO
 from kinegrade.worked.positions.constructions import explain_constructions
 from kinegrade.worked.positions.instance import METRE, RADIAN, Instance, make_instance
 from kinegrade.worked.positions.parts import (
@@ -48,9 +49,17 @@ def explain_positions(case: Case, wanted: Collection[str]) -> Positions:
     Coordinates in metres, x to the right, y upwards.
     """
     instance = make_instance(case)
-    steps = select_needed(instance.steps, wanted)
+    steps = _add_origin(select_needed(instance.steps, wanted), instance)
     parts = (*_explain_named_lengths(instance), *explain_constructions(steps, instance))
     return Positions(case, parts)
+
+
+def _add_origin(steps: Sequence[Step], instance: Instance) -> tuple[Step, ...]:
+    """The steps with the point at the origin, where none of them is one: they have coordinates."""
+    origins = [step for step in instance.steps if instance.axes.pair(step.tree) == (ZERO, ZERO)]
+    if not origins or set(origins) & set(steps):
+        return tuple(steps)
+    return (origins[0], *steps)
 
 
 def _explain_named_lengths(instance: Instance) -> Iterator[Stated]:
