@@ -135,7 +135,7 @@ def _imposes(relation: Relation, term: Term) -> bool:
 def _circles_beside(relation: Relation, term: Term) -> bool:
     """Whether a driver moves another point about the fixed centre about which a point moves."""
     chain = (*relation.left, *relation.right)
-    if not isinstance(relation.source, ImposedCircling) or len(chain) != 1:
+    if len(chain) != 1 or relation.turning:
         return False
     driven = chain[0]
     fixed = driven.frame == term.frame == GROUND
