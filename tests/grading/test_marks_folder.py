@@ -68,6 +68,7 @@ def test_what_is_written_is_read_again(tmp_path: Path) -> None:
     writer.left_out([mark])
     writer.bonus({"q2": Fraction(2)})
     writer.corrections(12)
+    writer.former_ids({"07": "7"})
     writer.exam("5c0ffee5")
     writer.policy("")
     assert sorted(path.name for path in tmp_path.iterdir()) == sorted({*FILES} - LATER)
@@ -90,6 +91,7 @@ def test_what_is_written_is_read_again(tmp_path: Path) -> None:
     assert folder.open == (OpenQuestion("q3", HALF, ("7",)),)
     assert folder.by_hand == {"7": {"q2.v": mark}}
     assert (folder.corrections, folder.exam) == (12, "5c0ffee5")
+    assert folder.former_ids == {"07": "7"}
 
 
 def test_files_that_not_every_folder_has_are_not_missed(tmp_path: Path) -> None:

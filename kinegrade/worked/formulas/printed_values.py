@@ -57,9 +57,7 @@ def find_printed_value(formula: Formula, notation: Notation = PLAIN) -> float:
         case Quotient(above, below):
             return find_printed_value(above, notation) / find_printed_value(below, notation)
         case Power(base, exponent):
-            return float(
-                find_printed_value(base, notation) ** find_printed_value(exponent, notation)
-            )
+            return _raise(*(find_printed_value(one, notation) for one in (base, exponent)))
         case Root(radicand):
             return math.sqrt(find_printed_value(radicand, notation))
         case Symbol() if formula == PI:
@@ -68,3 +66,11 @@ def find_printed_value(formula: Formula, notation: Notation = PLAIN) -> float:
             return _FUNCTIONS[name](find_printed_value(argument, notation))
         case _:
             raise TypeError(f"{formula!r} is no number")
+
+
+def _raise(base: float, exponent: float) -> float:
+    """A power, infinite where it is too large for a double."""
+    try:
+        return float(base**exponent)
+    except OverflowError:
+        return math.inf
