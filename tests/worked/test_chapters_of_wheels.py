@@ -2,6 +2,11 @@
 
 from __future__ import annotations
 
+import re
+
+import pytest
+
+from kinegrade.language import Language
 from tests.worked.chapters import as_read, find_untold, read_chapter, solve_small
 from tests.worked.draws import kept
 from tests.worked.telling import proses
@@ -235,7 +240,21 @@ def test_a_wheel_on_two_tracks_rolls_on_both() -> None:
     said = next(
         text for text in proses(kept("stepped-drum-on-two-ropes")) if "plane motion" in text
     )
-    assert "rolling without slipping on the rope $A$ and the rope $B$;" in said
+    assert "plane motion, without slip on the rope $A$ and the rope $B$;" in said
+
+
+ROLLING_ON_ROPES = {
+    "en": (r"\b(?:rolls?|rolling)\b[^.,;:]*\b(?:rope|cord)", r"\btracks\b"),
+    "de": (r"(?:rollt|Rollen)\b[^.,;:]*Seil", r"\bBahnen\b"),
+    "zh": (r"绳[^，。；：与]*上[^，。；：]*滚动", "两条"),
+}
+
+
+@pytest.mark.parametrize("language", ["en", "de", "zh"])
+@pytest.mark.parametrize("name", ["spool-pulled-by-cord", "stepped-drum-on-two-ropes"])
+def test_nothing_rolls_on_a_cord_which_is_no_track(name: str, language: Language) -> None:
+    page = "\n".join(proses(kept(name, 0, None, language)))
+    assert [each for each in ROLLING_ON_ROPES[language] if re.search(each, page)] == []
 
 
 ROPE = """

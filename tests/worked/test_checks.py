@@ -182,7 +182,7 @@ def test_a_wheel_between_tracks_is_checked_from_the_other_contact() -> None:
             r"v_{B} + r\,\omega = -100\,\unit{mm/s} + 70\,\unit{mm} \cdot 2.5\,\unit{rad/s} = 75\,\unit{mm/s}",
         ),
         Check(
-            "the acceleration of $C$ along the tracks from the point of contact with the rack $B$",
+            "the acceleration of $C$ along its path from the point of contact with the rack $B$",
             r"a_{C} = 200\,\unit{mm/s^2}",
             r"a_{B} + r\,\alpha = 400\,\unit{mm/s^2} + 70\,\unit{mm} \cdot (-2.857\,\unit{rad/s^2})"
             r" \approx 200\,\unit{mm/s^2}",

@@ -53,10 +53,27 @@ def _describe_motion(
     pivot = find_fixed_axis(body, case)
     if pivot is not None:
         return Message("solution.rotates", body=name, point=case.naming.point(pivot))
-    tracks = dict.fromkeys(describe_track(roll, case) for roll in _list_rolls(body, used, case))
+    return _describe_rolls(name, tuple(_list_rolls(body, used, case)), case)
+
+
+def _describe_rolls(name: Message, rolls: Iterable[NoSlip], case: Case) -> Message:
+    """The plane motion of a body, and on what it rolls; a cord that it winds up is no track."""
+    tracks, cords = dict[Message, None](), dict[Message, None]()
+    for roll in rolls:
+        (cords if is_cord(roll, case) else tracks)[describe_track(roll, case)] = None
+    if tracks and cords:
+        on, along = list_all(tracks), list_all(cords)
+        return Message("solution.rolls-and-winds", body=name, other=on, cords=along)
+    if cords:
+        return Message("solution.winds", body=name, cords=list_all(cords))
     if tracks:
         return Message("solution.rolls", body=name, other=list_all(tracks))
     return Message("solution.plane", body=name)
+
+
+def is_cord(roll: NoSlip, case: Case) -> bool:
+    """Whether a body touches a rope or cord, which is wound on it, rather than a track."""
+    return case.template.figure.shapes.get(roll.of) in ROPES
 
 
 def _list_rolls(body: Body, used: Set[int], case: Case) -> Iterator[NoSlip]:

@@ -80,7 +80,7 @@ def _find_reasons(step: Step, stage: Stage, accelerated: bool) -> Iterator[Messa
     case, coupler = stage.case, find_coupler(stage)
     wheel = find_two_tracks(step, stage)
     if wheel is not None:
-        yield Message("solution.idea-two-tracks", body=case.naming.body(wheel.body))
+        yield wheel.state_idea()
         return
     laws = [relation.source for relation in select_scalars(step, case)]
     rolls = filter(None, (law.find_rolling() for law in laws if law is not None))

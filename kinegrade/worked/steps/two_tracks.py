@@ -8,7 +8,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from kinegrade.language.message import Message
+from kinegrade.language.message import Message, list_all
 from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.laws import NoSlip
 from kinegrade.mechanics.plan import Step
@@ -27,7 +27,7 @@ from kinegrade.worked.formulas.equation import Equation, equate, lead_to
 from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.measures import double, find_sign, length
 from kinegrade.worked.formulas.numbers import measure, state_number
-from kinegrade.worked.rates.kinds import describe_track
+from kinegrade.worked.rates.kinds import describe_track, is_cord
 from kinegrade.worked.rates.rolling import state_rolled_radius
 from kinegrade.worked.senses import find_axis_sense, state_sense_along
 from kinegrade.worked.steps.titles import select_scalars
@@ -106,9 +106,11 @@ class TwoTracks:
 
     def _explain_centre(self, centre: str) -> Message:
         """From which contact the motion of the centre follows."""
-        if self.start.letters == ZERO:
-            return Message("solution.centre-from-resting-track", centre=centre)
+        if self.start.roll.of == GROUND:
+            return Message("solution.centre-from-fixed-track", centre=centre)
         track = describe_track(self.start.roll, self.case)
+        if self.start.letters == ZERO:
+            return Message("solution.centre-from-resting-track", centre=centre, track=track)
         return Message("solution.centre-from-moving-track", centre=centre, track=track)
 
     def state_centre(self) -> Equation:
@@ -138,6 +140,22 @@ class TwoTracks:
         """The motion of a track along the positive direction."""
         size = measure(abs(contact.moved), UNITS[self.level, False])
         return size.signed(find_sign(contact.moved))
+
+    def state_idea(self) -> Message:
+        """Why both contacts give the rotation: on what it rolls, and which cord does not slip."""
+        body, case = self.case.naming.body(self.body), self.case
+        rolls = sorted(
+            (self.first.roll, self.second.roll),
+            key=lambda roll: (is_cord(roll, case), roll.of),
+        )
+        one, other = (describe_track(roll, case) for roll in rolls)
+        cords = sum(is_cord(roll, case) for roll in rolls)
+        if cords == 1:
+            return Message("solution.idea-track-and-cord", body=body, track=one, cord=other)
+        both = list_all((one, other))
+        if cords:
+            return Message("solution.idea-two-cords", body=body, cords=both)
+        return Message("solution.idea-two-tracks", body=body, tracks=both)
 
     def explain(self) -> Iterator[Block]:
         """The rotation, then the motion of the centre where that is needed, which is noted."""
