@@ -46,7 +46,7 @@ class Trace(NamedTuple):
 def trace_path(system: System) -> Trace:
     """The whole path through the instant. Raises MechanismError where it is the only position."""
     ahead, end = _follow(system, 1)
-    if ahead.turns == _MOST_TURNS or isinstance(end, Closed):
+    if isinstance(end, Closed) or (ahead.turns and isinstance(end, Open)):
         return Trace(tuple(ahead.knots), None, end, tuple(ahead.changes))
     back, start = _follow(system, -1)
     knots = (*(_reverse(knot) for knot in reversed(back.knots[1:])), *ahead.knots)
@@ -171,8 +171,10 @@ class _Half:
         turning = np.array([rate.kind == "turning" for rate in self.system.rates])
         circling = np.array([rate.kind == "circling" for rate in self.system.rates])
         values, gone = np.abs(knot.unknowns[:-1]), self._measure(knot)
-        if values[~(turning | circling)].max(initial=0.0) > _FAR or len(self.knots) > _MOST_KNOTS:
+        if values[~(turning | circling)].max(initial=0.0) > _FAR:
             return Receding(gone)
+        if len(self.knots) > _MOST_KNOTS:
+            return Open(gone) if self.turns else Receding(gone)
         if self.system.input.period is not None:
             return None
         round_once = values[turning].max(initial=0.0) >= math.tau

@@ -15,7 +15,8 @@ from kinegrade.cycles.graph import convert_displacements
 from kinegrade.cycles.tracing import CurveTracer
 from kinegrade.motion.path import Array, MotionPath
 from kinegrade.practice.sampling import PoseTable, choose_poses
-from kinegrade.practice.skeleton import list_circles
+from kinegrade.practice.skeleton import list_circles, list_marked
+from kinegrade.practice.together import find_together
 from kinegrade.problem.solution import Solution
 
 WIDTH, HEIGHT, MARGIN = 110.0, 84.0, 13.0  # millimetres
@@ -31,7 +32,8 @@ _NOTHING = 1e-9  # of a curve's greatest value
 class PracticeMotion:
     """The positions of a draw: for each point x and y, then two points for each guide, rounded to
     the `FINE`th part of a millimetre, y downwards, each a text of its differences; a coordinate
-    that stays is one number.
+    that stays is one number. Of a point that goes with two others, x is "=" and how (`Together`),
+    y "=".
 
     `moved` is how far the input has gone, in parts of `low` to `high`, `speed` and `acceleration`
     those given; `radii` are in mm; `poles` is false where positions are
@@ -101,9 +103,22 @@ def write_motion(path: MotionPath, solution: Solution, asks: tuple[str, ...]) ->
         speed=float(shown[2]),
         acceleration=float(shown[3]),
         radii=tuple(round(float(each.radius) * window.scale, 2) for each in circles),
-        coordinates=tuple(_write_differences(row * FINE) for row in window.project(rows)),
+        coordinates=tuple(_write_places(window.project(rows) * FINE, path)),
         curves=tuple(_write_curves(solution, table, asks)),
     )
+
+
+def _write_places(steps: Array, path: MotionPath) -> Iterator[str]:
+    """x and y of all places. Those by which poles are found are written themselves, as exactly as
+    the script takes them to be.
+    """
+    kept = {place for pair in list_marked(path).values() for place in pair}
+    together = find_together(steps, kept)
+    for number in range(len(steps) // 2):
+        if number in together:
+            yield from (f"={together[number]}", "=")
+        else:
+            yield from map(_write_differences, steps[2 * number : 2 * number + 2])
 
 
 def frame_poses(path: MotionPath) -> tuple[PoseTable, _Window]:

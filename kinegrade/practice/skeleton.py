@@ -90,6 +90,17 @@ def list_circles(mechanism: Mechanism) -> tuple[Circle, ...]:
     )
 
 
+def list_marked(path: MotionPath) -> dict[str, tuple[int, int]]:
+    """The places of the first point and of the mark of each body that no pin holds."""
+    mechanism = path.motion.frames.mechanism
+    order = list(mechanism.points)
+    first = len(order) + 2 * len(list_guides(mechanism))
+    return {
+        body.name: (order.index(body.points[0]), first + number)
+        for number, body in enumerate(list_unpinned_bodies(path))
+    }
+
+
 def make_skeleton(path: MotionPath, template: Template, moves: str, unit: str) -> PracticeSkeleton:
     """The skeleton of a mechanism that moves. Raises TypesetError for a symbol that is none."""
     mechanism, hints = path.motion.frames.mechanism, template.figure
@@ -118,13 +129,11 @@ def _list_poles(
     path: MotionPath, order: Mapping[str, int], template: Template
 ) -> Iterator[PracticePole]:
     """The poles, each with a point of its body and the mark."""
-    mechanism = path.motion.frames.mechanism
-    first = len(order) + 2 * len(list_guides(mechanism))
-    marks = {body.name: first + place for place, body in enumerate(list_unpinned_bodies(path))}
+    mechanism, marked = path.motion.frames.mechanism, list_marked(path)
     for body, name in name_poles(find_poled_bodies(path), template).items():
         points = tuple(order[point] for point in mechanism.body(body).points)
         symbol = write_symbol_spans(write_point_symbol(name))
-        yield PracticePole(symbol, (points[0], marks[body]), points)
+        yield PracticePole(symbol, marked[body], points)
 
 
 def _write_label(name: str, carried: set[str], hints: FigureHints) -> str:

@@ -45,5 +45,5 @@ def write_practice(
         write_file(target, page.encode(), "html", force=force)
     size = max(1, round(len(page.encode()) / 1000))
     count = len(made.sheet.questions)
-    written = Message("practice.written", file=str(target), questions=count, size=size)
+    written = Message("practice.written", file=str(target), count=count, size=size)
     return Outcome(target, (written, *made.notes))

@@ -161,3 +161,15 @@ def test_change_points_are_those_at_which_another_way_begins() -> None:
     assert find_changes("guided-rack-and-gear") == pytest.approx([at], abs=1e-6)
     assert find_changes("scissor-lift") == pytest.approx([math.sqrt(3)], abs=1e-6)
     assert find_changes("planetary-gear-external-rim-velocities") == []
+
+
+def test_gears_that_turn_more_often_than_can_be_followed_could_go_on() -> None:
+    """Sixteen turns bring them back; no part of them is ever far away."""
+    drawn = {"r1": "0.35", "r2": "0.16"}
+    path = find_path(
+        solve_template(load_template("planetary-gear-external-rim-velocities"), drawn).motion
+    )
+    assert isinstance(path, MotionPath)
+    assert isinstance(path.end, Open)
+    assert path.start is None
+    assert path.bounds[0] == 0

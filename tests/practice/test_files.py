@@ -44,6 +44,16 @@ def test_the_same_command_gives_the_same_bytes(bank: Path, tmp_path: Path) -> No
     assert (tmp_path / "again.html").read_bytes() == (tmp_path / "once.html").read_bytes()
 
 
+@pytest.mark.parametrize(("count", "said"), [(1, "1 question, "), (2, "2 questions, ")])
+def test_the_command_says_how_many_questions_there_are(
+    count: int, said: str, bank: Path, tmp_path: Path
+) -> None:
+    question = BANK[BANK.index("[[") :]
+    bank.write_text(BANK + question * (count - 1), encoding="utf-8")
+    done = kinegrade("practice", bank, "-o", tmp_path / "sheet.html", "--draws", "1")
+    assert f"sheet.html: {said}" in done.stdout + done.stderr
+
+
 def test_a_file_of_another_kind_is_refused(bank: Path, tmp_path: Path) -> None:
     done = kinegrade("practice", bank, "-o", tmp_path / "sheet.pdf", "--draws", "1")
     assert done.exit_code == 2

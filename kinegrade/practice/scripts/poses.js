@@ -22,6 +22,7 @@ const FINE = 4000; // steps of a millimetre
 const MOVED_STEPS = 200000; // of the whole way of the input
 const CURVE_STEPS = 1000;
 const NEIGHBOURS = 8; // positions of which one between them is made
+const TOGETHER = "="; // before how a place goes with two others, which are written themselves
 const HALVINGS = 30;
 const PLACES = 4; // of a curve for each position
 
@@ -39,12 +40,31 @@ function sumUp(text) {
   return values;
 }
 
+/** @param {string[]} coordinates @returns {number[][]} x and y of each place in mm */
+function readRows(coordinates) {
+  const rows = coordinates.map((text) =>
+    text.startsWith(TOGETHER) ? [] : sumUp(text).map((value) => value / FINE),
+  );
+  for (let row = 0; row < rows.length; row += 2) {
+    if (rows[row].length) continue;
+    const [first, second, along, across] = coordinates[row].slice(1).split(" ").map(Number);
+    const others = [2 * first, 2 * first + 1, 2 * second, 2 * second + 1].map((each) => rows[each]);
+    const count = Math.max(...others.map((other) => other.length));
+    for (let place = 0; place < count; place += 1) {
+      const [x, y, toX, toY] = others.map((other) => other[other.length === 1 ? 0 : place]);
+      rows[row].push(x + along * (toX - x) - across * (toY - y));
+      rows[row + 1].push(y + along * (toY - y) + across * (toX - x));
+    }
+  }
+  return rows;
+}
+
 /** Positions by how many of them have been passed, a number that need not be whole. */
 class Poses {
   /** @param {Motion} motion */
   constructor(motion) {
     this.motion = motion;
-    this.rows = motion.coordinates.map((text) => sumUp(text).map((value) => value / FINE));
+    this.rows = readRows(motion.coordinates);
     this.moved = sumUp(motion.moved).map((value) => value / MOVED_STEPS);
     this.count = this.moved.length;
   }
