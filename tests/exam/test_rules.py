@@ -185,7 +185,7 @@ def test_arrows_are_not_said_to_be_drawn_to_scale(tmp_path: Path) -> None:
     file = tmp_path / "bank.toml"
     file.write_text(BANK, encoding="utf-8")
     assert write_rules(read_bank(file), "en")[1].endswith(
-        "Lengths in figures are drawn to scale; arrows and numbers of teeth are not."
+        "Lengths in figures are drawn to scale; arrows and teeth are not."
     )
 
 
