@@ -1,6 +1,4 @@
-"""Wheels that roll on two parallel tracks of which both motions are known: their points of contact
-move as the tracks do, which gives the rotation in one line, and from it the motion of the centre.
-"""
+"""Wheels between two parallel tracks or cords of known motions: the contacts give the rotation."""
 
 from __future__ import annotations
 
