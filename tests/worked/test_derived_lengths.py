@@ -90,3 +90,10 @@ def test_a_length_is_derived_by_a_given_one_where_both_are_one_step() -> None:
     told = "\n".join(lines(stated("bar-through-swivelling-sleeve", phi="150", l="0.8")))
     given = r"OA = \frac{l}{\sin\varphi} = \frac{0.8\,\unit{m}}{\sin 150^\circ} = 1.6\,\unit{m}"
     assert given in told
+
+
+def test_a_pole_beside_a_point_that_moves_along_an_axis_is_on_the_normal_there() -> None:
+    """SB = y_B - y_S stood there, and nothing said that S is below B."""
+    solution = solve_template(load_template("pole-sleeve-slider-rod"), {})
+    told = "\n".join(lines(write_worked_solution(solution, solution.template.asked(), "en").blocks))
+    assert "$S$ of the rod $BD$ lies on the vertical through $B$, as $B$ moves horizontally" in told

@@ -17,6 +17,7 @@ from kinegrade.worked.formulas.numbers import measure, state_number
 from kinegrade.worked.formulas.symbols import name_coordinate
 from kinegrade.worked.positions.algebra import ZERO as NOTHING
 from kinegrade.worked.positions.axes import choose_axes
+from kinegrade.worked.unlettered import is_lettered
 from kinegrade.worked.vectors.components import find_known, list_component
 from kinegrade.worked.vectors.points import find_point, find_vector
 from kinegrade.worked.vectors.summands import PLACES
@@ -46,10 +47,23 @@ def explain_pole(body: str, case: Case) -> Iterator[Block]:
     base = case.motion.frames.bases[body]
     symbol = name_point_vector(base.point, "velocity", case)
     yield from find_point(base.chain, symbol, case, "velocity")
-    letter = case.naming.point(name)
-    yield case.say(Message("solution.pole-of", body=case.naming.body(body), pole=letter))
     velocity = find_vector(base.chain, case.motion, "velocity")
+    yield case.say(_say_where(name, body, velocity, case))
     yield case.show(*(_state_coordinate(axis, name, body, velocity, case) for axis in AXES))
+
+
+def _say_where(pole: str, body: str, velocity: Vector, case: Case) -> Message:
+    """That the pole lies where the velocity vanishes, and on which line through the base point it
+    does where that moves along an axis.
+    """
+    base, name = case.motion.frames.bases[body].point, case.naming.body(body)
+    start, letter = case.naming.point(base), case.naming.point(pole)
+    if is_lettered(base, case) and double(velocity.squared()):
+        if not double(velocity.y):
+            return Message("solution.pole-on-vertical", body=name, pole=letter, base=start)
+        if not double(velocity.x):
+            return Message("solution.pole-on-horizontal", body=name, pole=letter, base=start)
+    return Message("solution.pole-of", body=name, pole=letter)
 
 
 def _state_coordinate(
