@@ -58,7 +58,7 @@ def test_lines_of_code_are_lines_without_docstrings_comments_and_blanks(tmp_path
 # mechanisms came to move (cycles)
 FAR = {
     "syntax nodes": 879_000,
-    "lines of code": 88_500,
+    "lines of code": 88_600,
     "syntax nodes a line": 9.93,
     "modules of more than 250 lines": 33,
 }

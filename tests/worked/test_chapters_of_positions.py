@@ -72,7 +72,7 @@ def test_an_angle_in_degrees() -> None:
     solution = solve_small(FOUR_BAR, gamma="angle((1, 0), C - A) in deg")
     assert not find_untold(
         r"""
-        The angle is counted counter-clockwise from the $x$ axis to $\overrightarrow{AC}$.
+        $\gamma$ is the angle from the $x$ axis to $\overrightarrow{AC}$, positive counter-clockwise.
         \gamma &= \angle(x,\overrightarrow{AC}) \approx -36.87^\circ
         """,
         solution,
@@ -83,9 +83,9 @@ def test_an_angle_in_radians() -> None:
     solution = solve_small(FOUR_BAR, gamma="angle((1, 0), A - C) in rad")
     assert not find_untold(
         r"""
-        The angle is counted counter-clockwise from the $x$ axis to $\overrightarrow{CA}$.
+        $\gamma$ is the angle from the $x$ axis to $\overrightarrow{CA}$, positive counter-clockwise.
         \tan\gamma &= -\frac{y_{A}}{x_{C}} = -\frac{6\,\unit{m}}{8\,\unit{m}} = -0.75
-        The cosine is negative, the sine positive: the angle lies between $90^\circ$ and
+        The cosine is negative, the sine positive: $\gamma$ lies between $90^\circ$ and
             $180^\circ$.
         \gamma &\approx 143.13^\circ \approx 2.498\,\unit{rad}
         """,

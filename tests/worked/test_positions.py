@@ -358,10 +358,10 @@ def test_a_length_that_several_answers_need_is_found_once() -> None:
         ("150", "between $90^\\circ$ and $180^\\circ$"),
         ("210", "between $-180^\\circ$ and $-90^\\circ$"),
         ("-30", "between $-90^\\circ$ and $0^\\circ$"),
-        ("0", "the angle is zero"),
-        ("90", "the angle is $90^\\circ$"),
-        ("180", "the angle is $180^\\circ$"),
-        ("270", "the angle is $-90^\\circ$"),
+        ("0", "$q$ is zero"),
+        ("90", "$q$ is $90^\\circ$"),
+        ("180", "$q$ is $180^\\circ$"),
+        ("270", "$q$ is $-90^\\circ$"),
     ],
 )
 def test_the_quadrant_of_an_angle_is_told_from_the_signs_of_its_cosine_and_sine(

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from kinegrade.expressions.tree import Call
 from kinegrade.language.math.tree import Letter
 from kinegrade.worked.answers.asked_vectors import find_fact, is_vector_call
-from kinegrade.worked.answers.pose_angles import QUADRANTS
+from kinegrade.worked.answers.pose_angles import tell_quadrant
 from kinegrade.worked.answers.projections import Working
 from kinegrade.worked.case import Case
 from kinegrade.worked.document import Block
@@ -76,7 +76,7 @@ def _explain_by_components(fact: Fact, case: Case) -> Iterator[Block]:
         working = equate(names[1] / names[0], up / along)
         links = (*working, *state_number(fact.value.y / fact.value.x, "1"))
         yield case.show(Equation(Function("tan", label), links))
-    yield case.say(QUADRANTS[_find_sign(x), _find_sign(y)])
+    yield case.say(tell_quadrant((_find_sign(x), _find_sign(y)), case.text(label)))
     exact = abs(degrees - round(degrees, _DIGITS)) < _EXACT
     yield case.show(Equation(label, (equate if exact else approximate)(state_angle(degrees))))
 

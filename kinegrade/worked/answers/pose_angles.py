@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import replace
 
 from kinegrade.expressions.tree import Call, Expression, Name, Operation
@@ -17,18 +16,22 @@ from kinegrade.worked.positions.algebra import Pair, cross, dot, over, times
 from kinegrade.worked.positions.axes import length_of
 from kinegrade.worked.positions.instance import DEGREE, PURE, Instance
 
-QUADRANTS: Mapping[tuple[int, int], Message] = {  # by the signs of the cosine and of the sine
-    (1, 1): Message("solution.first-quadrant"),
-    (-1, 1): Message("solution.second-quadrant"),
-    (-1, -1): Message("solution.third-quadrant"),
-    (1, -1): Message("solution.fourth-quadrant"),
-    (1, 0): Message("solution.angle-zero"),
-    (-1, 0): Message("solution.angle-straight"),
-    (0, 1): Message("solution.angle-right"),
-    (0, -1): Message("solution.angle-minus-right"),
-}
 _FULL = 1.0  # radians: angles that differ by more differ by a full turn
 _BETWEEN_LETTERS = name_angle(name_vector("u"), name_vector("v"))
+
+
+def tell_quadrant(signs: tuple[int, int], angle: str) -> Message:
+    """Where an angle lies, by the signs of its cosine and of its sine."""
+    return {
+        (1, 1): Message("solution.first-quadrant", angle=angle),
+        (-1, 1): Message("solution.second-quadrant", angle=angle),
+        (-1, -1): Message("solution.third-quadrant", angle=angle),
+        (1, -1): Message("solution.fourth-quadrant", angle=angle),
+        (1, 0): Message("solution.angle-zero", angle=angle),
+        (-1, 0): Message("solution.angle-straight", angle=angle),
+        (0, 1): Message("solution.angle-right", angle=angle),
+        (0, -1): Message("solution.angle-minus-right", angle=angle),
+    }[signs]
 
 
 def find_angle(
@@ -39,12 +42,13 @@ def find_angle(
         return _find_angle_from_axis(first, second, working)
     start, lines, lettered = working.lettered("u", first)
     end, more, lettered = lettered.lettered("v", second)
+    label = working.symbol or _BETWEEN_LETTERS
     sentence = Message(
         "solution.angle-of-vectors",
+        angle=working.text(label),
         first=working.phrase(first, "u"),
         second=working.phrase(second, "v"),
     )
-    label = working.symbol or _BETWEEN_LETTERS
     return _settle(label, lettered.said(sentence), lines + more, (start, end))
 
 
@@ -61,14 +65,19 @@ def _find_angle_from_axis(
     )
     other = _print_symbol(second, working) if simple else name_vector("v")
     phrase = working.phrase(second, "" if simple or working.symbol else "v")
-    sentence = Message("solution.angle-from-axis", first=working.phrase(first), second=phrase)
+    label = working.symbol or name_angle(axis, other)
+    sentence = Message(
+        "solution.angle-from-axis",
+        angle=working.text(label),
+        first=working.phrase(first),
+        second=phrase,
+    )
     ends = _list_ends(second)
     seen = working.instance.case.findings.seen.get(ends) if ends else None
     if seen is not None and start == AXIS_X and working.symbol:
         known = working.instance.named(seen.name, seen.symbol, seen.value)
         if _is_turn(known, seen.tree, Call("atan2", (end[1], end[0]))):
             return seen.tree, replace(working.said(sentence), instance=known)
-    label = working.symbol or name_angle(axis, other)
     return _settle(label, working.said(sentence), (), (start, end))
 
 
@@ -103,7 +112,7 @@ def _settle(
     if signs[0] and signs[1]:
         lines += instance.equation(Function("tan", label), over(sine, cosine), PURE)
     name, working = working.denote("angle", label, Call("atan2", (sine, cosine)))
-    working = working.shown(lines).said(QUADRANTS[signs])
+    working = working.shown(lines).said(tell_quadrant(signs, working.text(label)))
     if working.symbol is None:
         working = working.shown(working.instance.equation(label, name, DEGREE))
     return name, working

@@ -12,6 +12,7 @@ from kinegrade.language.message import Message
 from kinegrade.worked.document import Block, Display
 from kinegrade.worked.formulas.atoms import AXES, Symbol
 from kinegrade.worked.formulas.equation import equate
+from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.numbers import state_quantity
 from kinegrade.worked.formulas.symbols import name_component
 from kinegrade.worked.positions.algebra import ONE, ZERO, Pair
@@ -72,6 +73,10 @@ class Working:
             return ()
         value = state_quantity(self.instance.quantity(self.instance.value(size), METRE))
         return self.instance.lines(left, (*equate(stated), *value))
+
+    def text(self, symbol: Formula) -> str:
+        """A symbol as a part of a sentence."""
+        return self.instance.case.text(symbol)
 
     def phrase(self, vector: Expression, letter: str = "") -> Message:
         """A vector in a sentence, with the letter that denotes it."""

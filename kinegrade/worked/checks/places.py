@@ -24,7 +24,7 @@ from kinegrade.worked.formulas.measures import length
 from kinegrade.worked.formulas.numbers import measure, state_angle, state_quantity
 from kinegrade.worked.formulas.symbols import read_symbol
 from kinegrade.worked.positions.instance import make_instance
-from kinegrade.worked.vectors.arms import find_stated_length, name_length
+from kinegrade.worked.vectors.arms import find_stated_length
 
 _X, _Y = Call("", AXIS_X), Call("", AXIS_Y)
 
@@ -45,12 +45,21 @@ class _Distance:
         numbers = add_squares(across) if len(across) > 1 else across[0]
         pair = point_from(self.first, self.second, case).pair.values()
         letters = add_squares(one.letters for one in pair)
-        value, given = length(end - start, case.arithmetic), make_instance(case).value(self.given)
+        value = length(end - start, case.arithmetic)
         first, second = map(case.naming.point, (self.first, self.second))
         way = Message("solution.check-distance", first=first, second=second)
-        stated = name_length(self.first, self.second, case)
-        found = Side(numbers, value, letters)
-        return compare(way, found, Side(measure(given, "m"), given, stated), "m")
+        return compare(way, Side(numbers, value, letters), self._state(case), "m")
+
+    def _state(self, case: Case) -> Side:
+        """By the symbol of the statement, else as it is made of what is given: letters of its own
+        may have been worked out from the coordinates themselves.
+        """
+        instance = make_instance(case)
+        value = instance.value(self.given)
+        symbol = find_stated_length(self.first, self.second, case)
+        if symbol is not None:
+            return Side(measure(value, "m"), value, symbol)
+        return Side(instance.numbers(self.given), value, instance.formula(self.given))
 
 
 def list_place_checks(asked: Sequence[Ask], case: Case) -> Iterator[Check]:

@@ -7,6 +7,7 @@ Lines, circles and feet of perpendiculars are in `kinegrade.worked.positions.int
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from dataclasses import replace
 from typing import assert_never
 
 from kinegrade.expressions.tree import Call, Expression, Name, Number, Operation, list_parts, walk
@@ -24,6 +25,7 @@ from kinegrade.worked.positions.instance import Instance
 from kinegrade.worked.positions.intersections import explain_foot, explain_meeting
 from kinegrade.worked.positions.parts import Coordinates, Derived, Part, Stated, write_parts
 from kinegrade.worked.positions.polar import (
+    derive_inclination,
     describe_inclination,
     find_parallelogram,
     find_polar_way,
@@ -58,8 +60,17 @@ def _explain_construction(step: Step, instance: Instance) -> Part:
     sentence = _join(_describe_track(step, instance), _describe_place(step, instance))
     found = instance.coordinates(step.point, pair)
     if sentence is None:
-        return Coordinates((instance.letter(step.point),), found)
+        reasoned = (_add_reason(one, tree, instance) for one, tree in zip(found, pair, strict=True))
+        return Coordinates((instance.letter(step.point),), tuple(reasoned))
     return Stated(sentence, found, tuple(_find_used(tree, instance)))
+
+
+def _add_reason(coordinate: Derived, tree: Expression, instance: Instance) -> Derived:
+    """A coordinate with how the inclination follows that its sine or cosine takes."""
+    calls = (part for part in walk(tree) if isinstance(part, Call))
+    angles = (call.arguments[0] for call in calls if call.function in ("sin", "cos"))
+    reasons = (derive_inclination(angle, instance) for angle in angles)
+    return replace(coordinate, reason=next(filter(None, reasons), None))
 
 
 def _describe_track(step: Step, instance: Instance) -> Message | None:

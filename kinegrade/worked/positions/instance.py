@@ -123,7 +123,7 @@ class Instance:
         """The letter of a point, as a part of a sentence."""
         return self.case.text(self.symbols[point])
 
-    def _numbers(self, tree: Expression, degrees: bool = False) -> Formula:
+    def numbers(self, tree: Expression, degrees: bool = False) -> Formula:
         """An expression with numbers in place of symbols; angles are evaluated."""
         return Formulation(self._find_number).state(tree, degrees)
 
@@ -184,7 +184,7 @@ class Instance:
         self, left: Formula, tree: Expression, degrees: bool = False
     ) -> tuple[Link, ...]:
         """The formula and the same with numbers, each where it adds something."""
-        symbols, numbers = self.formula(tree, degrees), self._numbers(tree, degrees)
+        symbols, numbers = self.formula(tree, degrees), self.numbers(tree, degrees)
         plain = isinstance(tree, (Name, Number)) or (
             isinstance(tree, Call) and tree.function not in STRUCTURAL
         )

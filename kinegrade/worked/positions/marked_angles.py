@@ -24,7 +24,7 @@ def find_marked_angle(ends: tuple[str, str], case: Case) -> tuple[int, Expressio
     with which it counts; None where it marks none.
     """
     for mark in case.template.figure.angles:
-        given = _find_given(mark, case)
+        given = find_marked_given(mark, case)
         for axis, end in ((mark.start, mark.end), (mark.end, mark.start)):
             if given is not None and _is_on_line(ends, (mark.at, end), case):
                 sign = _find_sign(axis, (mark.at, end), given, case)
@@ -66,7 +66,7 @@ def _count_quarters(ends: tuple[str, str], side: tuple[str, str], case: Case) ->
     return count if abs(first - second - 90 * count) < _CLOSE else None
 
 
-def _find_given(mark: Mark, case: Case) -> str | None:
+def find_marked_given(mark: Mark, case: Case) -> str | None:
     """The angle among the givens whose letter stands at a mark."""
     symbol, givens = read_symbol(mark.symbol), case.template.parameters
     angles = (name for name in case.template.angles if read_symbol(givens[name].symbol) == symbol)

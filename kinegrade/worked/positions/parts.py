@@ -22,10 +22,13 @@ COORDINATES = (Letter("x"), Letter("y"))
 
 @dataclass(frozen=True)
 class Derived:
-    """A coordinate of a point or a named length by its symbol, and the lines that work it out."""
+    """A coordinate of a point or a named length by its symbol, and the lines that work it out;
+    `reason` says before where an angle in them comes from.
+    """
 
     symbol: Symbol
     lines: tuple[Row, ...]
+    reason: Message | None = None
 
 
 @dataclass(frozen=True)
@@ -133,7 +136,9 @@ def write_parts(parts: Iterable[Part], case: Case) -> tuple[Block, ...]:
     for part in _join_neighbours(parts):
         match part:
             case Coordinates():
-                blocks += (case.say(_announce(part.letters)), _display(part.found))
+                reasons = dict.fromkeys(one.reason for one in part.found if one.reason is not None)
+                blocks += map(case.say, (*reasons, _announce(part.letters)))
+                blocks.append(_display(part.found))
             case Stated():
                 lines = _display((*part.before, *part.found))
                 blocks += (case.say(part.sentence), *([lines] if lines.lines else []))

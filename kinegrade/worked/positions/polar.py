@@ -1,4 +1,6 @@
-"""A point at a distance from a centre in a direction: how a sentence says it."""
+"""Inclinations in sentences: of a point at a distance from a centre in a direction, and of a line
+that makes a marked angle with another one.
+"""
 
 from __future__ import annotations
 
@@ -7,15 +9,18 @@ from itertools import permutations
 from math import degrees
 from typing import Literal, assert_never
 
-from kinegrade.expressions.tree import Call, Expression, Name, Number, Operation, walk
+from kinegrade.expressions.tree import Call, Expression, Name, Number, Operation, find_names, walk
 from kinegrade.language.message import Message
 from kinegrade.numbers.text import write_decimal
+from kinegrade.problem.template.hints import Angle as Mark
 from kinegrade.worked.formulas.leaves import count_quarter_turns
 from kinegrade.worked.formulas.measures import bearing, is_zero
-from kinegrade.worked.formulas.symbols import join_letters, name_point
+from kinegrade.worked.formulas.symbols import join_letters, name_point, read_symbol
 from kinegrade.worked.positions.algebra import TWO, ZERO, is_negated, minus, plus
 from kinegrade.worked.positions.instance import Instance
+from kinegrade.worked.positions.marked_angles import find_marked_given
 from kinegrade.worked.positions.right_angles import split_right_angles
+from kinegrade.worked.positions.stated_angles import find_stated_tree
 
 _Heading = Literal["x", "y", "minus-x", "minus-y"]
 _RIGHT, _CLOSE, _DIGITS = 90.0, 1e-6, 15
@@ -71,18 +76,17 @@ def describe_inclination(
     lettered = not any(isinstance(part, Call) for part in walk(angle))
     if not isinstance(centre, Name) or not {centre.name, point} <= points.keys() or not lettered:
         return None
-    heading = bearing(points[point] - points[centre.name])
     _, rest, quarters = split_right_angles(angle)
     axis = quarters % 2 * _RIGHT
-    told = _find_acute(rest, abs((heading - axis + _RIGHT) % (2 * _RIGHT) - _RIGHT), instance)
-    if told is None or not heading % _RIGHT:
+    found = _find_inclination((centre.name, point), rest, instance, axis)
+    if found is None:
         return None
+    told, way = found
     line, back = (
         instance.case.text(join_letters(map(name_point, ends)))
         for ends in ((centre.name, point), (point, centre.name))
     )
     distance, axis_name = write_positive(radius, instance)[0], _AXIS_NAMES[axis]
-    way = _WAYS[int(heading // _RIGHT)]
     if distance in (line, back):
         named = {"line": line, "angle": told}
         return Message("solution.line-inclined", **named, axis=axis_name, way=way)
@@ -96,6 +100,65 @@ def describe_inclination(
         axis=axis_name,
         way=way,
     )
+
+
+def derive_inclination(angle: Expression, instance: Instance) -> Message | None:
+    """How the angle of a line with the x axis follows from that of another line and the angle that
+    the figure marks between the two; None where it marks none of which the angle is made.
+    """
+    derived = (
+        _derive_by_mark(angle, mark, sides, instance)
+        for mark in instance.case.template.figure.angles
+        for sides in permutations((mark.start, mark.end))
+    )
+    return next(filter(None, derived), None)
+
+
+def _derive_by_mark(
+    angle: Expression, mark: Mark, sides: tuple[str, ...], instance: Instance
+) -> Message | None:
+    """The same by one mark, from the line through its first side to that through the second."""
+    case, (known, other) = instance.case, sides
+    given = find_marked_given(mark, case)
+    if given is None or not {mark.at, *sides} <= case.motion.points.keys():
+        return None
+    stated = find_stated_tree((mark.at, known), case)
+    if stated is None or {given, *find_names(stated[1])} != {*find_names(angle)}:
+        return None
+    first = _find_inclination((mark.at, known), stated[1], instance)
+    second = _find_inclination((mark.at, other), angle, instance)
+    if first is None or second is None:
+        return None
+    return Message(
+        "solution.inclined-from-corner",
+        known=_write_letters((mark.at, known), instance),
+        first=first[0],
+        towards=first[1],
+        corner=_write_letters((known, mark.at, other), instance),
+        given=case.text(read_symbol(mark.symbol)),
+        line=_write_letters((mark.at, other), instance),
+        angle=second[0],
+        way=second[1],
+        axis=_AXIS_NAMES[0.0],
+    )
+
+
+def _find_inclination(
+    ends: tuple[str, str], angle: Expression, instance: Instance, axis: float = 0.0
+) -> tuple[str, Message] | None:
+    """The acute angle in letters that a line makes with an axis, by its degrees, and to where it
+    points.
+    """
+    start, end = (instance.case.motion.points[point] for point in ends)
+    heading = bearing(end - start)
+    told = _find_acute(angle, abs((heading - axis + _RIGHT) % (2 * _RIGHT) - _RIGHT), instance)
+    if told is None or not heading % _RIGHT:
+        return None
+    return told, _WAYS[int(heading // _RIGHT)]
+
+
+def _write_letters(points: tuple[str, ...], instance: Instance) -> str:
+    return instance.case.text(join_letters(map(instance.case.naming.letter, points)))
 
 
 def _find_acute(angle: Expression, size: float, instance: Instance) -> str | None:

@@ -1,0 +1,91 @@
+"""Answers about poses: what they compare, which angles they mean, and where these come from."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+
+from kinegrade.language import Language
+from kinegrade.problem.solving import solve_template
+from kinegrade.problem.template.library.library import load_template
+from tests.worked.chains import chains
+from tests.worked.draws import drawn, kept, stated
+from tests.worked.telling import proses
+from tests.worked.test_checks import RELATION, find_checks
+from tests.worked.test_independent_checks import write
+
+TRIANGLE = "triangle-pose-three-frames"
+POSES = [TRIANGLE, "pose-cam-tappet", "pose-four-bar-coupler", "pose-sleeve-slider-rod"]
+GIVEN = {"l": "0.38", "alpha": "70", "phi_1": "15"}
+NAMELESS = re.compile(
+    r"\b(?:The|the) angle (?:is|lies)\b|\b[Dd]er Winkel (?:wird|ist|liegt)\b|该角[由在为]"
+)
+
+
+@pytest.mark.parametrize("name", POSES)
+def test_no_check_compares_a_quantity_with_the_formula_that_has_given_it(name: str) -> None:
+    """BA from coordinates, and the same coordinates again."""
+    blocks = write(drawn(name)[0]).blocks
+    derived = {frozenset((left, parts[0])) for left, parts in chains(blocks) if parts}
+    for check in find_checks(blocks):
+        first = frozenset(RELATION.split(side)[0].strip() for side in (check.left, check.right))
+        assert first not in derived
+
+
+def test_a_distance_is_checked_by_the_formula_at_which_the_point_is_placed() -> None:
+    (check,) = find_checks(write(solve_template(load_template(TRIANGLE), GIVEN)).blocks)
+    assert (
+        check.right == r"l\cos\alpha = 0.38\,\unit{m} \cdot \cos 70^\circ \approx 0.1300\,\unit{m}"
+    )
+
+
+@pytest.mark.parametrize("language", ["en", "de", "zh"])
+@pytest.mark.parametrize("name", POSES)
+def test_an_angle_that_is_counted_or_lies_somewhere_is_named(name: str, language: Language) -> None:
+    said = list(proses(kept(name, language=language)))
+    assert [text for text in said if NAMELESS.search(text)] == []
+
+
+@pytest.mark.parametrize(
+    ("language", "told"),
+    [
+        ("en", r"$\varphi_{3}$ is the angle from the $x$ axis to "),
+        ("de", r"$\varphi_{3}$ ist der Winkel von der $x$-Achse zum "),
+        ("zh", r"$\varphi_{3}$ 为由 $x$ 轴转到 "),
+    ],
+)
+def test_an_angle_is_named_before_its_tangent(language: Language, told: str) -> None:
+    said = list(proses(stated(TRIANGLE, language=language, **GIVEN)))
+    assert any(text.startswith(told) for text in said)
+
+
+def test_the_angle_in_a_sum_is_not_the_answer() -> None:
+    r"""theta_2 = 360 degrees + \angle(u, v), of which the quadrant is told."""
+    said = list(proses(stated(TRIANGLE, **GIVEN)))
+    letters = r"$\angle(\boldsymbol{u},\boldsymbol{v})$"
+    assert any(text.startswith(f"{letters} is the angle from ") for text in said)
+    assert any(f"{letters} lies between $-90^\\circ$ and $0^\\circ$" in text for text in said)
+
+
+@pytest.mark.parametrize(
+    ("language", "told"),
+    [
+        (
+            "en",
+            r"$BA$ makes $\varphi_{1}$ with the $x$ axis and points upwards to the right, and "
+            r"$\angle ABC = \alpha$; hence $BC$ makes $\alpha - \varphi_{1}$ with the $x$ axis and "
+            "points downwards to the right.",
+        ),
+        (
+            "zh",
+            r"$BA$ 与 $x$ 轴成 $\varphi_{1}$ 角，指向右上方，且 $\angle ABC = \alpha$，"
+            r"故 $BC$ 与 $x$ 轴成 $\alpha - \varphi_{1}$ 角，指向右下方。",
+        ),
+    ],
+)
+def test_an_inclination_that_coordinates_take_is_derived(language: Language, told: str) -> None:
+    said = list(proses(stated(TRIANGLE, language=language, **GIVEN)))
+    place = said.index(told)
+    assert "$B$" in said[place + 1]
+    assert said.count(told) == 1
