@@ -227,9 +227,10 @@ class NoSlip(Reason):
 @dataclass(frozen=True)
 class EqualRimSpeed(Reason):
     """Two circles with their centres on one `carrier` have equal rim speeds relative to it. `joint`
-    numbers the joints of the mechanism.
+    numbers the joints of the mechanism; `is_belt` tells a belt from gears in mesh.
     """
 
+    is_belt: ClassVar[bool] = False
     joint: int
     body: str
     circle: Circle
@@ -300,6 +301,7 @@ class EqualPitchSpeed(EqualRimSpeed):
 class EqualBeltSpeed(EqualRimSpeed):
     """A belt runs about the circles; `crossed` where its strands cross between them."""
 
+    is_belt: ClassVar[bool] = True
     crossed: bool
 
     @property

@@ -58,7 +58,7 @@ def test_two_points_on_circles_about_one_centre_turn_with_it_as_a_rigid_triangle
     (turning,) = find_lines(name, r"\omega_{AB} &=")
     assert turning.startswith(r"\omega_{AB} &= -\frac{v_{A}}{OA} = ")
     (speed,) = find_lines(name, "v_{B} &=")
-    assert speed.startswith(r"v_{B} &= OB \cdot \omega_{AB} = ")
+    assert speed.startswith(r"v_{B} &= -OB \cdot \omega_{AB} = ")
     assert any("$OAB$ is a rigid triangle: $AB$ turns about" in text for text in proses(kept(name)))
     turning = r"$AB$ ($\omega_{AB}$, $\alpha_{AB}$): rotation about the fixed"
     assert any(text.startswith(turning) for text in proses(kept(name)))
@@ -216,10 +216,10 @@ def test_the_angle_of_a_rod_of_given_length_follows_from_one_side_of_its_triangl
     assert any(line.startswith(r"\cos\psi_{DC} &= \frac{x_{C} - x_{D}}{c} =") for line in steep)
 
 
-def test_a_length_on_a_line_of_given_angle_follows_from_one_coordinate() -> None:
+def test_a_length_on_a_line_of_given_angle_follows_from_a_given_one() -> None:
     # it was a root of both coordinates, and stood in the table before it was found
     told = list(lines(kept("pin-in-disc-slot-and-rod")))
-    found = [at for at, line in enumerate(told) if r"OM &= \frac{x_{M}}{\cos\varphi}" in line]
+    found = [at for at, line in enumerate(told) if r"OM &= \frac{b}{\cos\varphi}" in line]
     used = [at for at, line in enumerate(told) if r"| $OM \cdot" in line]
     assert len(found) == 1
     assert found[0] < used[0]

@@ -105,20 +105,12 @@ def _explain_link(law: Law | None, case: Case) -> Iterator[Message]:
     """What a relation of rates alone links; nothing for what is given, or turns alike."""
     if law is None:
         return
-    imposed = select_imposed(law)
+    imposed, rims = select_imposed(law), law.find_rims()
     if imposed is not None:
         yield from _explain_imposed(imposed, case)
-    match law:
-        case EqualPitchSpeed():
-            yield say_of_carrier("idea-meshes", law.carrier, case)
-        case EqualBeltSpeed():
-            yield say_of_carrier("idea-belts", law.carrier, case)
-        case SharedPoint() | GuidedPoint() | EqualRotation() | NoSlip():
-            return
-        case ImposedRotation() | ImposedMotion() | ImposedCircling():
-            return
-        case _:
-            assert_never(law)
+    if rims is not None:
+        what = "idea-belts" if rims.is_belt else "idea-meshes"
+        yield say_of_carrier(what, rims.carrier, case)
 
 
 def _explain_imposed(law: Imposed, case: Case) -> Iterator[Message]:
