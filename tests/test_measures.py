@@ -57,9 +57,9 @@ def test_lines_of_code_are_lines_without_docstrings_comments_and_blanks(tmp_path
 # did when fairness came to be bounded (mistakes, follow-through, papers alike hard) and when
 # mechanisms came to move (cycles)
 FAR = {
-    "syntax nodes": 879_000,
-    "lines of code": 88_600,
-    "syntax nodes a line": 9.93,
+    "syntax nodes": 878_600,
+    "lines of code": 88_580,
+    "syntax nodes a line": 9.925,
     "modules of more than 250 lines": 33,
 }
 COPIED = """

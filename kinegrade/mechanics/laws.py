@@ -342,9 +342,7 @@ class ImposedRotation(_Imposed):
 
 @dataclass(frozen=True)
 class ImposedMotion(_Imposed):
-    """The motion of `point` along a direction, relative to the body `of`. `driver` numbers the
-    drivers.
-    """
+    """The motion of `point` along a direction, relative to a body. `driver` numbers the drivers."""
 
     driver: int
     point: str
