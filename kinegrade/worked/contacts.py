@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import re
-from collections.abc import Collection, Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
+from itertools import chain
 from typing import assert_never
 
 from kinegrade.expressions.tree import (
@@ -16,8 +16,6 @@ from kinegrade.expressions.tree import (
     find_names,
     list_parts,
 )
-from kinegrade.language.math.reading import read_math
-from kinegrade.language.math.tree import Row
 from kinegrade.language.message import Message
 from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.relations import Term
@@ -25,12 +23,10 @@ from kinegrade.mechanics.vector_equation import Level
 from kinegrade.problem.quantities.functions import find_motion_calls
 from kinegrade.problem.quantities.motion_functions import MOTION_FUNCTIONS
 from kinegrade.worked.case import Case
-from kinegrade.worked.document import Block, Display, Heading, Pictures, Prose, TermTable
+from kinegrade.worked.document import Block, list_block_formulas
 from kinegrade.worked.formulas.measures import is_zero
 from kinegrade.worked.formulas.symbols import read_symbol
 from kinegrade.worked.positions.parts import find_symbols, is_met
-
-_FORMULA = re.compile(r"\$([^$\n]+)\$")
 
 
 def turn_about_contact(term: Term, case: Case) -> Term | None:
@@ -116,27 +112,6 @@ def introduce_contacts(
         if point is None or point in shown or point not in used:
             continue
         name, letter = case.naming.body(body.name), case.naming.point(point)
-        if is_met(read_symbol(letter), find_symbols(_list_formulas(later))):
+        written = chain.from_iterable(map(list_block_formulas, later))
+        if is_met(read_symbol(letter), find_symbols(written)):
             yield case.say(Message("solution.unmarked-contact", body=name, point=letter))
-
-
-def _list_formulas(blocks: Iterable[Block]) -> Iterator[Row]:
-    """All formulas of displays, tables and sentences."""
-    for block in blocks:
-        match block:
-            case Prose(text) | Heading(text):
-                yield from _read_formulas(text)
-            case Display(lines):
-                yield from lines
-            case TermTable(terms):
-                for term in terms:
-                    yield term.symbol
-                    yield from _read_formulas(f"{term.magnitude} {term.direction}")
-            case Pictures():
-                continue
-            case _:
-                assert_never(block)
-
-
-def _read_formulas(text: str) -> Iterator[Row]:
-    return (read_math(formula, "solution") for formula in _FORMULA.findall(text))

@@ -3,16 +3,22 @@ pictures.
 
 `kinegrade.worked.solution` derives these from a solved instance; a press lays them out. Prose is
 Markdown with `$...$` LaTeX math, math is a math tree, LaTeX is LaTeX math without dollar signs,
-plain is printed as it is. Decimals have the mark of the language.
+plain is printed as it is. Decimals have the mark of the language. The formulas of a block can be
+listed, wherever they stand in it.
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import suppress
 from dataclasses import dataclass, field
-from typing import Literal
+from functools import lru_cache
+from typing import Literal, assert_never
 
+from kinegrade.errors import TypesetError
 from kinegrade.figure.scene import Scene
 from kinegrade.language import Language
+from kinegrade.language.math.reading import read_math
 from kinegrade.language.math.tree import Row
 from kinegrade.language.message import Message
 from kinegrade.language.sentence import write_sentence
@@ -100,3 +106,31 @@ class WorkedSolution:
 
     blocks: tuple[Block, ...]
     checked: tuple[Checked, ...] = ()  # what the checks of rates say
+
+
+@lru_cache(maxsize=4096)
+def list_formulas(text: str) -> tuple[Row, ...]:
+    """The formulas of a text; one that cannot be read is left out: its writer says where it is."""
+    formulas = []
+    for latex in text.split("$")[1::2]:
+        with suppress(TypesetError):
+            formulas.append(read_math(latex, ""))
+    return tuple(formulas)
+
+
+def list_block_formulas(block: Block) -> Iterator[Row]:
+    """The formulas of a block, in their order."""
+    match block:
+        case Heading(text) | Prose(text):
+            yield from list_formulas(text)
+        case Display(lines):
+            yield from lines
+        case TermTable(terms):
+            for term in terms:
+                yield term.symbol
+                yield from list_formulas(term.magnitude)
+                yield from list_formulas(term.direction)
+        case Pictures():
+            return
+        case _:
+            assert_never(block)

@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from typing import assert_never
+from collections.abc import Sequence
 
-from kinegrade.language.math.tree import Letter, Row, list_nodes
-from kinegrade.press.solutions.prose_size import list_formulas
-from kinegrade.worked.document import Block, Display, Heading, Pictures, Prose, TermTable
+from kinegrade.language.math.tree import Letter, list_nodes
+from kinegrade.worked.document import Block, list_block_formulas
 
 _AXES = (Letter("x"), Letter("y"))
 
@@ -15,27 +13,13 @@ _AXES = (Letter("x"), Letter("y"))
 def names_axes(blocks: Sequence[Block]) -> bool:
     """Whether an axis, a coordinate or a component along an axis stands in some formula.
 
+    >>> from kinegrade.worked.document import Prose
     >>> names_axes([Prose("Projected on the $x$ axis:")]), names_axes([Prose("Projected on $AB$:")])
     (True, False)
     """
     return any(
-        node in _AXES for block in blocks for row in _list_rows(block) for node in list_nodes(row)
+        node in _AXES
+        for block in blocks
+        for row in list_block_formulas(block)
+        for node in list_nodes(row)
     )
-
-
-def _list_rows(block: Block) -> Iterator[Row]:
-    """The formulas of a block."""
-    match block:
-        case Heading(text) | Prose(text):
-            yield from list_formulas(text)
-        case Display(lines):
-            yield from lines
-        case TermTable(terms):
-            for term in terms:
-                yield term.symbol
-                yield from list_formulas(term.magnitude)
-                yield from list_formulas(term.direction)
-        case Pictures():
-            return
-        case _:
-            assert_never(block)

@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-from contextlib import suppress
 from functools import lru_cache
 
-from kinegrade.errors import TypesetError
 from kinegrade.language.math.printed_size import FIRST_CHINESE, measure_printed, measure_words
-from kinegrade.language.math.reading import read_math
-from kinegrade.language.math.tree import Row
+from kinegrade.worked.document import list_formulas
 
 _LATIN = 0.84  # the letters of text relative to those of formulas; Chinese ones are alike
 
@@ -26,13 +23,3 @@ def measure_text(text: str) -> float:
 def measure_formula_height(text: str) -> float:
     """How high the highest formula of prose is, in em; 0 where it has none."""
     return max((measure_printed(row).height for row in list_formulas(text)), default=0.0)
-
-
-@lru_cache(maxsize=4096)
-def list_formulas(text: str) -> tuple[Row, ...]:
-    """The formulas of a text; one that cannot be read is left out: its writer says where it is."""
-    formulas = []
-    for latex in text.split("$")[1::2]:
-        with suppress(TypesetError):
-            formulas.append(read_math(latex, ""))
-    return tuple(formulas)

@@ -15,8 +15,8 @@ from kinegrade.language.math.equation_line import begins_with_sign, split_equati
 from kinegrade.language.math.printed_size import measure_printed
 from kinegrade.language.math.tree import Mark, Row
 from kinegrade.press.solutions.chains import FORMULA_ALONE
-from kinegrade.press.solutions.prose_size import list_formulas, measure_text
-from kinegrade.worked.document import Term, TermTable
+from kinegrade.press.solutions.prose_size import measure_text
+from kinegrade.worked.document import Term, TermTable, list_formulas
 
 EM = 3.175  # millimetres: text of 9 points
 _LIMITS = (1000.0, 34.0, 28.0, 23.0, 18.0)  # millimetres that a cell may be wide
