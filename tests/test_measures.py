@@ -57,8 +57,8 @@ def test_lines_of_code_are_lines_without_docstrings_comments_and_blanks(tmp_path
 # did when fairness came to be bounded (mistakes, follow-through, papers alike hard) and when
 # mechanisms came to move (cycles)
 FAR = {
-    "syntax nodes": 878_600,
-    "lines of code": 88_580,
+    "syntax nodes": 905_000,
+    "lines of code": 91_000,
     "syntax nodes a line": 9.925,
     "modules of more than 250 lines": 33,
 }
