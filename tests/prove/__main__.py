@@ -4,9 +4,11 @@
 
 Prints a table of the proofs, each with its first seed and how many cases were run of those that the
 proof in full has; below a proof its failures, each as the line that belongs into
-`tests/prove/failed_seeds.py`. The status is 1 if there is any. No batch begins after the minutes are over: a table with fewer
-cases than it should have says so by its numbers. A proof that promises to compare so many things has their number
-in its row. Every minute stderr has a line that says how far the proof is, and each failure as soon as it is known.
+`tests/prove/failed_seeds.py`. The status is 1 if there is any. Each proof has an equal share of the
+minutes that are left when it begins, so that a dear one leaves those after it their turn; none of
+its batches begins later: a table with fewer cases than it should have says so by its numbers. A
+proof that promises to compare so many things has their number in its row. Every minute stderr has a
+line that says how far the proof is, and each failure as soon as it is known.
 """
 
 from __future__ import annotations
@@ -32,13 +34,15 @@ SEEDS = 10**9
 def main(arguments: Sequence[str] | None = None, proofs: Sequence[Proof] = PROOFS) -> int:
     """Run the proofs, print what came of them; 1 where one failed."""
     wanted = _parser(proofs).parse_args(arguments)
-    until = time.monotonic() + 60 * wanted.minutes
+    end = time.monotonic() + 60 * wanted.minutes
+    chosen = _chosen(proofs, wanted.only)
     failed = False
     print(HEADER, flush=True)
-    for proof in _chosen(proofs, wanted.only):
+    for place, proof in enumerate(chosen):
         cases = max(1, round(wanted.scale * proof.cases))
         first = randbelow(SEEDS) if wanted.seed is None else wanted.seed
         begin = time.monotonic()
+        until = begin + (end - begin) / (len(chosen) - place)
         with tallied(proof, cases) as note:
             seeds = range(first, first + cases)
             found = list(outcomes(proof, seeds, wanted.jobs, until, note))

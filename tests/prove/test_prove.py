@@ -6,10 +6,12 @@ import os
 import re
 import subprocess
 import sys
+import time
 from pathlib import Path
 
 import pytest
 
+from tests.prove import __main__ as program
 from tests.prove import invented, progress, properties, whole_tests
 from tests.prove.__main__ import main
 from tests.prove.failed_seeds import FAILED
@@ -123,6 +125,21 @@ def test_a_run_that_is_out_of_time_says_so_by_its_numbers(
 ) -> None:
     _, lines = run(capsys, "--minutes", "0", cases=10)
     assert lines[1].split()[2:4] == ["0", "10"]
+
+
+def test_a_dear_proof_leaves_those_after_it_their_turn(monkeypatch: pytest.MonkeyPatch) -> None:
+    shares = []
+
+    def note_share(
+        proof: Proof, seeds: range, jobs: int, until: float, note: object
+    ) -> list[Outcome]:
+        shares.append(round((until - time.monotonic()) / 60))
+        return []
+
+    monkeypatch.setattr(program, "outcomes", note_share)
+    proof = Proof("invented", invented.hold, cases=1, batch=1, sample=0)
+    main(["--minutes", "30"], (proof, proof, proof))
+    assert shares == [10, 15, 30]  # of what is left; here none takes its share
 
 
 def test_a_case_has_its_own_time_of_the_processor() -> None:
