@@ -247,9 +247,9 @@ ALLOWED: Mapping[str, Mapping[str, Sequence[str]]] = {
             "open belt: circle(A, r1) of I, circle(B, r2) of II on ground",
         ],
         "mechanics/joints/contact.py": [
-            "{} touches {}{}{}",
-            "CIRCLE of BODY touches LINE|CIRCLE [of BODY] [inside]",
+            "CIRCLE [of curvature] of BODY touches LINE|CIRCLE [of BODY] [inside]",
             "circle(C, R) of cam touches line(A, 0) of BC",
+            "circle(K, rho) of curvature of cam touches line(A, 0) of BC",
         ],
         "mechanics/joints/mesh.py": [
             "CIRCLE of BODY meshes with CIRCLE of BODY on BODY [inside]",

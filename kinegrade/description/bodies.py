@@ -45,9 +45,9 @@ def _say_form(body: Body, shape: Shape, subject: Subject) -> Message | None:
         case "disc":
             centre = subject.instance.letter(body.points[0])
             return Message("description.disc", body=name, centre=centre)
-        case "gear" | "cam" | "rope" | "load" | "geneva":
+        case "gear" | "rope" | "load" | "geneva":
             return Message(f"description.form-{shape}", body=name)
-        case "bar" | "bare" | "through" | "cylinder" | "arc" | "jaw" | "rack":
+        case "bar" | "bare" | "through" | "cylinder" | "arc" | "cam" | "jaw" | "rack":
             return None
         case _:
             assert_never(shape)

@@ -44,6 +44,9 @@ def _say_joint(joint: Joint, sentence: JointSentence, subject: Subject) -> Itera
             names = {"point": subject.place(point, body), "of": subject.body(of)}
             yield Message("description.arc", circle=circle, **names)
         case Contact() | Roll():
+            profile = joint.find_profile()
+            if profile is not None and profile.of_curvature:
+                yield Message("description.curvature", body=subject.body(profile.body))
             yield _say_touching(joint, sentence, subject)
         case Mesh() | Belt():
             yield _say_carried(joint, sentence, subject)

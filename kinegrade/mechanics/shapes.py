@@ -36,4 +36,14 @@ class Circle:
         return Circle(self.centre, number(self.radius))
 
 
+@dataclass(frozen=True)
+class Profile:
+    """The profile of `body` where it touches another body: a circle, or `of_curvature` where no
+    more than its circle of curvature is known, which takes its place to second order.
+    """
+
+    body: str
+    of_curvature: bool
+
+
 Shape = Line | Circle

@@ -105,12 +105,16 @@ def planetary_accelerations(size: float, r: float, phi: float) -> Case:
     )
 
 
-def follower_joints(centre: str, radius: float, contact: Vector) -> tuple[Any, ...]:
+def follower_joints(
+    centre: str, radius: float, contact: Vector, of_curvature: bool = False
+) -> tuple[Any, ...]:
     return (
         Pin("O", ("cam", GROUND)),
         Parallel("BC", GROUND),
         Slide("A", "BC", Line(contact, UP), GROUND),
-        Contact("cam", Circle(centre, radius), "BC", Line(contact, RIGHT)),
+        Contact(
+            "cam", Circle(centre, radius), "BC", Line(contact, RIGHT), of_curvature=of_curvature
+        ),
     )
 
 
@@ -118,15 +122,15 @@ def follower_curvature(r: float, theta: float, rho: float) -> Case:
     a = polar(r, 90 - theta)
     points = {"O": Vector(0.0, 0.0), "A": a, "K": a - UP * rho}
     bodies = (Body("cam", ("O", "K")), Body("BC", ("A",)))
+    joints = follower_joints("K", rho, a, of_curvature=True)
     return hinted(
-        Mechanism(points, bodies, follower_joints("K", rho, a), (Rotation("cam", 2.0, 0.0),)),
+        Mechanism(points, bodies, joints, (Rotation("cam", 2.0, 0.0),)),
         lengths=[
             {"symbol": "r", "from": "O", "to": "A"},
             {"symbol": r"\rho", "from": "K", "to": "A"},
         ],
         angles=[{"symbol": r"\theta", "at": "O", "from": "up", "to": "A"}],
         arrows=[{"symbol": r"\omega", "turns": "cam", "sense": "ccw"}],
-        shapes={"cam": "cam"},
     )
 
 

@@ -15,6 +15,7 @@ from kinegrade.figure.joints.symbol import Feature, Foot, Kind, Rim, Symbol, is_
 from kinegrade.figure.plane import angle_of, foot, length, polar, unit
 from kinegrade.mechanics.joints import GROUND, Arc, Circle, Contact, Line, Mesh, Roll
 from kinegrade.mechanics.mechanism import Mechanism
+from kinegrade.mechanics.shapes import Profile
 from kinegrade.mechanics.vector import Vector
 
 # Radians by which the edge of a wheel, seen from the centre of the track about it, lies beyond the
@@ -27,7 +28,8 @@ def find_touch_symbol(
 ) -> Symbol:
     """A wheel, gear or cam with its partner: another circle, a face or rack of a body, a track."""
     toothed = "gear" in (shapes.get(joint.body), shapes.get(joint.of))
-    kinds = {body: _choose_kind(body, toothed, shapes) for body in (joint.body, joint.of)}
+    profile = joint.find_profile()
+    kinds = {body: _choose_kind(body, toothed, profile, shapes) for body in (joint.body, joint.of)}
     rims = _find_rims(mechanism, joint, kinds)
     match joint.on:
         case Circle():
@@ -84,10 +86,13 @@ def _limit(rim: Rim, rims: tuple[Rim, ...], shapes: Mapping[str, str]) -> Rim:
     return replace(rim, contacts=tuple(contacts))
 
 
-def _choose_kind(body: str, toothed: bool, shapes: Mapping[str, str]) -> Kind:
+def _choose_kind(
+    body: str, toothed: bool, profile: Profile | None, shapes: Mapping[str, str]
+) -> Kind:
     if toothed:
         return "gear"
-    return "cam" if shapes.get(body) == "cam" else "wheel"
+    is_curved = profile == Profile(body, of_curvature=True)
+    return "cam" if is_curved or shapes.get(body) == "cam" else "wheel"
 
 
 def _find_rims(

@@ -12,7 +12,7 @@ from kinegrade.mechanics.element import Element, require_attributes
 from kinegrade.mechanics.laws import Condition, Law, SharedPoint
 from kinegrade.mechanics.rates import Rate
 from kinegrade.mechanics.sentence import JointParts
-from kinegrade.mechanics.shapes import Circle, Line, Shape
+from kinegrade.mechanics.shapes import Circle, Line, Profile, Shape
 from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.number import Arithmetic
 
@@ -23,15 +23,13 @@ class Constraint(Element):
     """A joint; `PATTERN` is the regular expression of its sentence, with its parts by name,
     `FORM` the same as authors read it, with what it takes in capitals, and `EXAMPLES` are shown.
 
-    `SLIPS` are the parts of what it states that students are known to take wrongly; it `TOUCHES`
-    where the profile of one body may slip on that of another.
+    `SLIPS` are the parts of what it states that students are known to take wrongly.
     """
 
     PATTERN: ClassVar[str]
     FORM: ClassVar[str]
     EXAMPLES: ClassVar[tuple[str, ...]]
     SLIPS: ClassVar[tuple[Slip, ...]]
-    TOUCHES: ClassVar[bool] = False
 
     def __init_subclass__(cls) -> None:
         """Refuses a joint that lacks one of them. Raises TypeError."""
@@ -50,6 +48,10 @@ class Constraint(Element):
     @abstractmethod
     def list_conditions(self) -> tuple[Condition, ...]:
         """The points that it holds or guides, and the bodies that it keeps parallel."""
+
+    def find_profile(self) -> Profile | None:
+        """The profile that may slip on another body: none."""
+        return None
 
     def list_needed_pins(self) -> tuple[SharedPoint, ...]:
         """The points that its bodies have to share already, by other joints: none."""

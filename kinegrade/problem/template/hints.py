@@ -143,16 +143,16 @@ class FigureHints:
     `labels` gives other text for a point, or text for a body ("ground": its fixed circle); None: no
     label. A point that is only constructed appears when it has a label. `lines` are thin, between
     two points; `right_angles` are marked at the second of three points. `shapes` overrides: "gear"
-    (pitch circle), "cam" (only the curvature at the contact is known), "bent" (a rod through its
-    points in order, not a plate), "bar" (sliders run on it in sleeves, not in a slot), "bare" (pins
-    slide in its slot, its ends on the ground, without blocks), "through" (a translating rod that
-    goes on beyond its point), "cylinder" (one whose end is the piston in a closed cylinder), "jaw"
-    (of a crusher, facing a fixed jaw), "arc" (a round track of which only the arc around its wheels
-    is drawn), "rope" (what a wheel rolls on, from the wheel to its point), "load" (the same with a
-    load at its point), "disc" (a disc about the first point, not a slotted bar), "geneva" (the
-    slotted wheel of a Geneva drive), "rack" (a translating rod with teeth, whose gear is not in the
-    figure). `supports` gives the side on which the support of a fixed pin stands; below it where
-    nothing is said.
+    (pitch circle), "cam" (a made-up profile, or one outline about `circles`), "bent" (a rod through
+    its points in order, not a plate), "bar" (sliders run on it in sleeves, not in a slot), "bare"
+    (pins slide in its slot, its ends on the ground, without blocks), "through" (a translating rod
+    that goes on beyond its point), "cylinder" (one whose end is the piston in a closed cylinder),
+    "jaw" (of a crusher, facing a fixed jaw), "arc" (a round track of which only the arc around its
+    wheels is drawn), "rope" (what a wheel rolls on, from the wheel to its point), "load" (the same
+    with a load at its point), "disc" (a disc about the first point, not a slotted bar), "geneva"
+    (the slotted wheel of a Geneva drive), "rack" (a translating rod with teeth, whose gear is not
+    in the figure). `supports` gives the side on which the support of a fixed pin stands; below it
+    where nothing is said.
     """
 
     lengths: tuple[Length, ...] = ()

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from kinegrade.language.message import Message
+from kinegrade.mechanics.shapes import Profile
 from kinegrade.mechanics.vector_equation import Part, VectorEquation
 from kinegrade.worked.case import Case
 from kinegrade.worked.document import Block
@@ -19,24 +20,19 @@ def explain_flat_face(equation: VectorEquation, case: Case) -> Iterator[Block]:
     if equation.level != "velocity":
         return
     for relative in equation.compositions:
-        sentence = case.joint(relative.term) if relative.term else None
-        if sentence and sentence.stated.TOUCHES and relative.part == "":
-            point, frame = case.naming.point(relative.point), case.naming.body(relative.frame)
-            curved = find_curved_body(relative, case)
-            if curved is None:
-                yield case.say(Message("solution.contact-face", point=point, frame=frame))
-            else:
-                body = case.naming.body(curved)
-                said = Message("solution.contact-curved", point=point, frame=frame, body=body)
-                yield case.say(said)
+        profile = find_profile(relative, case)
+        if profile is None or relative.part:
+            continue
+        point, frame = case.naming.point(relative.point), case.naming.body(relative.frame)
+        if profile.of_curvature:
+            body = case.naming.body(profile.body)
+            yield case.say(Message("solution.contact-curved", point=point, frame=frame, body=body))
+        else:
+            yield case.say(Message("solution.contact-face", point=point, frame=frame))
 
 
-def find_curved_body(relative: Part, case: Case) -> str | None:
-    """The body that touches the frame, where of its profile only the curvature there is known."""
-    sentence = case.joint(relative.term) if relative.term else None
-    if sentence is None or not sentence.stated.TOUCHES:
-        return None
-    figure = case.template.figure
-    traced = {circle.body for circle in figure.circles}
-    known = figure.shapes.get(sentence.body) != "cam" or sentence.body in traced
-    return None if known else sentence.body
+def find_profile(relative: Part, case: Case) -> Profile | None:
+    """The profile that touches the frame and may slip on it; None where none does."""
+    frames = case.motion.frames
+    number = frames.guiding.get(relative.term.rate) if relative.term else None
+    return None if number is None else frames.mechanism.joints[number].find_profile()

@@ -35,7 +35,7 @@ from kinegrade.worked.formulas.symbols import join_letters
 from kinegrade.worked.rates.rims import say_of_carrier
 from kinegrade.worked.rates.rolling import group_rolls, tell_rolls
 from kinegrade.worked.steps.couplers import Coupler, choose_method, find_coupler, find_pole_body
-from kinegrade.worked.steps.flat_faces import find_curved_body
+from kinegrade.worked.steps.flat_faces import find_profile
 from kinegrade.worked.steps.rigid import explain_choice, find_rigid_triangle
 from kinegrade.worked.steps.titles import find_rotations, select_scalars
 from kinegrade.worked.steps.two_tracks import find_two_tracks
@@ -239,9 +239,9 @@ def _explain_frames(stage: Stage, accelerated: bool) -> Iterator[Message]:
 def _replace_profiles(compositions: Iterable[Part], case: Case) -> Iterator[Message]:
     """Why the circle of curvature serves where no more of a profile is known."""
     for relative in compositions:
-        curved = find_curved_body(relative, case)
-        if curved is not None:
-            point, body = case.naming.point(relative.point), case.naming.body(curved)
+        profile = find_profile(relative, case)
+        if profile is not None and profile.of_curvature:
+            point, body = case.naming.point(relative.point), case.naming.body(profile.body)
             yield Message("solution.idea-curvature", point=point, body=body)
 
 
