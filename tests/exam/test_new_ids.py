@@ -69,6 +69,20 @@ def test_what_was_typed_and_marked_under_the_old_id_goes_on(exam: Path) -> None:
     assert "4711" in kinegrade("explain", exam, marks, "0012").stdout
 
 
+def test_what_was_changed_under_the_old_id_is_explained_under_the_new_one(exam: Path) -> None:
+    sheet, hands, marks = (exam.with_name(name) for name in ("typed.csv", "hands.csv", "MARKS"))
+    sheet.write_text("student,q1.v_B\n0012,1\n", encoding="utf-8")
+    again = "grade", exam, sheet, "-o", marks, "--force", "--own-papers", "--manual", hands
+    for points in (2, 3):
+        hands.write_text(f"student,question,points\n0012,bonus,{points}\n", encoding="utf-8")
+        known = ("--since", marks, "--reason", "a kinder look") if marks.exists() else ()
+        kinegrade(*again, *known)
+    kinegrade("exchange", exam, "0012", "4711", *NEW)
+    kinegrade(*again, "--since", marks, "--reason", "new id")
+    assert {row["student"] for row in table(marks / "changes.csv")} == {"0012"}
+    assert "a kinder look" in kinegrade("explain", exam, marks, "4711").stdout
+
+
 def test_markings_before_and_after_a_new_id_are_compared_by_student(exam: Path) -> None:
     sheet, first, second = (exam.with_name(name) for name in ("typed.csv", "MARKS", "AGAIN"))
     sheet.write_text(f"student,q1.v_B\n0012,{right_answer(exam, '0012')}\n", encoding="utf-8")

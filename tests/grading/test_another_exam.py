@@ -178,7 +178,7 @@ def test_marks_that_a_make_up_gave_do_not_flow_into_those_of_the_exam(
     done = kinegrade(*(each.format_map({**places, "out": tmp_path / "out"}) for each in command))
     assert done.exit_code == 2
     assert (
-        f"error: {merged}: the marks of 4 students are those of another exam, put beside these by "
+        f"error: {merged}: the marks of 4 students are taken from other marks, put beside these by "
         "merge - name the folder in which this exam was marked, and merge anew"
     ) in done.stderr
     assert contents(merged) == before

@@ -97,7 +97,8 @@ def explain_marks(
     whole = [each for each in answers if each.question in questions]
     explained = _Explaining(exam, marks, papers.policy).explain(whole)
     asked = tuple(each for each in explained if each.marked in chosen)
-    log = tuple(each for each in marks.log if each[1] == candidate.student)
+    now = exam.former_ids
+    log = tuple(each for each in marks.log if now.get(each[1], each[1]) == candidate.student)
     return Explanation(candidate, total, marks.open, paper, numbers, log, asked, by_hand)
 
 
