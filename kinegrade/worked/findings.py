@@ -84,7 +84,7 @@ class Findings:
     `inclined` the lines whose angle with the x axis has been found; `summed` the sums of angles, in
     degrees, that have been worked out; `aligned` pairs of lines that have been said to be parallel
     or normal at this instant; `sized` the symbols of vectors known by components whose magnitude
-    has been given as well; `directed` the Coriolis accelerations whose direction has been said;
+    has been given as well; `counted` the answers counted against their letter; `directed` the Coriolis accelerations whose direction has been said;
     `arms` the distances of two points that have been worked out; `places_alone` whether all answers
     are places of poles that normals lead to, so that speeds are left out; `seen` the directions
     that triangles have given, each from one point to another; `poles_sought` the bodies about whose
@@ -108,6 +108,7 @@ class Findings:
     circles: set[str] = field(default_factory=set)
     relatives: dict[tuple[str, str, str], Row] = field(default_factory=dict)
     sized: set[VectorSymbol] = field(default_factory=set)
+    counted: set[str] = field(default_factory=set)
     inclined: set[tuple[str, str]] = field(default_factory=set)
     summed: set[frozenset[float]] = field(default_factory=set)
     directed: set[VectorSymbol] = field(default_factory=set)

@@ -57,3 +57,4 @@ def test_what_is_counted_against_a_letter_of_the_page_has_its_sign_told(
         told = write_sign(ask.sign, language)
         assert isinstance(before, Prose)
         assert told in before.text
+        assert sum(told in text for text in proses(blocks)) > 1, "the idea says in which sense"

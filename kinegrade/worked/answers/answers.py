@@ -109,9 +109,12 @@ def _is_counted_against(ask: Ask, symbols: Formula) -> bool:
 
 
 def _name_convention(ask: Ask, case: Case) -> Message:
-    """The question's sign convention, in the author's words where these are in the language."""
+    """The question's sign convention, in the author's words where these are in the language; kept
+    for the sentence that says what is sought.
+    """
     if isinstance(ask.sign, Translated) and not ask.sign.has(case.language):
         return Message("solution.as-asked-there")
+    case.findings.counted.add(ask.name)
     return Message("solution.as-asked", sign=write_sign(ask.sign, case.language))
 
 

@@ -12,6 +12,7 @@ from kinegrade.mechanics.drivers.imposed import select_imposed
 from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.laws import Imposed, ImposedCircling, ImposedMotion, ImposedRotation
 from kinegrade.mechanics.plan import Step
+from kinegrade.problem.template.signs import write_sign
 from kinegrade.problem.template.template import Ask
 from kinegrade.worked.case import Case
 from kinegrade.worked.formulas.symbols import read_symbol
@@ -42,6 +43,7 @@ def name_task(
 def _define(ask: Ask, signed: Set[Node], case: Case) -> Text:
     """The symbol of what is sought with its meaning, where the author gives that in the
     language: what this has in brackets stands behind it, what names the symbol stands for both.
+    The question's sense stands with it where the page counts the letter in the other one.
     """
     magnitude = abs(read_symbol(ask.symbol))
     bare = magnitude.print(case.notation)[0] not in signed
@@ -51,6 +53,9 @@ def _define(ask: Ask, signed: Set[Node], case: Case) -> Text:
     means = ask.means.in_language(case.language)
     if symbol in means and _LENGTH.fullmatch(symbol):
         return means
+    if ask.name in case.findings.counted:
+        sign = write_sign(ask.sign, case.language)
+        return Message("solution.sought-of", symbol=symbol, means=means, of=sign)
     narrowed = _NARROWED.fullmatch(means)
     if narrowed is None:
         return Message("solution.sought", symbol=symbol, means=means)
