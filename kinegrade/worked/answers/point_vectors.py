@@ -14,10 +14,10 @@ from kinegrade.problem.quantities.functions import find_motion_calls
 from kinegrade.problem.quantities.motion_functions import MOTION_FUNCTIONS
 from kinegrade.problem.template.template import Ask
 from kinegrade.worked.case import Case
+from kinegrade.worked.coincident_points import index_owner
 from kinegrade.worked.document import Block
 from kinegrade.worked.findings import Fact
 from kinegrade.worked.formulas.atoms import VectorSymbol
-from kinegrade.worked.owners import index_owner
 from kinegrade.worked.vectors.facts import make_key
 from kinegrade.worked.vectors.points import find_point
 from kinegrade.worked.vectors.vectors import name_point_vector

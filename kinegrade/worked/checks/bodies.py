@@ -21,11 +21,11 @@ from kinegrade.worked.checks.check import Check, compare
 from kinegrade.worked.checks.components import Turned, list_component_checks
 from kinegrade.worked.checks.forms import compare_points
 from kinegrade.worked.checks.sides import Side
+from kinegrade.worked.coincident_points import name_owned_point
 from kinegrade.worked.findings import Fact, Piece
 from kinegrade.worked.formulas.atoms import AXES, ZERO
 from kinegrade.worked.formulas.measures import bearing, double, find_sign, length
 from kinegrade.worked.formulas.numbers import measure
-from kinegrade.worked.owners import name_owned_point
 from kinegrade.worked.unlettered import is_lettered
 from kinegrade.worked.vectors.arms import name_length
 from kinegrade.worked.vectors.components import find_heading, name_signed, state_signed

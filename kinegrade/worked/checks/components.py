@@ -16,10 +16,10 @@ from kinegrade.worked.case import Case
 from kinegrade.worked.checks.check import Check, compare
 from kinegrade.worked.checks.forms import compare_points
 from kinegrade.worked.checks.sides import Side
+from kinegrade.worked.coincident_points import name_owned_point
 from kinegrade.worked.findings import Fact
 from kinegrade.worked.formulas.atoms import AXES, AxisName, add_terms
 from kinegrade.worked.formulas.measures import double, is_zero
-from kinegrade.worked.owners import name_owned_point
 from kinegrade.worked.vectors.components import (
     find_heading,
     list_component,

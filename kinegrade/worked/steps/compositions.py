@@ -13,9 +13,9 @@ from kinegrade.language.message import Message, Text, list_all
 from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.vector_equation import Part, VectorEquation
 from kinegrade.worked.case import Case
+from kinegrade.worked.coincident_points import prime_letter
 from kinegrade.worked.formulas.atoms import add_terms
 from kinegrade.worked.formulas.equation import Equation, equate
-from kinegrade.worked.formulas.symbols import prime
 from kinegrade.worked.vectors.vectors import (
     is_composed,
     name_by_role,
@@ -85,7 +85,7 @@ def introduce_two_frames(
                 first=points[0],
                 frame=names[0],
                 second=points[1],
-                primed=case.text(prime(case.naming.letter(compositions[1].point))),
+                primed=case.text(prime_letter(compositions[1].point, case)),
                 other=names[1],
             )
         case "acceleration":

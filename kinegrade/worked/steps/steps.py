@@ -20,6 +20,7 @@ from kinegrade.mechanics.vector_equation import (
     write_vector_equation,
 )
 from kinegrade.worked.case import Case
+from kinegrade.worked.coincident_points import name_place
 from kinegrade.worked.deductions.deductions import explain_deduction
 from kinegrade.worked.document import Block, Term, TermTable
 from kinegrade.worked.formulas.atoms import ZERO, VectorSymbol
@@ -55,7 +56,6 @@ from kinegrade.worked.vectors.stage import Stage
 from kinegrade.worked.vectors.vectors import (
     UNITS,
     name_part,
-    name_place,
     name_point_vector,
     vanishes,
 )

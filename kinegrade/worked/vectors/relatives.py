@@ -16,6 +16,7 @@ from kinegrade.problem.quantities.functions import find_motion_calls
 from kinegrade.problem.quantities.motion_functions import MOTION_FUNCTIONS
 from kinegrade.problem.template.template import Ask
 from kinegrade.worked.case import Case
+from kinegrade.worked.coincident_points import add_owner
 from kinegrade.worked.formulas.symbols import read_symbol
 
 # What stands below the letters of relative motions, r and Cor
@@ -54,7 +55,7 @@ def _list_indices(motion: Relative, case: Case) -> Iterator[Row]:
     point = case.naming.letter(motion.point).row
     yield ()
     yield point
-    yield (*point, Sign("("), *case.naming.letters(motion.body), Sign(")"))
+    yield add_owner(point, motion.body, case)
 
 
 def claim_plain_symbols(asked: Iterable[Ask], case: Case) -> None:

@@ -10,10 +10,11 @@ from typing import Literal, assert_never
 from kinegrade.language.math.tree import Letter, Lettering, Number, Row, Sign
 from kinegrade.mechanics.vector_equation import Level, Part, VectorEquation
 from kinegrade.worked.case import Case
+from kinegrade.worked.coincident_points import name_place
 from kinegrade.worked.formulas.atoms import Symbol, VectorSymbol
 from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.measures import NEGLIGIBLE
-from kinegrade.worked.formulas.symbols import join_letters, prime
+from kinegrade.worked.formulas.symbols import join_letters
 from kinegrade.worked.unlettered import find_translating_body
 from kinegrade.worked.vectors.known_vectors import find_path_term, is_stated_negative
 from kinegrade.worked.vectors.relatives import find_relative, index_relative
@@ -80,12 +81,6 @@ def _find_subscript(equation: VectorEquation, part: Part, case: Case) -> Row:
             return (*name_place(part, case).row, *case.naming.letter(part.base).row)
         case _:
             assert_never(part.role)
-
-
-def name_place(part: Part, case: Case) -> Symbol:
-    """The letter of a part's point, primed where it is the one that coincides with it."""
-    letter = case.naming.letter(part.point)
-    return prime(letter) if part.coincident else letter
 
 
 def _find_axis(part: Part) -> Row:

@@ -1,15 +1,31 @@
-"""Points of several bodies that coincide and move apart: which one is meant."""
+"""How points of several bodies are named that coincide and move apart: B and B', A(cam)."""
 
 from __future__ import annotations
 
 from kinegrade.errors import ExpressionError
 from kinegrade.expressions.tree import Name
 from kinegrade.language.math.tree import Row, Scripts, Sign
+from kinegrade.mechanics.vector_equation import Part
 from kinegrade.problem.quantities.functions import find_motion_calls
 from kinegrade.problem.template.template import Ask
 from kinegrade.worked.case import Case, write_row
-from kinegrade.worked.formulas.atoms import VectorSymbol
+from kinegrade.worked.formulas.atoms import Symbol, VectorSymbol
 from kinegrade.worked.formulas.symbols import prime, read_symbol
+
+
+def name_place(part: Part, case: Case) -> Symbol:
+    """The letter of a part's point, primed where it is the one that coincides with it."""
+    return prime_letter(part.point, case) if part.coincident else case.naming.letter(part.point)
+
+
+def prime_letter(point: str, case: Case) -> Symbol:
+    """The letter of the point of another body that coincides with a point: B' for B."""
+    return prime(case.naming.letter(point))
+
+
+def add_owner(letters: Row, body: str, case: Case) -> Row:
+    """The letters of a point of the body: A(cam)."""
+    return (*letters, Sign("("), *case.naming.letters(body), Sign(")"))
 
 
 def index_owner(letters: Row, point: str, body: str, case: Case) -> Row:
@@ -34,14 +50,14 @@ def _index(letters: Row, point: str, body: str, case: Case) -> Row:
     """The letters with those of the body; where the statement has another letter for the point of
     one body, B' of the wheel, this for that body and the plain one for the other.
     """
-    primed = prime(case.naming.letter(point)).row
+    primed = prime_letter(point, case).row
     owners = set[str]()
     for ask in case.template.asks.values():
         if _has_index(ask, primed):
             owners |= _list_owners(ask, point)
     if owners:
         return primed if body in owners else letters
-    return (*letters, Sign("("), *case.naming.letters(body), Sign(")"))
+    return add_owner(letters, body, case)
 
 
 def _list_owners(ask: Ask, point: str) -> set[str]:
