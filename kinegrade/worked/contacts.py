@@ -18,6 +18,7 @@ from kinegrade.expressions.tree import (
 )
 from kinegrade.language.message import Message
 from kinegrade.mechanics.ground import GROUND
+from kinegrade.mechanics.laws import find_rolling
 from kinegrade.mechanics.relations import Term
 from kinegrade.mechanics.vector_equation import Level
 from kinegrade.problem.quantities.functions import find_motion_calls
@@ -44,8 +45,7 @@ def find_contact(body: str, case: Case) -> str | None:
     """The named point in which a body rolls on the ground; None where it does not, or the point has
     no name.
     """
-    laws = (relation.source for relation in case.motion.frames.relations)
-    rolls = (law.find_rolling() for law in laws if law is not None)
+    rolls = (find_rolling(relation.source) for relation in case.motion.frames.relations)
     if not any(roll.body == body and roll.of == GROUND for roll in rolls if roll is not None):
         return None
     if case.arithmetic.is_zero(case.motion.omega(body)):

@@ -63,7 +63,15 @@ class Doubling(Constraint):
     def find_misfits(self, points, arithmetic):
         return iter(())
 '''
-LAW = '''@dataclass(frozen=True)
+LAW = '''from dataclasses import dataclass
+
+from kinegrade.language.message import Message
+from kinegrade.mechanics.laws.reason import Reason
+from kinegrade.mechanics.laws.turning import Turning, add_up
+from kinegrade.mechanics.shares import Shares
+
+
+@dataclass(frozen=True)
 class DoubledRotation(Reason):
     """One body turns twice as fast as another."""
 
@@ -78,10 +86,8 @@ class DoubledRotation(Reason):
         return False
 
     def list_factors(self, shares: Shares) -> Turning:
-        return _relate((self.body, 1), (self.of, -2))
-
-
-class _Imposed(Reason):'''
+        return add_up((self.body, 1), (self.of, -2))
+'''
 STATEMENT = """from kinegrade.language.message import Message
 from kinegrade.worked.formulas.equation import Equation, equate
 from kinegrade.worked.rates.speeds import Statement, name_rotation
@@ -168,9 +174,14 @@ def add_file(room: Path) -> None:
 
 
 def add_law(room: Path) -> None:
+    package(room, "mechanics/laws/doubling.py").write_text(LAW, encoding="utf-8")
     edit(
-        package(room, "mechanics/laws.py"),
-        ("class _Imposed(Reason):", LAW),
+        package(room, "mechanics/laws/__init__.py"),
+        (
+            "from kinegrade.mechanics.laws.imposed",
+            "from kinegrade.mechanics.laws.doubling import DoubledRotation\n"
+            "from kinegrade.mechanics.laws.imposed",
+        ),
         ("\nLaw = (", "\nLaw = (\n    DoubledRotation |"),
     )
 
@@ -191,7 +202,7 @@ def add_statement(room: Path) -> None:
     package(room, "worked/rates/doubling.py").write_text(STATEMENT, encoding="utf-8")
     edit(
         package(room, "worked/rates/scalars.py"),
-        ("    SharedPoint,\n)", "    DoubledRotation,\n    SharedPoint,\n)"),
+        ("    EqualRotation,\n", "    DoubledRotation,\n    EqualRotation,\n"),
         (
             "from kinegrade.worked.rates.driven",
             "from kinegrade.worked.rates.doubling import state_doubling\n"

@@ -8,6 +8,7 @@ from itertools import permutations
 
 from kinegrade.mechanics.frames import Frames
 from kinegrade.mechanics.ground import GROUND
+from kinegrade.mechanics.laws import find_rolling
 from kinegrade.mechanics.plan import Plan
 from kinegrade.mechanics.rates import Rate, make_turning
 from kinegrade.mechanics.relations import Chain, Term
@@ -59,7 +60,7 @@ def _find_rolling_centres(frames: Frames) -> dict[Rate, str]:
     return {
         make_turning(roll.body): roll.circle.centre
         for relation in frames.relations
-        if relation.source and (roll := relation.source.find_rolling())
+        if (roll := find_rolling(relation.source))
     }
 
 

@@ -11,7 +11,7 @@ from itertools import chain, combinations, product
 from kinegrade.expressions.tree import find_names
 from kinegrade.language.message import Message
 from kinegrade.mechanics.ground import GROUND
-from kinegrade.mechanics.laws import EqualRimSpeed, NoSlip
+from kinegrade.mechanics.laws import EqualRimSpeed, NoSlip, find_rims, find_rolling
 from kinegrade.mechanics.rates import make_turning
 from kinegrade.mechanics.shapes import Circle
 from kinegrade.mechanics.vector_equation import Level
@@ -40,7 +40,7 @@ def list_carrier_checks(level: Level, case: Case) -> Iterator[Check]:
 
 def _list_rolling(level: Level, case: Case) -> Iterator[Check]:
     for relation in case.motion.frames.relations:
-        roll = relation.source.find_rolling() if relation.source else None
+        roll = find_rolling(relation.source)
         if roll and roll.of == GROUND and isinstance(roll.on, Circle):
             for carrier in _find_carriers(roll, roll.on, case):
                 yield from _check_rims(roll, roll.on, carrier, level, case)
@@ -126,8 +126,7 @@ class _Pair:
 
 def _list_joined(level: Level, case: Case) -> Iterator[Check]:
     """The checks of gears that mesh with the same circle of a third one."""
-    sources = (relation.source for relation in case.motion.frames.relations)
-    found = (source.find_rims() for source in sources if source)
+    found = (find_rims(relation.source) for relation in case.motion.frames.relations)
     for one, other in combinations(filter(None, found), 2):
         for first, second in product(_list_pairs(one, case), _list_pairs(other, case)):
             if first.carrier == second.carrier and first.second.is_same(second.second):

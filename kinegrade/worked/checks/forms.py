@@ -9,6 +9,7 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 from math import sqrt
 from typing import assert_never
 
+from kinegrade.mechanics.laws import find_rolling
 from kinegrade.mechanics.plan import Step
 from kinegrade.mechanics.rates import Rate, make_turning
 from kinegrade.mechanics.relations import Chain, Relation, Term, add_vectors
@@ -151,7 +152,7 @@ def _list_tracks(wheel: TwoTracks, scalars: Sequence[Relation]) -> Iterator[Form
     """The difference of both contacts, and that from which the centre's motion is found."""
     first, second = map(state_form, scalars)
     yield subtract(first, second)
-    sources = [relation.source.find_rolling() if relation.source else None for relation in scalars]
+    sources = [find_rolling(relation.source) for relation in scalars]
     if wheel.is_centre_needed:
         yield (first, second)[sources.index(wheel.start.roll)]
 

@@ -10,6 +10,7 @@ from dataclasses import dataclass, replace
 from typing import assert_never
 
 from kinegrade.mechanics.ground import GROUND
+from kinegrade.mechanics.laws import find_rolling
 from kinegrade.mechanics.relations import Term
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Part, VectorEquation
@@ -125,7 +126,7 @@ class Shares:
         """
         case, level, vector = self.case, self.equation.level, self.find_vector(term)
         for relation in case.motion.frames.relations:
-            roll = relation.source.find_rolling() if relation.source else None
+            roll = find_rolling(relation.source)
             if roll is None or roll.of != GROUND or roll.circle.centre != term.point:
                 continue
             rate = find_rotation_value(roll.body, case, level)

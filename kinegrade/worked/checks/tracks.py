@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from kinegrade.language.message import Message
+from kinegrade.mechanics.laws import find_rolling
 from kinegrade.mechanics.plan import Step
 from kinegrade.worked.checks.check import Check, compare
 from kinegrade.worked.checks.forms import state_form
@@ -37,6 +38,6 @@ def list_track_checks(step: Step, stage: Stage) -> Iterator[Check]:
     letters = wheel.name_centre_from(other)
     followed = Side(wheel.find_centre_from(other), wheel.measure_from(other), letters)
     for relation in select_scalars(step, stage.case):
-        if relation.source and relation.source.find_rolling() == other.roll:
+        if find_rolling(relation.source) == other.roll:
             check = compare(way, found, followed, unit, form=state_form(relation))
             yield replace(check, points=frozenset((centre,)))

@@ -10,6 +10,7 @@ from functools import reduce
 
 from kinegrade.language.message import Message
 from kinegrade.mechanics.ground import GROUND
+from kinegrade.mechanics.laws import find_rims
 from kinegrade.mechanics.rates import make_turning
 from kinegrade.mechanics.vector_equation import Level
 from kinegrade.numbers.number import Number
@@ -49,7 +50,7 @@ class _Link:
 def _list_links(case: Case) -> Iterator[_Link]:
     """The pairs of wheels about fixed axes of which one drives the other."""
     for relation in case.motion.frames.relations:
-        rims = relation.source.find_rims() if relation.source else None
+        rims = find_rims(relation.source)
         if rims is not None and rims.carrier == GROUND:
             radii, sense = (rims.circle.radius, rims.on.radius), -1 if rims.is_opposite else 1
             yield _Link(rims.body, rims.of, radii, state_radii(rims, case), sense)

@@ -6,7 +6,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from kinegrade.mechanics.laws import NoSlip
+from kinegrade.mechanics.laws import NoSlip, find_rims
 from kinegrade.mechanics.shapes import Circle
 from kinegrade.worked.case import Case
 from kinegrade.worked.formulas.measures import double
@@ -26,7 +26,7 @@ def is_drum(roll: NoSlip, case: Case) -> bool:
 def _list_pitch_circles(body: str, case: Case) -> Iterator[Circle]:
     """The circles with which a body meshes with others."""
     for relation in case.motion.frames.relations:
-        rims = relation.source.find_rims() if relation.source else None
+        rims = find_rims(relation.source)
         if rims is not None and rims.body == body:
             yield rims.circle
         if rims is not None and rims.of == body:

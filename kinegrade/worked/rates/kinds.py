@@ -8,7 +8,7 @@ from typing import assert_never
 from kinegrade.language.math.tree import Node, Row
 from kinegrade.language.message import Message, list_all, list_plainly, list_statements
 from kinegrade.mechanics.ground import GROUND
-from kinegrade.mechanics.laws import NoSlip
+from kinegrade.mechanics.laws import NoSlip, find_rolling
 from kinegrade.mechanics.mechanism import Body, Mechanism
 from kinegrade.mechanics.plan import Step
 from kinegrade.mechanics.shapes import Circle, Line
@@ -80,7 +80,7 @@ def _list_rolls(body: Body, used: Set[int], case: Case) -> Iterator[NoSlip]:
     """How a body rolls, as far as the solution uses it."""
     on_ground = find_contact(body.name, case) is not None
     for index, relation in enumerate(case.motion.frames.relations):
-        roll = relation.source.find_rolling() if relation.source else None
+        roll = find_rolling(relation.source)
         if roll and roll.body == body.name and (index in used or on_ground):
             yield roll
 

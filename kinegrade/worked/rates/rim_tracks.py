@@ -7,7 +7,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from kinegrade.mechanics.ground import GROUND
-from kinegrade.mechanics.laws import NoSlip
+from kinegrade.mechanics.laws import NoSlip, find_rolling
 from kinegrade.mechanics.plan import Step
 from kinegrade.mechanics.rates import Rate
 from kinegrade.mechanics.relations import Term
@@ -43,7 +43,7 @@ def _find_rim(step: Step, case: Case) -> tuple[NoSlip | None, Term | None]:
     """
     relations = case.motion.frames.relations
     law = relations[step.relations[0]].source if len(step.relations) == 1 else None
-    roll = law.find_rolling() if law else None
+    roll = find_rolling(law)
     if roll is None or roll.of not in case.translating:
         return None, None
     for other in relations:

@@ -19,6 +19,7 @@ from kinegrade.mechanics.laws import (
     ImposedRotation,
     NoSlip,
     SharedPoint,
+    find_rolling,
 )
 from kinegrade.mechanics.rates import Rate
 from kinegrade.mechanics.relations import Relation
@@ -58,7 +59,7 @@ def state_relations(
     """What several relations say, with the reason that they share: a body that rolls on several
     others does so for one.
     """
-    found = [(one.source.find_rolling() if one.source else None, one) for one in relations]
+    found = [(find_rolling(one.source), one) for one in relations]
     together = group_rolls(roll for roll, _ in found if roll is not None)
     for roll, relation in found:
         group = next((rolls for rolls in together if roll in rolls), ())

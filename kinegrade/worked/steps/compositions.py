@@ -11,6 +11,7 @@ from typing import assert_never
 from kinegrade.language.math.tree import Row
 from kinegrade.language.message import Message, Text, list_all
 from kinegrade.mechanics.ground import GROUND
+from kinegrade.mechanics.laws import find_rolling
 from kinegrade.mechanics.vector_equation import Part, VectorEquation
 from kinegrade.worked.case import Case
 from kinegrade.worked.coincident_points import prime_letter
@@ -106,9 +107,8 @@ def _find_rolling_centre(equation: VectorEquation, case: Case) -> Part | None:
     """The absolute motion of a composition that is the centre's of a body which rolls on a track:
     the relation of this one calls it by the letter of the point.
     """
-    sources = (relation.source for relation in case.motion.frames.relations)
-    rolls = [roll for source in sources if source and (roll := source.find_rolling())]
-    centres = {roll.circle.centre for roll in rolls if roll.of == GROUND}
+    rolls = (find_rolling(relation.source) for relation in case.motion.frames.relations)
+    centres = {roll.circle.centre for roll in rolls if roll and roll.of == GROUND}
     absolute = [part for part in equation.parts if part.role == "absolute" and not part.part]
     known = len(absolute) == 1 and absolute[0].point in centres
     return absolute[0] if known and is_composed(equation, absolute[0]) else None

@@ -22,6 +22,8 @@ from kinegrade.mechanics.laws import (
     Law,
     NoSlip,
     SharedPoint,
+    find_rims,
+    find_rolling,
 )
 from kinegrade.mechanics.plan import Step
 from kinegrade.mechanics.vector_equation import Part, VectorEquation
@@ -83,7 +85,7 @@ def _find_reasons(step: Step, stage: Stage, accelerated: bool) -> Iterator[Messa
         yield wheel.state_idea()
         return
     laws = [relation.source for relation in select_scalars(step, case)]
-    rolls = filter(None, (law.find_rolling() for law in laws if law is not None))
+    rolls = filter(None, map(find_rolling, laws))
     yield from (tell_rolls(group, case) for group in group_rolls(rolls))
     for law in laws:
         yield from _explain_link(law, case)
@@ -105,7 +107,7 @@ def _explain_link(law: Law | None, case: Case) -> Iterator[Message]:
     """What a relation of rates alone links; nothing for what is given, or turns alike."""
     if law is None:
         return
-    imposed, rims = select_imposed(law), law.find_rims()
+    imposed, rims = select_imposed(law), find_rims(law)
     if imposed is not None:
         yield from _explain_imposed(imposed, case)
     if rims is not None:

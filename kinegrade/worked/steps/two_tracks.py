@@ -8,7 +8,7 @@ from typing import Any
 
 from kinegrade.language.message import Message, list_all
 from kinegrade.mechanics.ground import GROUND
-from kinegrade.mechanics.laws import NoSlip
+from kinegrade.mechanics.laws import NoSlip, find_rolling
 from kinegrade.mechanics.plan import Step
 from kinegrade.mechanics.rates import Rate, make_turning
 from kinegrade.mechanics.relations import Term
@@ -177,8 +177,7 @@ def find_two_tracks(step: Step, stage: Stage) -> TwoTracks | None:
     aslant, turn, or have motions that the step has to find.
     """
     case = stage.case
-    laws = [relation.source for relation in select_scalars(step, case)]
-    rolls = [law.find_rolling() if law else None for law in laws]
+    rolls = [find_rolling(relation.source) for relation in select_scalars(step, case)]
     if len(stage.equations) != 1 or len(rolls) != 2:
         return None
     one, other = rolls

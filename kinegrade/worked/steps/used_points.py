@@ -7,6 +7,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 
 from kinegrade.expressions.tree import Call, find_names
+from kinegrade.mechanics.laws import find_rolling
 from kinegrade.mechanics.plan import Step
 from kinegrade.mechanics.relations import Term
 from kinegrade.problem.quantities.functions import find_motion_calls
@@ -77,8 +78,7 @@ def _is_rolling_centre(point: str, case: Case) -> bool:
     """Whether a point is the centre of a rolling circle, whose velocity the track gives without
     the point of contact.
     """
-    laws = (relation.source for relation in case.motion.frames.relations)
-    rolls = (law.find_rolling() for law in laws if law is not None)
+    rolls = (find_rolling(relation.source) for relation in case.motion.frames.relations)
     return any(roll is not None and roll.circle.centre == point for roll in rolls)
 
 

@@ -7,6 +7,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from kinegrade.expressions.tree import Call, Expression, Name, Operation, find_names, walk
+from kinegrade.mechanics.laws import find_rolling
 from kinegrade.mechanics.vector_equation import Part
 from kinegrade.worked.case import Case
 from kinegrade.worked.formulas.atoms import AXES, OTHER, ZERO, AxisName, Symbol
@@ -165,7 +166,7 @@ def _find_rolling_radius(start: str, end: str, case: Case) -> Symbol | None:
     """The given radius of a body that rolls, between its centre and a point of its rim."""
     points, given = case.motion.points, case.symbols
     for relation in case.motion.frames.relations:
-        roll = None if relation.source is None else relation.source.find_rolling()
+        roll = find_rolling(relation.source)
         circle = None if roll is None else case.template.scheme.joints[roll.joint].circle
         if roll is None or circle is None or roll.circle.centre not in (start, end):
             continue

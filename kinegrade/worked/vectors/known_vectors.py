@@ -28,6 +28,7 @@ from kinegrade.mechanics.laws import (
     Law,
     NoSlip,
     SharedPoint,
+    find_rolling,
 )
 from kinegrade.mechanics.rates import Rate
 from kinegrade.mechanics.relations import Chain, Relation, Term
@@ -163,9 +164,7 @@ def is_stated_negative(term: Term, case: Case, level: Level) -> bool:
 def _is_rolled(term: Term, case: Case) -> bool:
     """Whether no slip links the motion of a point to a rotation."""
     return any(
-        relation.source is not None
-        and relation.source.find_rolling() is not None
-        and relation.turning[0][0] == term.rate
+        find_rolling(relation.source) is not None and relation.turning[0][0] == term.rate
         for relation in case.motion.frames.relations
     )
 
