@@ -84,22 +84,22 @@ class Findings:
     `inclined` the lines whose angle with the x axis has been found; `summed` the sums of angles, in
     degrees, that have been worked out; `aligned` pairs of lines that have been said to be parallel
     or normal at this instant; `sized` the symbols of vectors known by components whose magnitude
-    has been given as well; `counted` the answers counted against their letter; `directed` the Coriolis accelerations whose direction has been said;
-    `arms` the distances of two points that have been worked out; `places_alone` whether all answers
-    are places of poles that normals lead to, so that speeds are left out; `seen` the directions
-    that triangles have given, each from one point to another; `poles_sought` the bodies about whose
-    poles answers are; `distances` the printed symbols of the distances of poles that have been
-    worked out; `corners` the letters of polygons that have been explained; `stated` the angles by
-    which givens state lines; `told` the formulas within sentences; `spared` the rates that no
-    answer and no later step needs, so that a check alone may ask for them; `rim_tracks` how a track
-    moves that has the speed of a wheel's rim, by the number of their joint; `written` the formulas
-    of sentences by their text; `translated` the bodies of which has been said that their points
-    have one velocity or acceleration; `composed` the moving frames, each with the body whose points
-    move relative to it, of which the composition of motions has been explained; `coincident` the
-    primed letters that have been; `parts_explained` whether it has been said what the indices n and
-    t mark; `leaning` the lines, one or two, whose angle with an axis or with
-    one another has been told for a projection; `checked` what the checks say;
-    `printed` the equations.
+    has been given as well; `counted` the answers counted against their letter; `directed` the
+    Coriolis accelerations whose direction has been said; `arms` the distances of two points that
+    have been worked out; `places_alone` whether all answers are places of poles that normals lead
+    to, so that speeds are left out; `seen` the directions that triangles have given, each from one
+    point to another; `poles_sought` the bodies about whose poles answers are; `distances` the
+    printed symbols of the distances of poles that have been worked out; `corners` the letters of
+    polygons that have been explained; `stated` the angles by which givens state lines; `told` the
+    formulas within sentences; `spared` the rates that no answer and no later step needs, so that a
+    check alone may ask for them; `rim_tracks` how a track moves that has the speed of a wheel's
+    rim, by the number of their joint; `written` the formulas of sentences by their text;
+    `translated` the bodies of which has been said that their points have one velocity or
+    acceleration; `composed` the moving frames, each with the body whose points move relative to it,
+    of which the composition of motions has been explained; `coincident` the primed letters that
+    have been; `parts_explained` whether it has been said what the indices n and t mark; `leaning`
+    the lines, one or two, whose angle with an axis or with one another has been told for a
+    projection; `checked` what the checks say; `printed` the equations.
     """
 
     facts: dict[Key, Fact] = field(default_factory=dict)
