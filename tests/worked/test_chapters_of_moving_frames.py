@@ -57,7 +57,7 @@ def test_a_composition_of_velocities() -> None:
         r"""
         Rotations are positive counter-clockwise. A vector's letter stands for its component in the direction given in its first table ($\perp$ with $\curvearrowleft$: turned
             counter-clockwise from what is named).
-        Calculations keep all digits; only what is printed is rounded.
+        Calculations keep all digits: a number after $\approx$ is printed rounded, but counts in full where it is put in.
         Given: the angular velocity of the crank $O_{1}A$.
         \omega_{O_{1}A} &= 2\,\unit{rad/s}\quad\text{(counter-clockwise)}
         ## Composition of motions: moving point $A$, moving frame on $OB$
@@ -79,7 +79,7 @@ def test_a_composition_of_velocities() -> None:
             Projecting on the normal to $\boldsymbol{v}_{\mathrm{r}}$ (its positive direction
             turned counter-clockwise) eliminates
             $\boldsymbol{v}_{\mathrm{r}}$:
-        v_{\mathrm{e}} &= v_{\mathrm{a}}\cos\psi_{OB} = 8\,\unit{m/s} \cdot \cos 36.87^\circ \approx
+        v_{\mathrm{e}} &= v_{\mathrm{a}}\cos\psi_{OB} = 8\,\unit{m/s} \cdot \cos 36.87^\circ =
             6.4\,\unit{m/s}
         \omega &= \frac{v_{\mathrm{e}}}{OA} = \frac{6.4\,\unit{m/s}}{5\,\unit{m}} =
             1.28\,\unit{rad/s}\quad\text{(counter-clockwise)}
@@ -119,8 +119,8 @@ def test_a_composition_of_accelerations_with_coriolis() -> None:
             $\boldsymbol{a}_{\mathrm{r}}$:
         a_{\mathrm{a}}^{\mathrm{n}}\sin\psi_{OA} &= a_{\mathrm{e}}^{\mathrm{t}} + a_{\mathrm{Cor}}
         a_{\mathrm{e}}^{\mathrm{t}} &= -a_{\mathrm{Cor}} + a_{\mathrm{a}}^{\mathrm{n}}\sin\psi_{OA}
-        &= -12.288\,\unit{m/s^2} + 16\,\unit{m/s^2} \cdot \sin 36.87^\circ \approx
-            -2.688\,\unit{m/s^2}\quad\text{(clockwise about }O\text{)}
+            = -12.288\,\unit{m/s^2} + 16\,\unit{m/s^2} \cdot \sin 36.87^\circ
+        &= -2.688\,\unit{m/s^2}\quad\text{(clockwise about }O\text{)}
         \alpha &= \frac{a_{\mathrm{e}}^{\mathrm{t}}}{OA} = \frac{-2.688\,\unit{m/s^2}}{5\,\unit{m}}
             = -0.5376\,\unit{rad/s^2}\quad\text{(clockwise)}
         """
@@ -153,7 +153,7 @@ def test_a_composition_of_velocities_in_a_translating_frame() -> None:
             $90^\circ - \psi_{OC}$ with the $x$ axis.
             Projecting on the $x$ axis, which is perpendicular to $\boldsymbol{v}_{\mathrm{r}}$,
             eliminates $\boldsymbol{v}_{\mathrm{r}}$:
-        v_{D} &= -v_{\mathrm{a}}\sin\psi_{OC} = -10\,\unit{m/s} \cdot \sin 53.13^\circ \approx
+        v_{D} &= -v_{\mathrm{a}}\sin\psi_{OC} = -10\,\unit{m/s} \cdot \sin 53.13^\circ =
             -8\,\unit{m/s}\quad\text{(to the left)}
         """
     )
@@ -182,7 +182,7 @@ def test_a_composition_of_accelerations_without_coriolis() -> None:
         Projecting on the $x$ axis, which is perpendicular to $\boldsymbol{a}_{\mathrm{r}}$,
             eliminates $\boldsymbol{a}_{\mathrm{r}}$:
         a_{D} &= -a_{\mathrm{a}}^{\mathrm{n}}\cos\psi_{OC} = -20\,\unit{m/s^2} \cdot \cos
-            53.13^\circ \approx -12\,\unit{m/s^2}\quad\text{(to the left)}
+            53.13^\circ = -12\,\unit{m/s^2}\quad\text{(to the left)}
         """
     )
 

@@ -47,10 +47,10 @@ def test_circles_that_meet() -> None:
             -\frac{6\,\unit{m}}{8\,\unit{m}} = -0.75
         \angle(x,\overrightarrow{AC}) &\approx -36.87^\circ
         \angle(x,\overrightarrow{AC}) + \angle CAB &= -36.87^\circ + 53.13^\circ \approx 16.26^\circ
-        x_{B} &= 6\cos(\angle(x,\overrightarrow{AC}) + \angle CAB) = 6\cos 16.26^\circ \approx
+        x_{B} &= 6\cos(\angle(x,\overrightarrow{AC}) + \angle CAB) = 6\cos 16.26^\circ =
             5.76\,\unit{m}
         y_{B} &= y_{A} + 6\sin(\angle(x,\overrightarrow{AC}) + \angle CAB) = 6\,\unit{m} + 6\sin
-            16.26^\circ \approx 7.68\,\unit{m}
+            16.26^\circ = 7.68\,\unit{m}
         """
     )
 

@@ -105,8 +105,8 @@ def test_velocities_by_the_instantaneous_centre() -> None:
             5\,\unit{m}
         By the law of sines in the triangle $PBA$, whose angles are $90^\circ - \psi_{BA}$ at $B$,
             $\psi_{BA}$ at $A$ and $90^\circ$ at $P$:
-        PB &= BA\sin\psi_{BA} = 5\,\unit{m} \cdot \sin 36.87^\circ \approx 3\,\unit{m}
-        PA &= BA\cos\psi_{BA} = 5\,\unit{m} \cdot \cos 36.87^\circ \approx 4\,\unit{m}
+        PB &= BA\sin\psi_{BA} = 5\,\unit{m} \cdot \sin 36.87^\circ = 3\,\unit{m}
+        PA &= BA\cos\psi_{BA} = 5\,\unit{m} \cdot \cos 36.87^\circ = 4\,\unit{m}
         \omega &= \frac{v_{B}}{PB} = \frac{2\,\unit{m/s}}{3\,\unit{m}} = \frac{2}{3}\,\unit{rad/s}
             \approx 0.6667\,\unit{rad/s}\quad\text{(counter-clockwise)}
         \left|v_{A}\right| &= PA \cdot \omega = 4\,\unit{m} \cdot 0.6667\,\unit{rad/s}
@@ -181,7 +181,7 @@ def test_a_rod_in_instantaneous_translation() -> None:
     assert read_chapter("# Velocities", solution) == as_read(
         r"""
         Rotations are positive counter-clockwise.
-        Calculations keep all digits; only what is printed is rounded.
+        Calculations keep all digits: a number after $\approx$ is printed rounded, but counts in full where it is put in.
         Given: the angular velocity of $OA$.
         \omega_{OA} &= 2\,\unit{rad/s}\quad\text{(counter-clockwise)}
         ## $AB$: velocity pole
@@ -233,14 +233,14 @@ def test_accelerations_of_a_rod_that_does_not_turn_at_this_instant() -> None:
             $\boldsymbol{a}_{BA}^{\mathrm{t}}$, eliminates $\boldsymbol{a}_{BA}^{\mathrm{t}}$:
         a_{B}\cos\psi_{AB} &= a_{A}^{\mathrm{n}}\sin\psi_{AB}
         a_{B} &= \frac{a_{A}^{\mathrm{n}}\sin\psi_{AB}}{\cos\psi_{AB}} = \frac{12\,\unit{m/s^2}
-            \cdot \sin 36.87^\circ}{\cos 36.87^\circ} \approx 9\,\unit{m/s^2}\quad\text{(to the right)}
+            \cdot \sin 36.87^\circ}{\cos 36.87^\circ} = 9\,\unit{m/s^2}\quad\text{(to the right)}
         $AB$ makes $\psi_{AB}$ with the $x$ axis, so $\boldsymbol{a}_{BA}^{\mathrm{t}} \perp AB$
             makes $\psi_{AB}$ with the $y$ axis.
             Projecting on the $y$ axis, which is perpendicular to $\boldsymbol{a}_{B}$, eliminates
             $\boldsymbol{a}_{B}$:
         0 &= -a_{A}^{\mathrm{n}} + a_{BA}^{\mathrm{t}}\cos\psi_{AB}
         a_{BA}^{\mathrm{t}} &= \frac{a_{A}^{\mathrm{n}}}{\cos\psi_{AB}} =
-            \frac{12\,\unit{m/s^2}}{\cos 36.87^\circ} \approx 15\,\unit{m/s^2}
+            \frac{12\,\unit{m/s^2}}{\cos 36.87^\circ} = 15\,\unit{m/s^2}
         \alpha &= \frac{a_{BA}^{\mathrm{t}}}{AB} = \frac{15\,\unit{m/s^2}}{5\,\unit{m}} =
             3\,\unit{rad/s^2}\quad\text{(counter-clockwise)}
         """

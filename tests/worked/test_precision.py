@@ -34,12 +34,14 @@ def test_an_angle_is_compared_in_degrees() -> None:
     assert find_finer([Equation(turned, approximate(state_angle(50.579)))]) == {}
 
 
-def test_rounded_numbers_that_miss_zero_stand_before_about_zero() -> None:
-    """They were left out: why v_{C,x} vanishes had no numbers."""
+def test_rounded_numbers_that_miss_zero_stand_before_zero() -> None:
+    """They were left out: why v_{C,x} vanishes had no numbers. They stand for all their digits, and
+    the sum is 0, not about 0.
+    """
     page = displayed(stated("rod-sliding-on-driven-wheel"))
     (line,) = (one for one in page if one.startswith("v_{B,y}"))
     assert line.startswith(r"v_{B,y} &= -v_{A}\cos\beta + \omega_{AB}\,x_{B} = ")
-    assert line.endswith(r"\cdot (-0.4\,\unit{m}) \approx 0")
+    assert line.endswith(r"\cdot (-0.4\,\unit{m}) = 0")
 
 
 def test_the_opposite_of_a_coordinate_has_its_square() -> None:

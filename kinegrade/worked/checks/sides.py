@@ -73,11 +73,11 @@ class Side:
         return abs(printed - value) > _EQUAL * max(abs(value), 1e-3)
 
     def _state_value(self, unit: str, digits: int, notation: Notation) -> tuple[Link, ...]:
-        printed = find_printed_value(self.numbers, notation)
         zero = not (digits and double(self.value))
         number = ZERO if zero else replace(round_number(self.value, digits), long="")
-        away = abs(printed - find_printed_value(number))
         stated = ZERO if zero else Measured(number, unit)
-        if away > _EQUAL * max(abs(printed), 1e-3) or (not zero and self._misses(number)):
+        if self._misses(number):
             return approximate(stated)
-        return () if self.numbers.is_decimal else equate(stated)
+        printed = find_printed_value(self.numbers, notation)
+        away = abs(printed - find_printed_value(number)) > _EQUAL * max(abs(printed), 1e-3)
+        return equate(stated) if away or not self.numbers.is_decimal else ()

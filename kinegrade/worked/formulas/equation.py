@@ -39,8 +39,9 @@ class Equation:
     aside: Row = ()
 
     def _list_printed(self, notation: Notation) -> tuple[Link, ...]:
-        """The links that are told, with the sign of about before a figure to which the numbers
-        before it, as they are printed, do not amount.
+        """The links that are told, with the sign of about before a rounded figure to which the
+        numbers before it, as they are printed, do not amount. An exact one stands after the sign of
+        equality, as numbers stand for all their digits where they are put in.
         """
         told = self._list_told()
         before = (self.left, *(link.right for link in told))
@@ -89,8 +90,12 @@ class Equation:
 
 
 def _is_missed(numbers: Formula, link: Link, notation: Notation) -> bool:
-    """Whether a sign of equality would join numbers that, as they are printed, differ."""
+    """Whether a sign of equality would join numbers to a rounded one that, as they are printed,
+    differs from them.
+    """
     if link.relation != "=" or not (is_numeric(numbers) and is_numeric(link.right)):
+        return False
+    if not is_rounded(link.right):
         return False
     if _find_unit(numbers) != _find_unit(link.right) and numbers.is_decimal:
         return False  # the same in another unit

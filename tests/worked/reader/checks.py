@@ -10,21 +10,23 @@ from itertools import pairwise
 
 from kinegrade.language.known import known_languages
 from kinegrade.language.math.reading import read_math
+from kinegrade.language.math.tree import Number, list_nodes
 from kinegrade.language.message import Message
 from kinegrade.worked.document import Block, Prose, write_sentence
 from tests.worked.reader.amounts import Amount, MixedUnits, Unreadable
-from tests.worked.reader.equations import Line, Side
-from tests.worked.reader.forms import is_decimal, measure_last_digit
-from tests.worked.reader.formula_reader import find_symbols, read_formula
+from tests.worked.reader.equations import Line, Side, read_page
+from tests.worked.reader.forms import find_angles, is_decimal, measure_last_digit
+from tests.worked.reader.formula_reader import ROUNDED, find_symbols, read_formula
 
 _ANY = "体"  # stands for any words: a Chinese sentence has no space beside it
 _RELATION = re.compile(r"(=|\\approx)")
-_CLOSE = 1e-9  # relative
+_DECIMALS = 2  # of a rounded angle in degrees
+_CLOSE = 1e-6  # of the room that a digit leaves
 
 
 def find_unrepeatable(blocks: Sequence[Block]) -> Iterator[str]:
-    """The sides of checks whose printed numbers do not amount to the printed value, exactly after a
-    sign of equality, else to within one of the last digit.
+    """The sides of checks whose printed numbers do not amount to the printed value, to within one
+    of the last digit, of an exact one the last that a rounded one has.
     """
     for check in _list_checks(blocks):
         yield from (side for side in check if not _is_repeatable(side))
@@ -76,44 +78,56 @@ def _is_repeatable(side: str) -> bool:
         printed, stated = (read_formula(row, _refuse) for row in rows)
     except (Unreadable, MixedUnits):
         return True  # a letter and its value
-    away = abs(printed.value - stated.value)
-    if relation == "=":
-        return away <= _CLOSE * max(abs(printed.value), 1e-3)
-    return not stated.value or away <= measure_last_digit(rows[1], stated.value) * (1 + 1e-6)
+    return not _is_missed(printed.value, Side(relation, rows[1]), stated.value)
 
 
 def is_off(line: Line) -> bool:
-    """Whether printed numbers amount to another figure than the rounded one said of them, by more
-    than one of its last digit.
+    """Whether printed numbers amount to another figure than the one said of them, by more than one
+    of its last digit, of an exact one the last that a rounded one has.
     """
     sides = (Side("=", line.left), *line.sides)
     for side, stated in pairwise(sides):
-        if is_decimal(side.row) or not is_decimal(stated.row) or stated.relation == "=":
+        if is_decimal(side.row) or not is_decimal(stated.row):
             continue
         try:
             worked, figure = (read_formula(one.row, _refuse) for one in (side, stated))
         except (Unreadable, MixedUnits):
             continue
-        last = measure_last_digit(stated.row, figure.value) if figure.value else math.inf
-        if abs(worked.value - figure.value) > last * (1 + 1e-6):
+        if _is_missed(worked.value, stated, figure.value):
             return True
     return False
 
 
-def is_unequal(line: Line) -> bool:
-    """Whether a sign of equality joins numbers that do not amount to the same as they are printed:
-    2.419 sin 7.125 degrees is 0.30004, not 0.3.
+def _is_missed(worked: float, stated: Side, figure: float) -> bool:
+    """Whether printed numbers are worth another figure than is stated; about 0 nothing is known."""
+    if not figure:
+        return False
+    last = measure_last_digit(stated.row, figure)
+    if stated.relation == "=":
+        angle = list(find_angles(stated.row))
+        fourth = 10.0 ** (math.floor(math.log10(abs(figure))) - ROUNDED + 1)
+        last = math.radians(10.0**-_DECIMALS) if angle else min(last, fourth)
+    return abs(worked - figure) > last * (1 + _CLOSE)
+
+
+def find_short_about(blocks: Sequence[Block]) -> Iterator[str]:
+    """The lines, other than those of checks, in which a number of fewer digits than a rounded one
+    keeps stands after the sign of about: it is exact, and numbers put in stand for all their digits.
     """
-    for side, stated in pairwise((Side("=", line.left), *line.sides)):
-        if stated.relation != "=":
-            continue
-        try:
-            worked, figure = (read_formula(one.row, _refuse) for one in (side, stated))
-        except (Unreadable, MixedUnits):
-            continue
-        if abs(worked.value - figure.value) > _CLOSE * max(abs(worked.value), 1e-3):
-            return True
-    return False
+    for block in blocks:
+        for part in () if split_check(block) else read_page((block,)):
+            if isinstance(part, Line) and any(map(_is_short_about, part.sides)):
+                yield part.text
+
+
+def _is_short_about(side: Side) -> bool:
+    if side.relation != r"\approx" or not is_decimal(side.row):
+        return False
+    nodes = tuple(list_nodes(side.row))
+    digits = ".".join(node.digits for node in nodes if isinstance(node, Number))
+    if list(find_angles(side.row)):
+        return len(digits.partition(".")[2]) < _DECIMALS
+    return len(digits.replace(".", "").lstrip("0")) < ROUNDED
 
 
 def _refuse(symbol: str) -> Amount:

@@ -19,10 +19,10 @@ from tests.worked.reader.answers import find_without_way
 from tests.worked.reader.between import find_misnamed
 from tests.worked.reader.checks import (
     find_doubled,
+    find_short_about,
     find_unlettered,
     find_unrepeatable,
     is_off,
-    is_unequal,
 )
 from tests.worked.reader.economy import find_repeated, find_unused
 from tests.worked.reader.equations import Line, Said, Side, read_page
@@ -115,8 +115,8 @@ LAWS: dict[Law, str] = {
     "signed": "the letter of a motion in a check has been given a value with its sign before",
     "zero": "a coordinate of a point of the mechanism that is 0 is not found by rounding",
     "redone": "whoever works out a check with its printed numbers gets what it prints, to one of the last digit",
-    "figure": "the printed numbers of a line amount to the rounded figure said of them, to one of its last digit",
-    "sign": "a sign of equality joins numbers that amount to the same as they are printed",
+    "figure": "the printed numbers of a line amount to the figure said of them, to one of the last digit of a rounded one",
+    "sign": "a number of fewer digits than rounded ones have is exact, and stands after a sign of equality",
 }
 NATURAL = (0.0, 90.0, 180.0, 270.0, 360.0)  # degrees
 NEXT = 10  # lines after which an unknown of an equation has been found
@@ -172,8 +172,6 @@ def find_faults(blocks: Sequence[Block], solution: Solution) -> Iterator[Fault]:
                 yield from _judge_line(part, sought, known)
                 if is_off(part):
                     yield Fault("figure", part.text)
-                if is_unequal(part):
-                    yield Fault("sign", part.text)
     yield from (Fault("used", line) for line in find_unused(blocks))
     yield from (Fault("once", sentence) for sentence in find_repeated(blocks))
     yield from (Fault("sense", column) for column in find_without_sense(blocks))
@@ -188,6 +186,7 @@ def find_faults(blocks: Sequence[Block], solution: Solution) -> Iterator[Fault]:
     yield from (Fault("senses", line) for line in find_two_senses(blocks))
     yield from (Fault("lettered", side) for side in find_unlettered(blocks))
     yield from (Fault("doubled", side) for side in find_doubled(blocks))
+    yield from (Fault("sign", line) for line in find_short_about(blocks))
     yield from (Fault("signed", side) for side in find_senseless(blocks, solution))
     yield from (Fault("zero", line) for line in find_rounded_away(blocks, solution))
     yield from (Fault("redone", check) for check in find_unrepeatable(blocks))
