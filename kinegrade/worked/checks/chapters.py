@@ -16,7 +16,7 @@ from kinegrade.worked.checks.bodies import list_body_checks, list_new_body_check
 from kinegrade.worked.checks.carriers import list_carrier_checks
 from kinegrade.worked.checks.check import Check, choose_check
 from kinegrade.worked.checks.constraints import list_constraint_checks
-from kinegrade.worked.checks.forms import is_told, leave_out, list_rates, list_solved
+from kinegrade.worked.checks.forms import Told, list_rates, list_solved
 from kinegrade.worked.checks.places import list_place_checks
 from kinegrade.worked.checks.poles import list_pole_checks
 from kinegrade.worked.checks.seen import list_seen_checks
@@ -24,7 +24,7 @@ from kinegrade.worked.checks.theorems import list_theorem_checks
 from kinegrade.worked.checks.tracks import list_track_checks
 from kinegrade.worked.checks.trains import list_train_checks
 from kinegrade.worked.document import Block
-from kinegrade.worked.findings import Checked, Form
+from kinegrade.worked.findings import Checked
 from kinegrade.worked.vectors.needed_rates import find_needs, find_references
 from kinegrade.worked.vectors.stage import Stage
 
@@ -39,9 +39,9 @@ def check_rates(
         yield from _say_first(list_pole_checks(stages.values(), case), case)
         return
     solved = [form for item in stages.items() for form in list_solved(*item)]
-    sought = _find_sought(asked, case)
-    groups = (_list_rate_checks(stages, level, case), list_body_checks(level, case))
-    found = (sought.choose(group, solved) for group in groups)
+    sought, told = _find_sought(asked, case), Told.by(solved, case.held_rates)
+    groups = (_list_rate_checks(stages, level, case, told), list_body_checks(level, case))
+    found = (sought.choose(group, told) for group in groups)
     for check in islice(filter(None, found), 1):
         case.findings.checked.append(Checked(check.form, tuple(solved)))
         yield from check.say(case)
@@ -59,8 +59,12 @@ def _say_first(checks: Iterable[Check], case: Case) -> Iterator[Block]:
         yield from chosen.say(case)
 
 
-def _list_rate_checks(stages: Mapping[Step, Stage], level: Level, case: Case) -> Iterator[Check]:
-    """All checks that a chapter has the numbers for, those of the last step first."""
+def _list_rate_checks(
+    stages: Mapping[Step, Stage], level: Level, case: Case, told: Told
+) -> Iterator[Check]:
+    """All checks that a chapter has the numbers for, those of the last step first; most of those by
+    constraints say what is told, which are left out.
+    """
     last_first = tuple(reversed(tuple(stages.items())))
     for step, stage in last_first:
         yield from list_theorem_checks(step, stage)
@@ -69,7 +73,7 @@ def _list_rate_checks(stages: Mapping[Step, Stage], level: Level, case: Case) ->
     yield from list_carrier_checks(level, case)
     yield from list_train_checks(level, case)
     for _, stage in last_first:
-        yield from list_constraint_checks(stage)
+        yield from list_constraint_checks(stage, told)
     yield from list_new_body_checks(level, case)
     if level == "velocity":
         yield from list_seen_checks(case)
@@ -77,22 +81,16 @@ def _list_rate_checks(stages: Mapping[Step, Stage], level: Level, case: Case) ->
 
 @dataclass(frozen=True)
 class _Sought:
-    """What is asked for: rates, and the motions of points; `held` are rates known to be zero."""
+    """What is asked for: rates, and the motions of points."""
 
     rates: Collection[Rate]
     points: Collection[str]
-    held: Collection[Rate]
 
-    def choose(self, checks: Iterable[Check], solved: Collection[Form]) -> Check | None:
+    def choose(self, checks: Iterable[Check], told: Told) -> Check | None:
         """The check that serves best, of those that tell something, do not hold whatever the rates
-        are, and have not been solved.
+        are, and have not been told.
         """
-        told = [leave_out(form, self.held) for form in solved]
-        others = (
-            one
-            for one in checks
-            if one.is_telling and not is_told(leave_out(one.form, self.held), told)
-        )
+        others = (one for one in checks if not told.says(one.form) and one.is_telling)
         return max(others, key=self._rank, default=None)
 
     def _rank(self, check: Check) -> tuple[int, int]:
@@ -105,4 +103,4 @@ def _find_sought(asked: Sequence[Ask], case: Case) -> _Sought:
     calls = [call for ask in asked for call in find_motion_calls(ask.quantity)]
     points = {point for call in calls for _, point in find_references(call, case.reader).points}
     rates = {rate for ask in asked for rate in find_needs(ask.quantity, case.reader).rates}
-    return _Sought(rates, points, case.held_rates)
+    return _Sought(rates, points)

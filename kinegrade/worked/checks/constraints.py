@@ -21,6 +21,7 @@ from kinegrade.worked.checks.amounts import (
 )
 from kinegrade.worked.checks.arms import find_normal_from, point_from_base
 from kinegrade.worked.checks.check import Check
+from kinegrade.worked.checks.forms import Told
 from kinegrade.worked.checks.multiplied import Multiplied, TermSide
 from kinegrade.worked.checks.relative_shares import find_speed
 from kinegrade.worked.checks.shares import Shares
@@ -36,10 +37,10 @@ from kinegrade.worked.vectors.vectors import (
 )
 
 
-def list_constraint_checks(stage: Stage) -> Iterator[Check]:
-    """The checks of the equations of a step, the last one first."""
+def list_constraint_checks(stage: Stage, told: Told) -> Iterator[Check]:
+    """The checks of the equations of a step, the last one first, without what is told."""
     for equation in reversed(stage.equations):
-        one = _Differentiated(equation, Shares(equation, stage.case), stage.case)
+        one = _Differentiated(equation, Shares(equation, stage.case), stage.case, told)
         yield from one.list_directions()
         yield from one.list_coordinates()
         yield from one.list_offsets()
@@ -70,6 +71,8 @@ class _Differentiated(Multiplied):
         for before, other in (self.chains, self.chains[::-1]):
             for turn, slide in pairwise(before):
                 if other and 0 in map(double, slide.vector):
+                    continue
+                if not self.tells(turn.vector.turned()):
                     continue
                 own = self._state_turning(turn, slide) if _turns_slot(turn, slide) else None
                 if own is not None:
@@ -146,7 +149,7 @@ class _Differentiated(Multiplied):
         which it moves in a body, of which only velocities have to be known.
         """
         for before, other in (self.chains, self.chains[::-1]):
-            if not before or not _keeps_distance(before[-1]):
+            if not before or not _keeps_distance(before[-1]) or not self.tells(before[-1].vector):
                 continue
             *rest, own = before
             by, shares = point_from_base(own, self.case), self._list_normal(own)

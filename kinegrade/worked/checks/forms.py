@@ -5,7 +5,8 @@ not told.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from math import sqrt
 from typing import assert_never
 
@@ -93,14 +94,28 @@ def _multiply(by: Vector, term: Term) -> float:
     return float(by.map(double).dot(term.coefficient().map(double)))
 
 
-def leave_out(form: Form, held: Collection[Rate]) -> Form:
-    """What an equation says of rates without those that are known to be zero."""
+@dataclass(frozen=True)
+class Told:
+    """What equations have said of rates, each of size one, without the rates that are `held`, known
+    to be zero.
+    """
+
+    forms: tuple[Form, ...]
+    held: Collection[Rate]
+
+    @staticmethod
+    def by(solved: Iterable[Form], held: Collection[Rate]) -> Told:
+        """What the equations that have been solved say."""
+        return Told(tuple(_normalize(_leave_out(form, held)) for form in solved), held)
+
+    def says(self, form: Form) -> bool:
+        """Whether an equation holds for any rates, or is a multiple of one of these."""
+        left = _normalize(_leave_out(form, self.held))
+        return not left or any(_are_multiples(left, one) for one in self.forms)
+
+
+def _leave_out(form: Form, held: Collection[Rate]) -> Form:
     return {rate: one for rate, one in form.items() if rate not in held}
-
-
-def is_told(form: Form, told: Collection[Form]) -> bool:
-    """Whether an equation holds for any rates, or is a multiple of one of others."""
-    return not _normalize(form) or any(_are_multiples(form, one) for one in told)
 
 
 def list_rates(form: Form) -> set[Rate]:
@@ -108,9 +123,9 @@ def list_rates(form: Form) -> set[Rate]:
     return {*_normalize(form)}
 
 
-def _are_multiples(first: Form, second: Form) -> bool:
-    one, other = _normalize(first), _normalize(second)
-    if not one or one.keys() != other.keys():
+def _are_multiples(one: Form, other: Form) -> bool:
+    """Whether two forms of size one differ by the sign at most."""
+    if one.keys() != other.keys():
         return False
     turned = sum(one[rate] * other[rate] for rate in one)
     return all(abs(one[rate] * turned - other[rate]) < _SAME for rate in one)

@@ -7,11 +7,12 @@ from dataclasses import dataclass, replace
 
 from kinegrade.language.message import Message
 from kinegrade.mechanics.relations import Term
+from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import VectorEquation
 from kinegrade.worked.case import Case
 from kinegrade.worked.checks.amounts import Amount, Multiplier, add_letters, add_numbers
 from kinegrade.worked.checks.check import Check, compare
-from kinegrade.worked.checks.forms import multiply_relation
+from kinegrade.worked.checks.forms import Told, multiply_relation
 from kinegrade.worked.checks.shares import Shares
 from kinegrade.worked.checks.sides import Side
 from kinegrade.worked.formulas.atoms import AXES, ZERO
@@ -36,11 +37,14 @@ class TermSide:
 
 @dataclass(frozen=True)
 class Multiplied:
-    """The two chains of a vector equation, whose ends are one point."""
+    """The two chains of a vector equation, whose ends are one point; nothing is worked out of what
+    is `told`.
+    """
 
     equation: VectorEquation
     shares: Shares
     case: Case
+    told: Told
 
     @property
     def chains(self) -> tuple[tuple[Term, ...], tuple[Term, ...]]:
@@ -48,12 +52,18 @@ class Multiplied:
         relation = self.equation.relation
         return tuple(relation.left), tuple(relation.right)
 
+    def tells(self, by: Vector) -> bool:
+        """Whether the equation times a vector says what is not told."""
+        return not self.told.says(multiply_relation(self.equation.relation, by))
+
     def compare(
         self, way: Message, one: TermSide, other: TermSide, by: Multiplier
     ) -> Iterator[Check]:
-        """The check of two sides, where every share of both is on the page and a rotation counts
-        on one of them.
+        """The check of two sides, where it is not told, every share of both is on the page and a
+        rotation counts on one of them.
         """
+        if not self.tells(by.vector):
+            return
         left, right = (self._state(side, by) for side in (one, other))
         if left is None or right is None or not (left.letters or right.letters):
             return
