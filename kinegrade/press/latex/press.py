@@ -27,6 +27,7 @@ from kinegrade.press.latex.key import write_key_body
 from kinegrade.press.latex.paper import name_logo, write_paper_body
 from kinegrade.press.latex.solution import write_solution_body
 from kinegrade.press.latex.xetex import (
+    CLASS,
     FONTS,
     STYLE,
     Outcome,
@@ -45,7 +46,7 @@ from kinegrade.press.typst.press import TypstPress
 
 # TeX writes some things only on the first page of a run (its initial colour): this page, which is
 # left out
-_FIRST_PAGE = "\\mbox{}\\clearpage\n"
+_FIRST_PAGE = f"\\input{{{CLASS}}}\\mbox{{}}\\clearpage\n"
 _START_SECONDS = 60.0
 _SHEET_SECONDS = 5.0  # some fifty times what a sheet takes
 
