@@ -1,5 +1,5 @@
-"""The construction of a velocity pole: the normals to velocities meet in it; a distant pole is
-indicated by arrows.
+"""The construction of a velocity pole: the normals to velocities meet in it; arrows lead to a
+distant pole, whose letter the caption has.
 """
 
 from __future__ import annotations
@@ -59,8 +59,8 @@ def draw_pole_construction(
 
     A dashed normal leads from each point to the pole, with a right angle between it and the
     velocity; where all normals coincide, a dashed line through the tips of the velocities locates
-    the pole on them. Normals to a pole outside the picture end in an arrowhead with its symbol. A
-    pole at the contact of a rolling wheel needs no rays. `rotation` is drawn as a
+    the pole on them. Normals to a pole outside the picture end in an arrowhead, and its symbol
+    stands nowhere. A pole at the contact of a rolling wheel needs no rays. `rotation` is drawn as a
     curved arrow about a pole in the picture.
 
     Raises TemplateError for a hint about something that the mechanism does not have.
@@ -91,9 +91,7 @@ class _Construction:
         bars = tuple(find_bold_lines(drawing.primitives))
         layout = Layout.of((*drawing.primitives, *self.lines(placed, scale, bars)))
         layout = add_arrows(layout, placed, drawing).drawn(self.mark(paper, scale))
-        layout = layout.written(
-            (*label_points(paper, plain.hints, drawing), *self.names(placed, scale, bars))
-        )
+        layout = layout.written((*label_points(paper, plain.hints, drawing), *self.name(scale)))
         layout = add_symbols(layout, placed)
         if self.rotation:
             layout = layout.marked(_mark_rotation_about(self.place(scale), self.rotation, placed))
@@ -156,16 +154,10 @@ class _Construction:
             return ()
         return draw_dot(self.place(scale))
 
-    def names(
-        self, placed: Sequence[VectorArrow], scale: float, bars: Sequence[Segment]
-    ) -> Iterator[Wish]:
-        """The symbol at the pole, or at the head of each normal that points to it."""
+    def name(self, scale: float) -> Iterator[Wish]:
+        """The symbol at the pole, where that is in the picture."""
         if self.near:
             yield Wish(self.pole.symbol, list_spots_around(self.pole.symbol, self.place(scale)))
-            return
-        for arrow, end in self._normals(placed, scale, bars):
-            away = end - arrow.start
-            yield Wish(self.pole.symbol, list_spots_around(self.pole.symbol, end, away=away))
 
 
 def _are_in_line(one: VectorArrow, other: VectorArrow) -> bool:

@@ -9,6 +9,7 @@ from dataclasses import replace
 from typing import assert_never
 
 from kinegrade.figure.plane import length
+from kinegrade.figure.scene import Label
 from kinegrade.figure.vectors.mechanism import PointArrow, draw_with_vectors
 from kinegrade.figure.vectors.pole_construction import Pole, draw_pole_construction
 from kinegrade.language.math.tree import Text, list_nodes
@@ -150,5 +151,7 @@ def _draw_pole(body: str, rays: tuple[PointArrow, ...], case: Case) -> Picture:
             _find_mechanism(case), case.template.figure, pole, rays, rotation
         ),
     )
-    caption = Message("solution.picture-pole", body=case.naming.body(body))
+    named = any(isinstance(part, Label) and part.symbol == pole.symbol for part in scene.primitives)
+    kind = "solution.picture-pole" if named else "solution.picture-pole-outside"
+    caption = Message(kind, body=case.naming.body(body), pole=pole.symbol)
     return Picture(scene, case.write(caption))
