@@ -12,6 +12,7 @@ from fractions import Fraction
 from itertools import chain
 from pathlib import Path
 
+from kinegrade.ask_names import Named
 from kinegrade.errors import TableError
 from kinegrade.files.csv_writing import restore
 from kinegrade.language.message import Message
@@ -49,7 +50,7 @@ class HandMark:
     @property
     def column(self) -> str:
         """How files name what was marked: q1.v_B, q3, bonus."""
-        return f"{self.question}.{self.ask}" if self.ask else self.question
+        return Named(self.question, self.ask).column
 
     @property
     def place(self) -> tuple[str, str]:

@@ -12,6 +12,7 @@ from functools import cached_property
 
 import msgspec
 
+from kinegrade.ask_names import Named
 from kinegrade.language.message import Text
 from kinegrade.marks_folder.hand_marks import BY_HAND, HandMark, work_out_total
 from kinegrade.marks_folder.layout import Status
@@ -47,7 +48,7 @@ class MarkedAnswer(msgspec.Struct, frozen=True, gc=False):  # there are many
     @property
     def column(self) -> str:
         """Its column in the answer sheet; the question where all of it is meant."""
-        return f"{self.question}.{self.ask}" if self.ask else self.question
+        return Named(self.question, self.ask).column
 
     @property
     def worth(self) -> tuple[Fraction, Fraction]:
@@ -107,6 +108,10 @@ class Subtracted:
     tries_share: Fraction = Fraction(0)
 
 
+def _find_share(total: Fraction, out_of: Fraction) -> Fraction:
+    return total / out_of if out_of else Fraction(0)
+
+
 class Grade(msgspec.Struct, frozen=True, gc=False):  # there are many
     """One line of grades.csv as it is written: a student's points for each question of the exam,
     None for an alternative that the paper does not hold, and the total.
@@ -138,7 +143,7 @@ class Grade(msgspec.Struct, frozen=True, gc=False):  # there are many
     @property
     def share(self) -> Fraction:
         """The total as a share of the maximum; 0 where there are no points to get."""
-        return self.total / self.out_of if self.out_of else Fraction(0)
+        return _find_share(self.total, self.out_of)
 
     @property
     def percent(self) -> Fraction:
@@ -179,7 +184,7 @@ class StudentTotal(msgspec.Struct, frozen=True, gc=False):  # there are many
     @property
     def share(self) -> Fraction:
         """The total as a share of the maximum; 0 where there are no points to get."""
-        return self.total / self.out_of if self.out_of else Fraction(0)
+        return _find_share(self.total, self.out_of)
 
 
 @dataclass(frozen=True)

@@ -9,8 +9,7 @@ from typing import Self
 from kinegrade.language.message import Message
 from kinegrade.mechanics.joints.constraint import Constraint
 from kinegrade.mechanics.joints.touching import find_wrong_distance
-from kinegrade.mechanics.laws import Condition, GuidedPoint, Law
-from kinegrade.mechanics.rates import Rate
+from kinegrade.mechanics.laws import Condition, GuidedPoint
 from kinegrade.mechanics.sentence import OF, JointParts
 from kinegrade.mechanics.shapes import Circle, Shape
 from kinegrade.mechanics.vector import Vector
@@ -61,12 +60,6 @@ class Arc(Constraint):
     def list_conditions(self) -> tuple[Condition, ...]:
         """The point is guided."""
         return (GuidedPoint(self.point, self.body, self.of, self.circle),)
-
-    def relate_rates(
-        self, number: int, points: Mapping[str, Vector], guided: Rate | None
-    ) -> Law | None:
-        """Not at all."""
-        return None
 
     def find_misfits(
         self, points: Mapping[str, Vector], arithmetic: Arithmetic

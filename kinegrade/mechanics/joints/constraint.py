@@ -62,15 +62,15 @@ class Constraint(Element):
         """The same, listed once."""
         return self.list_conditions()
 
-    @abstractmethod
     def relate_rates(
         self, number: int, points: Mapping[str, Vector], guided: Rate | None
     ) -> Law | None:
-        """How else it relates turning rates, as the joint of that number in its mechanism; None
-        where it does not.
+        """How else it relates turning rates, as the joint of that number in its mechanism: not at
+        all.
 
         `guided` is the rate of the point that it guides.
         """
+        return None
 
     @abstractmethod
     def find_misfits(

@@ -2,17 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Self
 
 from kinegrade.language.message import Message
 from kinegrade.mechanics.joints.touching_pair import TouchingPair
-from kinegrade.mechanics.laws import Law
-from kinegrade.mechanics.rates import Rate
 from kinegrade.mechanics.sentence import INSIDE, OF, ON_SHAPE, JointParts
 from kinegrade.mechanics.shapes import Profile
-from kinegrade.mechanics.vector import Vector
 
 
 @dataclass(frozen=True)
@@ -58,9 +54,3 @@ class Contact(TouchingPair):
     def describe(self) -> Message:
         """It, as messages name it."""
         return Message("mechanics.contact", body=self.body, of=self.of)
-
-    def relate_rates(
-        self, number: int, points: Mapping[str, Vector], guided: Rate | None
-    ) -> Law | None:
-        """Not at all."""
-        return None

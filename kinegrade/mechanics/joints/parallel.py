@@ -8,8 +8,7 @@ from typing import Self
 
 from kinegrade.language.message import Message
 from kinegrade.mechanics.joints.constraint import Constraint
-from kinegrade.mechanics.laws import Condition, EqualRotation, Law
-from kinegrade.mechanics.rates import Rate
+from kinegrade.mechanics.laws import Condition, EqualRotation
 from kinegrade.mechanics.sentence import JointParts
 from kinegrade.mechanics.shapes import Shape
 from kinegrade.mechanics.vector import Vector
@@ -56,12 +55,6 @@ class Parallel(Constraint):
     def list_conditions(self) -> tuple[Condition, ...]:
         """The two bodies turn together."""
         return (EqualRotation(self.body, self.of, is_sole=True),)
-
-    def relate_rates(
-        self, number: int, points: Mapping[str, Vector], guided: Rate | None
-    ) -> Law | None:
-        """Not at all."""
-        return None
 
     def find_misfits(
         self, points: Mapping[str, Vector], arithmetic: Arithmetic

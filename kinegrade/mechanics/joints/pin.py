@@ -8,8 +8,7 @@ from typing import Self
 
 from kinegrade.language.message import Message, list_all
 from kinegrade.mechanics.joints.constraint import Constraint
-from kinegrade.mechanics.laws import Condition, Law, SharedPoint
-from kinegrade.mechanics.rates import Rate
+from kinegrade.mechanics.laws import Condition, SharedPoint
 from kinegrade.mechanics.sentence import JointParts
 from kinegrade.mechanics.shapes import Shape
 from kinegrade.mechanics.vector import Vector
@@ -56,12 +55,6 @@ class Pin(Constraint):
     def list_conditions(self) -> tuple[Condition, ...]:
         """The bodies share the point."""
         return (SharedPoint(self.point, self.bodies),)
-
-    def relate_rates(
-        self, number: int, points: Mapping[str, Vector], guided: Rate | None
-    ) -> Law | None:
-        """Not at all."""
-        return None
 
     def find_misfits(
         self, points: Mapping[str, Vector], arithmetic: Arithmetic

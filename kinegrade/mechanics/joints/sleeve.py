@@ -9,8 +9,7 @@ from typing import Self
 from kinegrade.language.message import Message
 from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.joints.constraint import Constraint
-from kinegrade.mechanics.laws import Condition, EqualRotation, GuidedBody, Law
-from kinegrade.mechanics.rates import Rate
+from kinegrade.mechanics.laws import Condition, EqualRotation, GuidedBody
 from kinegrade.mechanics.sentence import JointParts
 from kinegrade.mechanics.shapes import Line, Shape
 from kinegrade.mechanics.vector import Vector
@@ -61,12 +60,6 @@ class Sleeve(Constraint):
             GuidedBody(self.body, self.of, self.line),
             EqualRotation(self.body, self.of, is_sole=False),
         )
-
-    def relate_rates(
-        self, number: int, points: Mapping[str, Vector], guided: Rate | None
-    ) -> Law | None:
-        """Not at all."""
-        return None
 
     def find_misfits(
         self, points: Mapping[str, Vector], arithmetic: Arithmetic

@@ -8,8 +8,7 @@ from typing import Self
 
 from kinegrade.language.message import Message
 from kinegrade.mechanics.joints.constraint import Constraint
-from kinegrade.mechanics.laws import Condition, GuidedPoint, Law
-from kinegrade.mechanics.rates import Rate
+from kinegrade.mechanics.laws import Condition, GuidedPoint
 from kinegrade.mechanics.sentence import OF, JointParts
 from kinegrade.mechanics.shapes import Line, Shape
 from kinegrade.mechanics.vector import Vector
@@ -60,12 +59,6 @@ class Slide(Constraint):
     def list_conditions(self) -> tuple[Condition, ...]:
         """The point is guided."""
         return (GuidedPoint(self.point, self.body, self.of, self.line, in_slot=True),)
-
-    def relate_rates(
-        self, number: int, points: Mapping[str, Vector], guided: Rate | None
-    ) -> Law | None:
-        """Not at all."""
-        return None
 
     def find_misfits(
         self, points: Mapping[str, Vector], arithmetic: Arithmetic

@@ -6,7 +6,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from itertools import permutations
-from math import cos, pi, radians, sin
+from math import cos, pi, sin
 
 from kinegrade.expressions.tree import find_names
 from kinegrade.figure.plane import angle_of, length
@@ -15,7 +15,7 @@ from kinegrade.mechanics.shapes import Line
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.solution import Solution
 from kinegrade.problem.template.template import Parameter, Template
-from kinegrade.proof.claims.reading import DIFFERENT, find_points, read_claims
+from kinegrade.proof.claims.reading import DIFFERENT, find_points, measure_angle, read_claims
 
 _UPRIGHT = {"from-horizontal": 0.0, "from-vertical": pi / 2}
 _NAMED = ("angle-with-horizontal", "angle-with-vertical")  # of a line by its letters
@@ -51,7 +51,7 @@ def _find_angle(template: Template, name: str) -> Parameter | None:
 
 def _has_line(each: Solution, given: Parameter, upright: float) -> bool:
     """Whether some line has an angle with the horizontal or vertical, on whatever side it is."""
-    stated = abs(sin(_measure(each, given)))
+    stated = abs(sin(measure_angle(each, given)))
     return any(
         abs(abs(sin(angle_of(step) - upright)) - stated) <= DIFFERENT
         for step in _list_directions(each)
@@ -71,7 +71,7 @@ def _rises(each: Solution, given: Parameter, ends: Sequence[str], side: int) -> 
     at = each.doubles.points
     start, end = (at[name] for name in ends)
     along = end - start if end.x >= start.x else start - end
-    stated = _measure(each, given)
+    stated = measure_angle(each, given)
     return any(
         _fits(angle_of(point - corner) - angle_of(along), stated, side)
         for corner in (start, end)
@@ -87,9 +87,3 @@ def _fits(seen: float, stated: float, side: int) -> bool:
     near = abs(abs(cos(seen)) - abs(cos(stated))) <= DIFFERENT
     turned = -1 if sin(stated) < 0 else 1  # an angle beyond half a turn, or a negative one
     return near and side * turned * sin(seen) >= -DIFFERENT
-
-
-def _measure(each: Solution, given: Parameter) -> float:
-    """The value of an angle in radians."""
-    value = each.parameters[given.name].value
-    return radians(value) if given.unit.degrees else float(value)

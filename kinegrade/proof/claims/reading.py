@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
+from math import radians
 
+from kinegrade.problem.solution import Solution
 from kinegrade.problem.template.notation import write_point_symbol
-from kinegrade.problem.template.template import Template
+from kinegrade.problem.template.template import Parameter, Template
 from kinegrade.proof.claims.patterns import SENSES, list_words, make_pattern, write_words
 from kinegrade.sign_conventions import Convention
 
@@ -72,3 +74,9 @@ def find_points(template: Template, *letters: str) -> list[str]:
 def _plain(symbol: str) -> str:
     """O_{1} is O_1."""
     return symbol.replace("{", "").replace("}", "")
+
+
+def measure_angle(each: Solution, given: Parameter) -> float:
+    """The value of an angle in radians."""
+    value = each.parameters[given.name].value
+    return radians(value) if given.unit.degrees else float(value)

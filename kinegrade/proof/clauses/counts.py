@@ -7,7 +7,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import permutations
-from math import cos, pi, radians
+from math import cos, pi
 
 from kinegrade.figure.plane import angle_of, length
 from kinegrade.language.message import Message
@@ -16,7 +16,7 @@ from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.solution import Solution
 from kinegrade.problem.template.template import Parameter, Template
 from kinegrade.proof.claims.patterns import HAN, SENSES, write_words
-from kinegrade.proof.claims.reading import DIFFERENT, list_sentences_of, name_senses
+from kinegrade.proof.claims.reading import DIFFERENT, list_sentences_of, measure_angle, name_senses
 from kinegrade.proof.clauses.parts import is_moving, list_guides
 
 _SLOT = re.compile(r"\{\{\s*(\w+)[^}]*\}\}")
@@ -73,7 +73,7 @@ def _has_line(given: Parameter, turn: int, examples: Sequence[Solution]) -> bool
     """Whether some line is turned by an angle from an axis in all instances, or a moving one from
     the same fixed line.
     """
-    angles = [turn * _measure(each, given) for each in examples]
+    angles = [turn * measure_angle(each, given) for each in examples]
     fixed = [[*_list_fixed(each)] for each in examples]
     moving = [[*_list_moving(each)] for each in examples]
     if any(len({*map(len, lines)}) != 1 for lines in (fixed, moving)) or len({*angles}) == 1:
@@ -120,9 +120,3 @@ def _list_moving(each: Solution) -> Iterator[float]:
 def _measure_directions(steps: Iterable[Vector]) -> Iterator[float]:
     """The directions of steps; that of none is zero."""
     yield from (angle_of(step) if length(step) > 0 else 0.0 for step in steps)
-
-
-def _measure(each: Solution, given: Parameter) -> float:
-    """The value of an angle in radians."""
-    value = each.parameters[given.name].value
-    return radians(value) if given.unit.degrees else float(value)

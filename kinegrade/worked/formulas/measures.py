@@ -6,6 +6,7 @@ from math import atan2, degrees, hypot
 from typing import Any
 
 from kinegrade.mechanics.vector import Vector
+from kinegrade.numbers.angle import Angle
 from kinegrade.numbers.balls import Undecided
 from kinegrade.numbers.refusals import Inexact
 
@@ -24,6 +25,11 @@ def double(number: Any) -> float:
     """A number as a double; zero where only rounding has left anything."""
     value = float(number)
     return 0.0 if abs(value) < NEGLIGIBLE else value
+
+
+def measure_angle(angle: Any) -> float:
+    """An angle in radians as a double."""
+    return double(angle.ball() if isinstance(angle, Angle) else angle)
 
 
 def size(vector: Vector) -> float:

@@ -7,9 +7,8 @@ from __future__ import annotations
 from math import atan2, pi
 
 from kinegrade.expressions.tree import Call, Expression, Name, Operation, walk
-from kinegrade.numbers.angle import Angle
 from kinegrade.worked.formulas.atoms import AXES
-from kinegrade.worked.formulas.measures import double
+from kinegrade.worked.formulas.measures import double, measure_angle
 from kinegrade.worked.positions.algebra import ZERO, make_positive, over
 from kinegrade.worked.positions.instance import Instance
 from kinegrade.worked.positions.right_angles import make_unit
@@ -32,7 +31,7 @@ def measure_along(start: str, end: str, instance: Instance) -> Expression | None
     sign, angle = stated
     placed = instance.axes.pair(Operation("-", Name(end), Name(start))) or (ZERO, ZERO)
     pair = [_find_given(one, instance) for one in placed]
-    ratios = _split(sign * _measure(instance.value(angle)), make_unit(angle), atan2(y, x))
+    ratios = _split(sign * measure_angle(instance.value(angle)), make_unit(angle), atan2(y, x))
     if ratios is None:
         return None
     sides = sorted(
@@ -66,11 +65,6 @@ def _split(angle: float, unit: _Ratios, bearing: float) -> _Ratios | None:
         return None
     cosine, sine = unit
     return (cosine, sine) if round(quarters) % 2 == 0 else (sine, cosine)
-
-
-def _measure(angle: object) -> float:
-    """An angle in radians."""
-    return double(angle.ball() if isinstance(angle, Angle) else angle)
 
 
 def _count(tree: Expression) -> int:

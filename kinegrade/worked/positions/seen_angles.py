@@ -5,11 +5,9 @@ direction, so that it is not found a second time.
 from __future__ import annotations
 
 from math import degrees
-from typing import Any
 
 from kinegrade.expressions.tree import Expression, Name, Number
-from kinegrade.numbers.angle import Angle
-from kinegrade.worked.formulas.measures import double
+from kinegrade.worked.formulas.measures import measure_angle
 from kinegrade.worked.positions.algebra import ZERO, make_positive, minus, over, times
 from kinegrade.worked.positions.instance import Instance
 from kinegrade.worked.positions.right_angles import split_right_angles
@@ -30,15 +28,10 @@ def find_seen_acute(
         return None
     named = instance.named(seen.name, seen.symbol, seen.value)
     _, rest, quarters = split_right_angles(seen.tree)
-    turned = degrees(_measure(named.value(rest))) / 90
+    turned = degrees(measure_angle(named.value(rest))) / 90
     halves = quarters + 2 * round((turned - quarters) / 2)
     left = minus(rest, _count_right_angles(halves))
     return make_positive(left, named.sign(left)), named
-
-
-def _measure(angle: Any) -> float:
-    """An angle in radians."""
-    return double(angle.ball() if isinstance(angle, Angle) else angle)
 
 
 def _count_right_angles(count: int) -> Expression:

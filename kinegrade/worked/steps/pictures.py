@@ -26,7 +26,6 @@ from kinegrade.worked.steps.polygons import (
     describe,
     draw_equation,
     is_seen,
-    make_floats,
     spans_polygon,
 )
 from kinegrade.worked.steps.rigid import find_rigid_triangle
@@ -104,11 +103,11 @@ def _find_point_arrows(
     """The parts that do not vanish, each at its point."""
     for part in parts:
         if is_seen(part.value):
-            at = make_floats(case.motion.points[part.point])
+            at = case.motion.points[part.point].map(float)
             yield PointArrow(
                 case.text(name_part(equation, part, case)),
                 at,
-                make_floats(part.value),
+                part.value.map(float),
                 part.unknown is None,
             )
 
@@ -142,7 +141,7 @@ def _find_mechanism(case: Case) -> Mechanism:
 
 def _draw_pole(body: str, rays: tuple[PointArrow, ...], case: Case) -> Picture:
     """The construction of a pole from the velocities of points of the body."""
-    at = make_floats(case.motion.pole(body, case.arithmetic))
+    at = case.motion.pole(body, case.arithmetic).map(float)
     rotation = next(iter(_find_turnings([make_turning(body)], case)), None)
     pole = Pole(case.naming.point(name_pole(body, case)), at)
     scene = case.drawings.find(

@@ -108,7 +108,7 @@ def _list_arrows(side: Iterable[Part], equation: VectorEquation, case: Case) -> 
     return [
         Arrow(
             case.text(name_part(equation, part, case)),
-            make_floats(part.value),
+            part.value.map(float),
             part.unknown is None,
         )
         for part in side
@@ -128,7 +128,7 @@ def _name_vertices(equation: VectorEquation, case: Case) -> dict[str, Vector]:
                 vertices.setdefault(_write_small(case.naming.letter(part.base), case), reached)
             if part.role == "relative":
                 vertices.setdefault(name_shared_corner(part, equation, case), reached)
-            reached = reached + make_floats(part.value)
+            reached = reached + part.value.map(float)
         if side and not side[-1].coincident:
             vertices.setdefault(_write_small(case.naming.letter(side[-1].point), case), reached)
     return vertices
@@ -159,11 +159,6 @@ def _write_small(letter: Symbol, case: Case) -> str:
 def write_corner(letter: str) -> str:
     """A point's letter as a small one, as corners of polygons have."""
     return letter[:1].lower() + letter[1:]
-
-
-def make_floats(vector: Vector) -> Vector:
-    """A vector in doubles."""
-    return Vector(float(vector.x), float(vector.y))
 
 
 def is_seen(vector: Vector) -> bool:

@@ -80,7 +80,7 @@ class Projection:
     def row(self) -> dict[Rate, float]:
         """The coefficients of the unknown rates with everything on the left side."""
         return {
-            rate: self.direction.dot(_make_floats(self.equation.coefficient(rate)))
+            rate: self.direction.dot(self.equation.coefficient(rate).map(float))
             for rate in self.equation.unknowns
         }
 
@@ -188,7 +188,7 @@ def _find_core_projections(
 
 def _are_parallel(equation: VectorEquation, first: Rate, second: Rate) -> bool:
     """Whether two unknowns of an equation lie along one line, as of a wheel between two tracks."""
-    one, other = (_make_floats(equation.coefficient(rate)) for rate in (first, second))
+    one, other = (equation.coefficient(rate).map(float) for rate in (first, second))
     return bool(abs(one.cross(other)) <= PARALLEL * size(one) * size(other))
 
 
@@ -216,16 +216,14 @@ def _project_normal_to(
     equation: VectorEquation, rate: Rate, sought: Rate | None = None
 ) -> Projection:
     """The projection on the axis normal to an unknown, oriented so that few parts are negative."""
-    axis = (bearing(_make_floats(equation.coefficient(rate))) + 90) % 360
+    axis = (bearing(equation.coefficient(rate).map(float)) + 90) % 360
     dropped = next(part for part in equation.parts if part.unknown == rate)
     return _orient(Projection(equation, axis, dropped), sought)
 
 
 def _project_along(equation: VectorEquation, rate: Rate) -> Projection:
     """The projection on the direction of an unknown."""
-    return _orient(
-        Projection(equation, bearing(_make_floats(equation.coefficient(rate))), None), rate
-    )
+    return _orient(Projection(equation, bearing(equation.coefficient(rate).map(float)), None), rate)
 
 
 def _orient(projection: Projection, sought: Rate | None) -> Projection:
@@ -237,8 +235,3 @@ def _orient(projection: Projection, sought: Rate | None) -> Projection:
     if sum(share.sign for share in deciding) >= 0:
         return projection
     return Projection(projection.equation, (projection.axis + 180) % 360, projection.dropped)
-
-
-def _make_floats(vector: Vector) -> Vector:
-    """A vector in doubles."""
-    return Vector(float(vector.x), float(vector.y))
