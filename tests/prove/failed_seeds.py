@@ -18,5 +18,9 @@ FAILED = {
     ("tactile sheets", 80): "scotch-yoke-driven-by-guide: a slot ran into the number of the sheet",
     ("described figures", 907070209): "an answer that equals a given by chance was taken as told",
     ("described figures", 907070514): "an answer that equals a given by chance was taken as told",
+    (
+        "solution pages",
+        616978356,
+    ): "bar-pushing-rolling-disc: a line on a third page, set with room",
     ("tactile sheets", 16): "pose-four-bar-coupler: labels of axes took the room of a letter",
 }

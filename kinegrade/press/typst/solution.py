@@ -80,11 +80,11 @@ class SolutionLayouts:
         data |= {"words": words.raw("solution", "layout.")}
         return write_layout_call("large-solution" if sheet.large else "solution", data)
 
-    def may_take_fewer(self, pages: int) -> bool:
+    def may_take_fewer(self, pages: int, spread: Spread = TIGHT) -> bool:
         """Whether tight solutions may take fewer than so many pages, by the heights of their parts:
         what is far from it need not be typeset. Large print is never tight.
         """
-        return not self.sheet.large and self._arrange(TIGHT).pages < pages - 1 + _DOUBT
+        return not self.sheet.large and self._arrange(spread).pages < pages - 1 + _DOUBT
 
     def foresee_pages(self) -> int | None:
         """How many pages solutions take as usual; None where heights of parts leave it open."""

@@ -1,15 +1,17 @@
 """How a student's worked solutions take few pages: with more or less room between blocks and lines,
-and without pictures that can be spared where a solution would take more than two pages.
+and without pictures that can be spared where a solution would take more than two pages; then with
+the least room.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
+from itertools import chain
 
 from kinegrade.press.binding.part import count_pages
 from kinegrade.press.sheet import PaperSize, SolutionSheet
-from kinegrade.press.solutions.settings import TIGHT, USUAL
+from kinegrade.press.solutions.settings import DENSE, TIGHT, USUAL
 from kinegrade.press.solutions.shortening import MOST_PAGES, list_shorter, shorten
 from kinegrade.press.typst.solution import SolutionLayouts
 from kinegrade.press.typst.solution_area import find_area
@@ -18,17 +20,24 @@ Typeset = Callable[[str], bytes]  # a PDF of Typst source
 
 
 def set_short(sheet: SolutionSheet, size: PaperSize, typeset: Typeset) -> bytes:
-    """The sheet as PDF, at most two pages for each solution where pictures that can be spared allow
-    it; with the pictures where it does not become short without them.
+    """The sheet as PDF, at most two pages for each solution where pictures that can be spared, or
+    else lines close together, allow it; with the pictures where it does not become short so.
     """
-    shorter = _list_shorter_sheets(sheet, size)
-    first = fewest = _set_evenly(next(shorter), size, typeset)
-    while count_pages(fewest) > MOST_PAGES * len(sheet.questions):
-        following = next(shorter, None)
-        if following is None:
-            return first
-        fewest = _set_evenly(following, size, typeset)
-    return fewest
+    shorter, most = tuple(_list_shorter_sheets(sheet, size)), MOST_PAGES * len(sheet.questions)
+    set_evenly = (_set_evenly(one, size, typeset) for one in shorter)
+    first = next(set_evenly)
+    every = chain((first,), set_evenly, _set_densely(shorter, most, size, typeset))
+    return next((pdf for pdf in every if count_pages(pdf) <= most), first)
+
+
+def _set_densely(
+    sheets: Iterable[SolutionSheet], most: int, size: PaperSize, typeset: Typeset
+) -> Iterator[bytes]:
+    """The sheets that may so take the fewest pages, with their lines close together."""
+    for sheet in sheets:
+        layouts = SolutionLayouts(sheet, size)
+        if layouts.may_take_fewer(most + 1, DENSE):
+            yield typeset(layouts.write(DENSE))
 
 
 def _list_shorter_sheets(sheet: SolutionSheet, size: PaperSize) -> Iterator[SolutionSheet]:
