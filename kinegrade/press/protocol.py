@@ -8,10 +8,11 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Literal
 
 from kinegrade.language.message import Fault, Location, Message
+from kinegrade.press.binding.part import count_pages
 from kinegrade.press.sheet import KeyBook, Paper, SolutionSheet
 
 Engine = Literal["typst", "latex"]
@@ -40,6 +41,23 @@ class Press(ABC):
     @abstractmethod
     def papers(self, papers: Mapping[str, Paper]) -> dict[str, Printout]:
         """Every paper, by its name."""
+
+    def alike(
+        self, papers: Mapping[str, Paper], pages: int | None
+    ) -> tuple[dict[str, Printout], dict[str, int]]:
+        """Every paper, by its name, and how many pages it has: at least so many; for None, as many
+        as the longest of them. Large print takes as many as it takes.
+
+        Those that have fewer are printed once more, which is fast.
+        """
+        printed = self.papers(papers)
+        counts = {name: count_pages(each.pdf) for name, each in printed.items()}
+        usual = [name for name, paper in papers.items() if not paper.large]
+        wanted = max((counts[name] for name in usual), default=0) if pages is None else pages
+        short = {
+            name: replace(papers[name], pages=wanted) for name in usual if counts[name] < wanted
+        }
+        return printed | self.papers(short), counts | dict.fromkeys(short, wanted)
 
     @abstractmethod
     def solutions(self, sheets: Mapping[str, SolutionSheet]) -> dict[str, Printout]:

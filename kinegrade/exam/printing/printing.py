@@ -16,7 +16,6 @@ from kinegrade.exam.printing.pages import lay_out_paper
 from kinegrade.exam.setting.setting import SetPaper
 from kinegrade.figure.sketch import Sketcher, sketch
 from kinegrade.language import Language
-from kinegrade.press.binding.part import count_pages
 from kinegrade.press.protocol import Engine, Press, Printout
 from kinegrade.press.sheet import KeyPaper, Paper, PaperSize
 from kinegrade.press.typst.press import TypstPress
@@ -141,7 +140,7 @@ def print_papers(
         paper.student.file_name: lay_out_paper(run.bank, paper, run.language, sketcher)
         for paper in (papers if run.extras.papers else ())
     }
-    printouts, counts = _print_alike(press, pages, run.pages)
+    printouts, counts = press.alike(pages, run.pages)
     solutions = print_solutions(run, press, papers) if run.extras.solutions else {}
     also = _print_also(pages, run, papers) if run.extras.papers else {}
     return [
@@ -156,20 +155,6 @@ def print_papers(
         for paper, mistakes in zip(papers, find_mistaken_answers(papers), strict=True)
         for name in (paper.student.file_name,)
     ]
-
-
-def _print_alike(
-    press: Press, papers: Mapping[str, Paper], pages: int | None
-) -> tuple[Mapping[str, Printout], Mapping[str, int]]:
-    """Every paper, and how many pages it has: those that have fewer than they should are printed
-    once more, which is fast. Large print takes as many as it takes.
-    """
-    printed = press.papers(papers)
-    counts = {name: count_pages(each.pdf) for name, each in printed.items()}
-    usual = [name for name, paper in papers.items() if not paper.large]
-    wanted = max((counts[name] for name in usual), default=0) if pages is None else pages
-    short = {name: replace(papers[name], pages=wanted) for name in usual if counts[name] < wanted}
-    return printed | press.papers(short), counts | dict.fromkeys(short, wanted)
 
 
 def print_solutions(run: PrintRun, press: Press, papers: Sequence[SetPaper]) -> dict[str, Printout]:

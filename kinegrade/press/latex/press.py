@@ -8,40 +8,35 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import dataclass
-from functools import lru_cache
-from pathlib import Path, PurePosixPath
+from dataclasses import dataclass, replace
+from pathlib import Path
 from types import MappingProxyType
-from typing import Generic, TypeVar
+from typing import Generic
 
 from kinegrade.errors import TypesetError
 from kinegrade.files.temporary import temporary_folder
 from kinegrade.language import ENGLISH, Language
-from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.gathering import convert_each
 from kinegrade.language.math.latex_text import is_surely_printed, write_plain
 from kinegrade.language.message import Location
 from kinegrade.press.latex.document import write_document
 from kinegrade.press.latex.faults import find_faults
 from kinegrade.press.latex.key import write_key_body
-from kinegrade.press.latex.paper import name_logo, write_paper_body
-from kinegrade.press.latex.solution import write_solution_body
+from kinegrade.press.latex.kinds import PAPERS, SOLUTIONS, Kind, SheetT, read_paper_words
+from kinegrade.press.latex.paper import write_paper_body
+from kinegrade.press.latex.printout import make_printout
 from kinegrade.press.latex.xetex import (
     CLASS,
     FONTS,
-    STYLE,
     Outcome,
     find_font_folder,
     make_pdf,
     run,
-    write_style,
 )
 from kinegrade.press.legible import make_owner_legible, make_owners_legible
-from kinegrade.press.paper_head import PaperHead
-from kinegrade.press.places import ALL_PAPERS, ALL_SOLUTIONS, KEY
+from kinegrade.press.places import KEY
 from kinegrade.press.protocol import Press, Printout
 from kinegrade.press.sheet import KeyBook, Paper, PaperSize, SolutionSheet
-from kinegrade.press.typst.logo import print_logo
 from kinegrade.press.typst.press import TypstPress
 
 # TeX writes some things only on the first page of a run (its initial colour): this page, which is
@@ -50,42 +45,18 @@ _FIRST_PAGE = f"\\input{{{CLASS}}}\\mbox{{}}\\clearpage\n"
 _START_SECONDS = 60.0
 _SHEET_SECONDS = 5.0  # some fifty times what a sheet takes
 
-_Sheet = TypeVar("_Sheet", Paper, SolutionSheet)
-
 
 @dataclass(frozen=True)
-class _Kind(Generic[_Sheet]):
-    """One of the two kinds of sheets: what it is called, and how its sources are written."""
+class _Set(Generic[SheetT]):
+    """A sheet with its owner made legible, its source, and the pages that TeX has made of it: how
+    many there are, and of its own, before it was filled up.
+    """
 
-    name: Location
-    body: Callable[[_Sheet], str]
-    words: Callable[[Language], Mapping[str, str]]
-    pictures: Callable[[_Sheet], Mapping[str, bytes]] = lambda _: {}
-
-
-def _read_paper_words(language: Language) -> Mapping[str, str]:
-    return open_catalogue(language).raw("paper", "layout.")
-
-
-def _read_solution_words(language: Language) -> Mapping[str, str]:
-    return open_catalogue(language).raw("solution", "layout.")
-
-
-def _print_pictures(head: PaperHead) -> Mapping[str, bytes]:
-    """The logo of a paper."""
-    return {name_logo(head): _print_logo(head.logo)} if head.logo else {}
-
-
-@lru_cache(maxsize=1)
-def _print_logo(logo: str) -> bytes:
-    """The logo of a class."""
-    return print_logo(logo, "pdf")
-
-
-_PAPERS: _Kind[Paper] = _Kind(
-    ALL_PAPERS, write_paper_body, _read_paper_words, lambda paper: _print_pictures(paper.head)
-)
-_SOLUTIONS: _Kind[SolutionSheet] = _Kind(ALL_SOLUTIONS, write_solution_body, _read_solution_words)
+    sheet: SheetT
+    body: str
+    pdf: bytes
+    pages: int
+    own: int
 
 
 class LatexPress(Press):
@@ -103,11 +74,25 @@ class LatexPress(Press):
         the first fault that TeX finds, or where TeX is not installed. Large print, which has no
         layout here, is set by Typst, whose pages can be heard as well.
         """
-        return self._print_all(papers, _PAPERS, TypstPress.papers)
+        return self._print_all(papers, PAPERS, TypstPress.papers)
+
+    def alike(
+        self, papers: Mapping[str, Paper], pages: int | None
+    ) -> tuple[dict[str, Printout], dict[str, int]]:
+        """Every paper and how many pages it has, as `Press` says; errors are raised as by `papers`.
+
+        The run that finds how many pages the papers have fills up all after the longest.
+        """
+        large = {name: paper for name, paper in papers.items() if paper.large}
+        typst, counts = TypstPress(self._size).alike(large, None) if large else ({}, {})
+        usual = {name: paper for name, paper in papers.items() if not paper.large}
+        ready = self._set_alike(usual, pages)
+        printed = {name: self._make_printout(name, each, PAPERS) for name, each in ready.items()}
+        return printed | typst, counts | {name: each.pages for name, each in ready.items()}
 
     def solutions(self, sheets: Mapping[str, SolutionSheet]) -> dict[str, Printout]:
         """Every student's worked solutions, as `papers` does it."""
-        return self._print_all(sheets, _SOLUTIONS, TypstPress.solutions)
+        return self._print_all(sheets, SOLUTIONS, TypstPress.solutions)
 
     def key(self, book: KeyBook) -> Printout:
         """The instructor's key; names are printed and errors raised as by `papers`."""
@@ -129,17 +114,17 @@ class LatexPress(Press):
 
     def _print_one(self, name: str, body: str, language: Language, where: Location) -> Printout:
         """One sheet for the instructor, with the fixed words of papers."""
-        words = _read_paper_words(language)
+        words = read_paper_words(language)
         with self._typeset([body], language, words, where) as (folder, _):
             pdf = make_pdf(folder)
         source = write_document([body], language, self._size, words, str(find_font_folder()))
-        return _make_printout(name, pdf, source, language)
+        return make_printout(name, pdf, source, language)
 
     def _print_all(
         self,
-        sheets: Mapping[str, _Sheet],
-        kind: _Kind[_Sheet],
-        print_large: Callable[[TypstPress, Mapping[str, _Sheet]], dict[str, Printout]],
+        sheets: Mapping[str, SheetT],
+        kind: Kind[SheetT],
+        print_large: Callable[[TypstPress, Mapping[str, SheetT]], dict[str, Printout]],
     ) -> dict[str, Printout]:
         """Every sheet by its name, those in large print by Typst."""
         large = {name: sheet for name, sheet in sheets.items() if sheet.large}
@@ -147,12 +132,29 @@ class LatexPress(Press):
         typst = print_large(TypstPress(self._size), large) if large else {}
         return (self._print(usual, kind) if usual else {}) | typst
 
-    def _print(self, sheets: Mapping[str, _Sheet], kind: _Kind[_Sheet]) -> dict[str, Printout]:
+    def _print(self, sheets: Mapping[str, SheetT], kind: Kind[SheetT]) -> dict[str, Printout]:
+        return {
+            name: self._make_printout(name, each, kind)
+            for name, each in self._set(sheets, kind).items()
+        }
+
+    def _make_printout(self, name: str, ready: _Set[SheetT], kind: Kind[SheetT]) -> Printout:
+        language, fonts = ready.sheet.language, str(find_font_folder())
+        words, pictures = kind.words(language), kind.pictures(ready.sheet)
+        source = write_document([ready.body], language, self._size, words, fonts)
+        return make_printout(name, ready.pdf, source, language, pictures)
+
+    def _set(
+        self, sheets: Mapping[str, SheetT], kind: Kind[SheetT], least: int | None = None
+    ) -> dict[str, _Set[SheetT]]:
+        """The pages of every sheet, by its name; all `alike`, where a least number is given, but
+        for those before the longest.
+        """
         owners = (text for sheet in sheets.values() for text in (sheet.name, sheet.student))
         missing = self.unprintable(owners)
-        printed: dict[str, Printout] = {}
+        ready: dict[str, _Set[SheetT]] = {}
         for language in sorted({sheet.language for sheet in sheets.values()}):
-            printed |= self._print_class(
+            ready |= self._set_class(
                 {
                     name: make_owner_legible(sheet, missing)
                     for name, sheet in sheets.items()
@@ -160,35 +162,54 @@ class LatexPress(Press):
                 },
                 language,
                 kind,
+                least,
             )
-        return printed
+        return ready
 
-    def _print_class(
-        self, sheets: Mapping[str, _Sheet], language: Language, kind: _Kind[_Sheet]
-    ) -> dict[str, Printout]:
-        """All sheets of one language."""
-        words, fonts = kind.words(language), str(find_font_folder())
+    def _set_alike(self, papers: Mapping[str, Paper], pages: int | None) -> dict[str, _Set[Paper]]:
+        """The pages of every paper, as many as `alike` says; those before the longest need another
+        run.
+        """
+        first = self._set(papers, PAPERS, pages or 0)
+        wanted = max((each.own for each in first.values()), default=0) if pages is None else pages
+        short = {name: each for name, each in first.items() if each.own < wanted}
+        unlike = {
+            name: replace(papers[name], pages=wanted if name in short else 0)
+            for name, each in first.items()
+            if each.pages != max(each.own, wanted)
+        }
+        filled = {
+            name: replace(each, body=write_paper_body(replace(each.sheet, pages=wanted)))
+            for name, each in short.items()
+            if name not in unlike
+        }
+        return first | filled | self._set(unlike, PAPERS)
+
+    def _set_class(
+        self,
+        sheets: Mapping[str, SheetT],
+        language: Language,
+        kind: Kind[SheetT],
+        least: int | None,
+    ) -> dict[str, _Set[SheetT]]:
+        """All sheets of one language, in one run."""
         bodies: list[str] = convert_each(kind.body, sheets.values())
         pictures = {
             name: content
             for sheet in sheets.values()
             for name, content in kind.pictures(sheet).items()
         }
-        typeset = self._typeset([_FIRST_PAGE, *bodies], language, words, kind.name, pictures)
+        begun = _FIRST_PAGE if least is None else f"{_FIRST_PAGE}\\alikesheets{{{least}}}\n"
+        words = kind.words(language)
+        typeset = self._typeset([begun, *bodies], language, words, kind.name, pictures)
         with typeset as (folder, outcome):
             # One page further than the sheets count, as the first page belongs to none of them
             pages = [(first + 1, first + count) for first, count in outcome.ranges]
             pdfs = [make_pdf(folder, part) for part in pages]
-        return {
-            name: _make_printout(
-                name,
-                pdf,
-                write_document([body], language, self._size, words, fonts),
-                language,
-                pictures,
-            )
-            for name, body, pdf in zip(sheets, bodies, pdfs, strict=True)
-        }
+        counts = [count for _, count in outcome.ranges]
+        own = counts if least is None else outcome.own
+        ready = zip(sheets.values(), bodies, pdfs, counts, own, strict=True)
+        return {name: _Set(*each) for name, each in zip(sheets, ready, strict=True)}
 
     @contextmanager
     def _typeset(
@@ -212,28 +233,9 @@ class LatexPress(Press):
             yield folder, outcome
 
 
-def _make_printout(
-    name: str,
-    pdf: bytes,
-    source: str,
-    language: Language,
-    pictures: Mapping[str, bytes] = MappingProxyType({}),
-) -> Printout:
-    """The pages, and their source with the style and the pictures that it asks for beside it."""
-    place = PurePosixPath(name)
-    text = _write_introduction(place.name, language) + source
-    files = {f"{place.name}.tex": text.encode(), STYLE: write_style().encode(), **pictures}
-    return Printout(pdf, {str(place.with_name(beside)): files[beside] for beside in files})
-
-
 def _find_missing(characters: Iterable[str]) -> frozenset[str]:
     """Those of the characters that XeTeX has no font for."""
-    words = _read_paper_words(ENGLISH)
+    words = read_paper_words(ENGLISH)
     source = write_document([" ".join(map(write_plain, characters))], ENGLISH, "a4", words, FONTS)
     with temporary_folder() as folder:
         return run(source, folder, _START_SECONDS).missing
-
-
-def _write_introduction(name: str, language: Language) -> str:
-    words = open_catalogue(language)
-    return f"% {words.text('typesetting.source', file=f'{name}.tex')}\n"

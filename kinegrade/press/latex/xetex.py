@@ -69,6 +69,7 @@ class Outcome:
     """
 
     ranges: tuple[tuple[int, int], ...]  # of each sheet: its first page (from 1), how many it has
+    own: tuple[int, ...]  # of each sheet that was filled up: how many it has without that
     fault: TexFault | None
     missing: frozenset[str]
 
@@ -89,7 +90,9 @@ def run(
     text = log.read_text(encoding="utf-8", errors="replace") if log.exists() else output
     missing = frozenset(_MISSING.findall(text))
     fault = _find_fault(text, folder / f"{_JOB}.xdv")
-    return Outcome(_list_ranges(folder / f"{_JOB}.pages"), fault, missing)
+    ranges = ((first, pages) for first, pages in _read_counts(folder / f"{_JOB}.pages"))
+    own = (pages for (pages,) in _read_counts(folder / f"{_JOB}.own"))
+    return Outcome(tuple(ranges), tuple(own), fault, missing)
 
 
 def make_pdf(folder: Path, pages: tuple[int, int] | None = None) -> bytes:
@@ -157,11 +160,11 @@ def _execute(program: _Program, options: Sequence[str], folder: Path, seconds: f
     return (done.output + done.complaint).decode("utf-8", "replace")
 
 
-def _list_ranges(file: Path) -> tuple[tuple[int, int], ...]:
+def _read_counts(file: Path) -> list[list[int]]:
+    """The whole numbers in each line of a file that a run has written, none without one."""
     if not file.exists():
-        return ()
-    rows = (line.split() for line in file.read_text(encoding="utf-8").splitlines())
-    return tuple((int(first), int(pages)) for first, pages in rows)
+        return []
+    return [list(map(int, line.split())) for line in file.read_text(encoding="utf-8").splitlines()]
 
 
 def _find_fault(log: str, pages: Path) -> TexFault | None:

@@ -4,6 +4,7 @@ same bytes.
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -12,8 +13,12 @@ from kinegrade.figure.back_ends.tikz import write_tikz
 from kinegrade.figure.scene import Bow, Disc, Label, Outline, Pen, Scene, Strokes
 from kinegrade.figure.sketch import sketch
 from kinegrade.mechanics.vector import Vector
+from kinegrade.press.latex import press as latex_press
+from kinegrade.press.latex.press import LatexPress
 from kinegrade.press.latex.xetex import CLASS, run
+from kinegrade.press.protocol import Press
 from tests.figure.mechanisms import EIGHT
+from tests.press.papers import CHINESE, ENGLISH
 
 pytestmark = [pytest.mark.needs_tex, pytest.mark.xdist_group("latex")]
 
@@ -48,3 +53,35 @@ def test_the_run_of_a_class_draws_the_same_bytes_as_a_source_that_is_kept(tmp_pa
         pages.append((folder / "pages.xdv").read_bytes())
     assert pages[0] == pages[1]
     assert pages[0].count(b"pdf:btrans") > len(scenes)
+
+
+SHORT, LONG = ENGLISH, replace(ENGLISH, questions=ENGLISH.questions * 5)
+UNEVEN = {
+    "early": SHORT,
+    "long": LONG,
+    "late": replace(SHORT, code="B-0002"),
+    "chinese": CHINESE,
+    "large": replace(LONG, large=True),
+}
+
+
+@pytest.mark.parametrize("pages", [None, 1, 3])
+def test_papers_filled_up_in_the_run_that_counts_them_are_those_that_are_printed_once_more(
+    pages: int | None,
+) -> None:
+    press = LatexPress()
+    assert press.alike(UNEVEN, pages) == Press.alike(press, UNEVEN, pages)
+
+
+def test_only_those_before_the_longest_are_set_again(monkeypatch: pytest.MonkeyPatch) -> None:
+    sheets: list[int] = []
+
+    def count_sheets(source: str, *given: object) -> object:
+        sheets.append(source.count(r"\begin{sheet}"))
+        return run(source, *given)  # type: ignore[arg-type]
+
+    monkeypatch.setattr(latex_press, "run", count_sheets)
+    of_one_language = {name: UNEVEN[name] for name in ("early", "long", "late")}
+    _, counts = LatexPress().alike(of_one_language, None)
+    assert set(counts.values()) == {2}
+    assert sheets == [3, 1]
