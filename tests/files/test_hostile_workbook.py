@@ -14,7 +14,7 @@ import pytest
 from openpyxl import Workbook
 
 from kinegrade.errors import TableError
-from kinegrade.files.spreadsheet import read_workbook
+from kinegrade.files.workbooks.spreadsheet import read_workbook
 
 MEMORY = 1 << 30  # bytes
 SECONDS = 10  # the answer takes one; the machine may be busy
@@ -32,7 +32,7 @@ READ = """
 import resource, sys
 from pathlib import Path
 from kinegrade.errors import TableError
-from kinegrade.files.spreadsheet import read_workbook
+from kinegrade.files.workbooks.spreadsheet import read_workbook
 try:
     read_workbook(Path(sys.argv[1]))
 except TableError as refusal:

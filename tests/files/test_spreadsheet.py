@@ -16,10 +16,11 @@ from hypothesis import strategies as st
 from openpyxl import Workbook, load_workbook
 
 from kinegrade.errors import TableError
-from kinegrade.files import spreadsheet, workbook_inspection
-from kinegrade.files.spreadsheet import read_workbook
 from kinegrade.files.tables import Table
-from kinegrade.files.workbook_inspection import is_workbook
+from kinegrade.files.workbooks import cells
+from kinegrade.files.workbooks import inspection as workbook_inspection
+from kinegrade.files.workbooks.inspection import is_workbook
+from kinegrade.files.workbooks.spreadsheet import read_workbook
 from tests.said import said
 
 
@@ -81,8 +82,8 @@ def test_cells_come_out_as_they_were_typed(tmp_path: Path) -> None:
 @given(st.decimals(-(10**9), 10**9, places=6))
 def test_a_decimal_of_fifteen_digits_comes_back(number: object) -> None:
     cell = type("Cell", (), {"value": float(str(number)), "number_format": "General"})
-    assert float(spreadsheet._read(cell).text) == float(str(number))
-    assert "e" not in spreadsheet._read(cell).text or abs(float(str(number))) < 1e-4
+    assert float(cells.read_cell(cell).text) == float(str(number))
+    assert "e" not in cells.read_cell(cell).text or abs(float(str(number))) < 1e-4
 
 
 def test_the_seventeen_digits_a_spreadsheet_keeps_are_those_typed(tmp_path: Path) -> None:

@@ -15,7 +15,7 @@ from openpyxl import Workbook, load_workbook
 from openpyxl.styles import Font, PatternFill
 from openpyxl.worksheet.worksheet import Worksheet
 
-from kinegrade.files.sheet_reading import read_sheet_xml
+from kinegrade.files.workbooks.sheet_reading import read_sheet_xml
 from tests.lms.marked_folder import write_marks
 from tests.small_class import kinegrade
 

@@ -17,9 +17,9 @@ from kinegrade.exam.roster.columns import Wishes, make_header_sign
 from kinegrade.exam.roster.reading import read_class
 from kinegrade.exam.roster.students import Student
 from kinegrade.exam.roster.way_of_reading import WayOfReading
-from kinegrade.files.spreadsheet import read_workbook
 from kinegrade.files.tables import Complaint, Table, parse_table, read_table
-from kinegrade.files.workbook_inspection import is_workbook
+from kinegrade.files.workbooks.inspection import is_workbook
+from kinegrade.files.workbooks.spreadsheet import read_workbook
 from kinegrade.language.message import Message
 
 _AS_TITLED: Wishes = MappingProxyType({})

@@ -17,9 +17,9 @@ from kinegrade.exam.roster.student_ids import StudentIds
 from kinegrade.files.cell_text import make_header_key, shorten
 from kinegrade.files.csv_writing import restore
 from kinegrade.files.rows.row import Row
-from kinegrade.files.spreadsheet import read_workbook
 from kinegrade.files.tables import Complaint, Table, drop_headers, read_table
-from kinegrade.files.workbook_inspection import is_workbook
+from kinegrade.files.workbooks.inspection import is_workbook
+from kinegrade.files.workbooks.spreadsheet import read_workbook
 from kinegrade.grading.by_hand.columns import HandColumns, find_hand_columns
 from kinegrade.grading.by_hand.hand_file import GIVE_NEW, HandFile, HandRow, Newer
 from kinegrade.grading.by_hand.markable import Markable

@@ -21,9 +21,9 @@ from kinegrade.files.cell_text import make_header_key, trim
 from kinegrade.files.header_line import HeaderSign
 from kinegrade.files.rows.cell_grid import CellGrid
 from kinegrade.files.rows.row import Row, choose_cells
-from kinegrade.files.spreadsheet import read_workbook
 from kinegrade.files.tables import Complaint, Table, read_table
-from kinegrade.files.workbook_inspection import is_workbook
+from kinegrade.files.workbooks.inspection import is_workbook
+from kinegrade.files.workbooks.spreadsheet import read_workbook
 from kinegrade.language.message import Fault, Message
 from kinegrade.language.spellings import list_spellings
 from kinegrade.lms.responses.people import Kind

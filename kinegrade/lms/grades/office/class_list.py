@@ -13,8 +13,8 @@ from kinegrade.errors import TableError, suggest
 from kinegrade.exam.roster.known_columns import list_column_names
 from kinegrade.exam.roster.student_ids import StudentIds
 from kinegrade.files.cell_text import make_header_key, trim
-from kinegrade.files.sheet_xml import SheetCell, write_position
-from kinegrade.files.workbook_parts import WorkbookSheet
+from kinegrade.files.workbooks.parts import WorkbookSheet
+from kinegrade.files.workbooks.sheet_xml import SheetCell, write_position
 from kinegrade.language.message import Fault, Message, Quoted, list_plainly
 
 

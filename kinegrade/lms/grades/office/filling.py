@@ -12,9 +12,9 @@ from pathlib import Path
 from kinegrade.errors import Problem, TableError
 from kinegrade.exam.roster.student_ids import describe_restoration
 from kinegrade.files.cell_text import trim
-from kinegrade.files.sheet_xml import Position, SheetCell, write_position
 from kinegrade.files.tables import Complaint
-from kinegrade.files.workbook_parts import WorkbookParts, read_workbook_parts
+from kinegrade.files.workbooks.parts import WorkbookParts, read_workbook_parts
+from kinegrade.files.workbooks.sheet_xml import Position, SheetCell, write_position
 from kinegrade.language.message import Fault, Message, Quoted, list_all, list_plainly
 from kinegrade.lms.grades.dialect import ExportOptions
 from kinegrade.lms.grades.fill_in import Filled

@@ -13,7 +13,7 @@ from kinegrade.errors import TableError, suggest
 from kinegrade.exam.roster.known_columns import list_column_names
 from kinegrade.exam.roster.student_ids import StudentIds
 from kinegrade.files.cell_text import make_header_key
-from kinegrade.files.workbook_parts import WorkbookParts
+from kinegrade.files.workbooks.parts import WorkbookParts
 from kinegrade.language.message import Fault, Message, Quoted, list_all
 from kinegrade.lms.grades.office.class_list import ClassList, find_student, name_letter
 

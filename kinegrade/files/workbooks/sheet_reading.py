@@ -6,7 +6,14 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from xml.parsers.expat import ParserCreate
 
-from kinegrade.files.sheet_xml import TAG, Merged, Position, SheetCell, SheetXml, read_position
+from kinegrade.files.workbooks.sheet_xml import (
+    TAG,
+    Merged,
+    Position,
+    SheetCell,
+    SheetXml,
+    read_position,
+)
 
 _TEXTS = ("v", "t")  # elements whose text is what a cell holds
 _LONGEST_NUMBER = 1e15  # spreadsheets keep fifteen digits

@@ -14,9 +14,9 @@ from posixpath import join, normpath
 from xml.etree import ElementTree
 from zipfile import ZipFile
 
-from kinegrade.files.sheet_reading import read_sheet_xml
-from kinegrade.files.sheet_xml import SheetXml
-from kinegrade.files.workbook_inspection import explain_damaged, inspect_workbook
+from kinegrade.files.workbooks.inspection import explain_damaged, inspect_workbook
+from kinegrade.files.workbooks.sheet_reading import read_sheet_xml
+from kinegrade.files.workbooks.sheet_xml import SheetXml
 
 _BOOK, _SHARED = "xl/workbook.xml", "xl/sharedStrings.xml"
 _LINKS = "xl/_rels/workbook.xml.rels"

@@ -7,9 +7,9 @@ from pathlib import Path
 from zipfile import ZipFile
 
 from kinegrade.files.cell_text import shorten
-from kinegrade.files.sheet_xml import Merged, Position, write_position
 from kinegrade.files.tables import Complaint
-from kinegrade.files.workbook_parts import read_workbook_parts
+from kinegrade.files.workbooks.parts import read_workbook_parts
+from kinegrade.files.workbooks.sheet_xml import Merged, Position, write_position
 from kinegrade.language.message import Message
 
 _MERGED = b"mergeCell"

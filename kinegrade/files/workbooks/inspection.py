@@ -1,7 +1,7 @@
 """Workbooks inspected before they are read: what is no workbook, and what would unpack to too much
 or be parsed into too much, is refused before it takes memory or time.
 
-`kinegrade.files.spreadsheet` reads what has passed.
+`kinegrade.files.workbooks.spreadsheet` reads what has passed.
 """
 
 from __future__ import annotations
