@@ -13,8 +13,9 @@ from dataclasses import dataclass, replace
 from kinegrade.errors import AtInfinity, MechanismError
 from kinegrade.language.message import Fault, Message
 from kinegrade.mechanics import plan as plans
+from kinegrade.mechanics.bases import Base
 from kinegrade.mechanics.configuration import require_assembled
-from kinegrade.mechanics.frames import Base, Frames, build_frames
+from kinegrade.mechanics.frames import Frames, build_frames
 from kinegrade.mechanics.joints import GROUND
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.plan import Plan

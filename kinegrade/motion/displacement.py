@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple, assert_never
 
-from kinegrade.mechanics.frames import Base
+from kinegrade.mechanics.bases import Base
 from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.rates import Rate, Rates, make_turning
 from kinegrade.mechanics.relations import Chain, Term

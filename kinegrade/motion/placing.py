@@ -5,7 +5,8 @@ from __future__ import annotations
 from dataclasses import fields, replace
 from typing import Any, assert_never
 
-from kinegrade.mechanics.frames import Base, Frames
+from kinegrade.mechanics.bases import Base
+from kinegrade.mechanics.frames import Frames
 from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.joints import Joint
 from kinegrade.mechanics.laws import EqualRotation, GuidedBody, GuidedPoint, SharedPoint

@@ -18,7 +18,7 @@ _INDEX = re.compile(r"_\{[^}]*\}|_\w|\\unit\{[^}]*\}")
 _NUMBER = re.compile(r"\d+(?:(?:\.|\{,\})\d+)?")
 _GIVEN = re.compile(r"\$[^$]*\\unit[^$]*\$|\$[^$]*= -?[\d.{},]+(?:\^\\circ)?\$")
 # Of constructions, the same at every draw: halves and doubles, right and straight angles
-_STRUCTURE = frozenset({"0", "1", "2", "90", "180"})
+_STRUCTURE = frozenset({"0", "1", "2", "90", "180", "270"})
 _LONGEST = 125
 _DIGITS = (3, 4, 6)
 

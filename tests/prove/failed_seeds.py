@@ -22,5 +22,6 @@ FAILED = {
         "solution pages",
         616978356,
     ): "bar-pushing-rolling-disc: a line on a third page, set with room",
+    ("described figures", 460213439): "a right angle of 270 degrees was no number of the statement",
     ("tactile sheets", 16): "pose-four-bar-coupler: labels of axes took the room of a letter",
 }

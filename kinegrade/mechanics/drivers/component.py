@@ -70,6 +70,10 @@ class Component(DrivingConstraint):
         """The point and its body."""
         return self.point, self.body
 
+    def find_frame(self) -> str | None:
+        """That of the component."""
+        return self.of
+
     def state(
         self,
         number: int,

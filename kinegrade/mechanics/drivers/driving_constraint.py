@@ -40,6 +40,12 @@ class DrivingConstraint(Element):
     def find_driven_point(self) -> tuple[str, str] | None:
         """The point that it moves and the body of which it is a point; None for a rotation."""
 
+    def find_frame(self) -> str | None:
+        """The body relative to which it moves a point along a direction; None where it moves none
+        so.
+        """
+        return None
+
     @abstractmethod
     def state(
         self,

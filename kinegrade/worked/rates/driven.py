@@ -29,6 +29,7 @@ from kinegrade.worked.formulas.rotational_speeds import (
     is_rotational_speed,
     turn_into_angle,
 )
+from kinegrade.worked.rates.driven_points import name_driven, say_driven, state_driven_way
 from kinegrade.worked.rates.speeds import (
     Statement,
     find_rotation_value,
@@ -37,22 +38,17 @@ from kinegrade.worked.rates.speeds import (
     state_expression,
 )
 from kinegrade.worked.senses import (
-    describe_direction,
-    say_beside,
     state_rotation_sense,
-    state_sense_along,
     state_way_round,
 )
-from kinegrade.worked.unlettered import find_translating_body
 from kinegrade.worked.vectors.known_vectors import find_given_sign
-from kinegrade.worked.vectors.magnitudes import orient_track
-from kinegrade.worked.vectors.vectors import UNITS, name_by_role, name_point_vector
+from kinegrade.worked.vectors.vectors import UNITS, name_point_vector
 
 
 def state_imposed(law: Imposed, relation: Relation, case: Case, level: Level) -> Statement:
     """What a driver imposes."""
     value = _find_driven_value(relation, level)
-    left = _name_imposed(law, case, level)
+    left = _name_imposed(law, relation, case, level)
     unit = UNITS[level, bool(law.list_factors(RIGHT))]
     sign = find_given_sign(law, relation, case, level)
     expression = _state_expression(law, left, sign, case, level)
@@ -93,15 +89,13 @@ def solve_relative(
     return Equation(result.left, lead_to(result.left, working, result.links), result.aside)
 
 
-def _name_imposed(law: Imposed, case: Case, level: Level) -> Formula:
+def _name_imposed(law: Imposed, relation: Relation, case: Case, level: Level) -> Formula:
     """The symbol of what a driver imposes."""
     match law:
         case ImposedRotation():
             return name_relative_rotation(law.body, law.of, case, level)
-        case ImposedMotion(of=of) if of != GROUND:
-            return name_by_role("r", level, ())
         case ImposedMotion():
-            return name_point_vector(law.point, level, case)
+            return name_driven(law, relation, case, level)
         case ImposedCircling():
             circling = name_point_vector(law.point, level, case)
             return {"velocity": circling, "acceleration": replace(circling, part="t")}[level]
@@ -117,36 +111,9 @@ def _state_sense(law: Imposed, value: Any, case: Case) -> Row:
         case ImposedCircling():
             return state_way_round(law.centre, double(value), case) if value else ()
         case ImposedMotion():
-            return _state_way(law, double(value), case)
+            return state_driven_way(law, double(value), case)
         case _:
             assert_never(law)
-
-
-def _state_way(law: ImposedMotion, value: float, case: Case) -> Row:
-    """The direction of a given motion; of one in a moving frame, where it is not the positive
-    one.
-    """
-    if law.of != GROUND:
-        return state_sense_along(value, law.direction, None, case)
-    if value == 0:
-        return ()
-    ends = _find_track(law, case)
-    if ends is not None:
-        return state_sense_along(value, law.direction, ends, case)
-    return say_beside(
-        describe_direction(law.direction if value > 0 else -law.direction, case), case
-    )
-
-
-def _find_track(law: ImposedMotion, case: Case) -> tuple[str, str] | None:
-    """The points that give the line of a given motion, in its positive sense; None where no two
-    points do.
-    """
-    for relation in case.motion.frames.relations:
-        for term in (*relation.left, *relation.right):
-            if term.kind == "sliding" and term.point == law.point and term.frame == GROUND:
-                return orient_track(term, law.direction, case)
-    return None
 
 
 def _state_as_given(tree: Expression, value: Any, unit: str, case: Case) -> tuple[Link, ...]:
@@ -225,7 +192,7 @@ def _state_given(law: Imposed, relation: Relation, case: Case, level: Level) -> 
             return _state_given_rotation(law, case, level)
         case ImposedMotion():
             against = _counts_against(law, relation, case, level)
-            return _state_given_motion(law, case, level, against=against)
+            return say_driven(law, relation, case, level, against=against)
         case ImposedCircling():
             point, centre = case.naming.point(law.point), case.naming.point(law.centre)
             return Message(f"solution.given-circling-{level}", point=point, centre=centre)
@@ -249,18 +216,3 @@ def _state_given_rotation(law: ImposedRotation, case: Case, level: Level) -> Mes
         return Message(f"solution.given-rotation-{level}", body=body)
     other = case.naming.body(law.of)
     return Message(f"solution.given-relative-rotation-{level}", body=body, other=other)
-
-
-def _state_given_motion(law: ImposedMotion, case: Case, level: Level, *, against: bool) -> Message:
-    point, carrier = case.naming.point(law.point), find_translating_body(law.point, case)
-    if law.of == GROUND and carrier is not None:
-        body = case.naming.body(carrier)
-        if against:
-            return Message("solution.counter-translation", body=body)
-        return Message(f"solution.given-translation-{level}", body=body)
-    if against:
-        return Message("solution.counter-motion", point=point)
-    if law.of == GROUND:
-        return Message(f"solution.given-motion-{level}", point=point)
-    other, way = case.naming.body(law.of), describe_direction(law.direction, case)
-    return Message(f"solution.given-relative-motion-{level}", point=point, way=way, other=other)

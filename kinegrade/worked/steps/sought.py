@@ -34,7 +34,7 @@ def name_task(
     relations = (index for step in imposing for index in step.relations)
     laws = (case.motion.frames.relations[index].source for index in dict.fromkeys(relations))
     imposed = [law for law in map(select_imposed, laws) if law is not None]
-    known = [name for law in imposed for name in _name_given(law, case)]
+    known = dict.fromkeys(name for law in imposed for name in _name_given(law, case))
     if not known:
         return Message("solution.idea-sought", sought=sought)
     return Message("solution.idea-known", known=list_all(known), sought=sought)
@@ -71,6 +71,9 @@ def _name_given(law: Imposed, case: Case) -> Iterator[Message]:
         case ImposedRotation(body=body, of=of):
             name, other = map(case.naming.body, (body, of))
             yield Message("solution.rotation-relative-to", body=name, other=other)
+        case ImposedMotion(point=point, of=of) if of != GROUND:
+            moving, frame = case.naming.point(point), case.naming.body(of)
+            yield Message("solution.motion-relative-to", point=moving, other=frame)
         case ImposedMotion(point=point) if carrier := find_translating_body(point, case):
             yield Message("solution.motion-of-body", body=case.naming.body(carrier))
         case ImposedMotion(point=point) | ImposedCircling(point=point):
