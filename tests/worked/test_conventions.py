@@ -51,5 +51,17 @@ def test_a_body_rolls_where_that_is_used() -> None:
     assert "without slipping" in _find_kinds("tangent-cam-with-roller", "omega_C")
 
 
+def test_a_slider_translates() -> None:
+    """It was in the figure and the statement, and in no list of motions."""
+    assert _find_kinds("slider-crank", "v_B").endswith("; slider $B$: translation.")
+    both = _find_kinds("elliptic-trammel-crank-driven", "v_A")
+    assert both.endswith("; sliders $A$, $B$: translation.")
+
+
+def test_a_slider_that_is_a_body_is_told_once() -> None:
+    assert "slider" not in _find_kinds("tangent-cam-with-roller", "v_C")
+    assert "slider" not in _find_kinds("rod-ground-and-incline", "omega_AB")
+
+
 def test_a_point_that_moves_is_no_body_of_a_kind() -> None:
     assert "$M$" not in _find_kinds("pin-in-disc-slot-and-rod", "v_M_x")

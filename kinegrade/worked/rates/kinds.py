@@ -17,18 +17,20 @@ from kinegrade.worked.case import Case
 from kinegrade.worked.contacts import find_contact
 from kinegrade.worked.document import Block, Heading
 from kinegrade.worked.positions.parts import find_symbols, is_met
+from kinegrade.worked.rates.sliders import describe_sliders
 
 
 def describe_motions(case: Case, later: Iterable[Row], steps: Iterable[Step]) -> Iterator[Block]:
-    """Under its title, a sentence that says how each body moves, with the letter of its angular
-    velocity where a formula `later` refers to it or to its change, and that of this; that it rolls
-    where that is used, in one of the steps or because its point of contact is its pole.
+    """Under its title, a sentence that says how each body and slider moves, with the letter of its
+    angular velocity where a formula `later` refers to it or to its change, and that of this; that
+    it rolls where that is used, in one of the steps or because its point of contact is its pole.
     """
     mechanism, met = case.motion.frames.mechanism, find_symbols(later)
     used = frozenset(index for step in steps for index in step.relations)
     bodies = [body for body in mechanism.bodies if not body.particle]
     if bodies:
-        motions = (_describe_motion(body, mechanism, met, used, case) for body in bodies)
+        told = (_describe_motion(body, mechanism, met, used, case) for body in bodies)
+        motions = (*told, *describe_sliders(case))
         yield Heading(case.write(Message("solution.kinds")), 1)
         yield case.say(Message("solution.motion-list-closed", motions=list_statements(motions)))
 
