@@ -23,7 +23,7 @@ _PARTS = {
         r"\(t\)|（t|，t |n and t|n und t|n、t|angential accel|angentialbeschl|切向加速度"
     ),
 }
-_MEANT = re.compile(r"\$([^$]*)\$ ?[(（]")  # what stands before its meaning in brackets
+_MEANT = re.compile(r"\$([^$]*)\$( ?[(（])?")  # a formula, and whether its meaning follows
 # v_{A} &= ... = -2 m/s (to the left), the letter of a point alone
 _ALONG = re.compile(
     r"(?P<kind>[va])_\{[A-Z](?:_\{\w\})?'*\} &.*(?:=|\\approx) (?P<sign>-?)[\d.]+\\,\\unit\{[^}]*\}"
@@ -61,9 +61,8 @@ def find_negative_sizes(blocks: Sequence[Block], solution: Solution) -> Iterator
     sizes = {one.symbol for one in solution.template.asks.values() if one.sign == "magnitude"}
     symbols = {name_symbol(read_math(symbol, "test")) for symbol in sizes}
     texts = [block.text for block in blocks if isinstance(block, Prose)]
-    defined = {
-        name_symbol(read_math(one, "test")) for text in texts for one in _MEANT.findall(text)
-    }
+    formulas = (one for text in texts for one in _MEANT.findall(text))
+    defined = {name_symbol(read_math(formula, "test")) for formula, meant in formulas if meant}
     for part in read_page(blocks):
         match part:
             case Line(left, (*_, last)) if last.row[:1] == (Sign("-"),) and is_decimal(last.row):
