@@ -365,3 +365,27 @@ def test_a_number_shown_as_per_cent_is_read_so(tmp_path: Path) -> None:
     book.save(tmp_path / "share.xlsx")
     rows = read_workbook(tmp_path / "share.xlsx").rows
     assert [row.cell(0) for row in rows] == ["50%", "12.5%", "7%", "200%"]
+
+
+@pytest.mark.parametrize(
+    ("style", "read"),
+    [
+        ('0.00" km"', "1.25 km"),
+        (r"0.00\ \k\m", "1.25 km"),
+        ('0.0" m/s";[Red]-0.0" m/s"', "1.25 m/s"),
+        ('0.00"°"', "1.25 °"),
+        ('"about "0.00', "1.25"),
+        (r'#,##0.00\ "€"', "1.25"),
+        ("0.00E+00", "1.25"),
+        ('0" m"' + ";" * 255, "1.25"),
+    ],
+)
+def test_a_unit_that_a_cell_shows_is_read_with_it(tmp_path: Path, style: str, read: str) -> None:
+    """1.25 km counted as 1.25 m, without a word."""
+    written = Workbook()
+    written.active.append(["q1.s"])
+    written.active.append([1.25])
+    written.active["A2"].number_format = style
+    written.save(tmp_path / "shown.xlsx")
+    (row,) = read_workbook(tmp_path / "shown.xlsx").rows
+    assert row.cell(0) == read

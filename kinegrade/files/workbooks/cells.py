@@ -9,6 +9,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from datetime import date, datetime, time, timedelta
 from decimal import Decimal
+from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
@@ -22,6 +23,11 @@ _MOST_CHARACTERS = 30_000_000  # in all cells: one long text may be named by man
 _LONGEST_NUMBER = 10**15  # spreadsheets keep fifteen digits
 _ZEROS = re.compile(r"0{2,}")  # the number format of ids that keep their leading zeros
 _PERCENT = "%"
+_LONGEST_FORMAT = 255
+# Behind the last digit of a number format, up to that of negative numbers: words in quotes or
+# behind backslashes, which the spreadsheet shows and the cell does not hold
+_SHOWN_BEHIND = re.compile(r'[0#?]((?:[^0#?;"]|"[^"]*")*?)(?:;|$)')
+_WORDS = re.compile(r'"([^"]*)"|\\(.)')
 
 
 @dataclass(frozen=True, slots=True)
@@ -101,7 +107,7 @@ def read_cell(cell: Any) -> Cell:
 
 def _write_number(value: int | float, number_format: str) -> Cell:
     """The shortest digits of the number: what was typed, except for trailing zeros; as per cent
-    where it is shown so, which is another number.
+    where it is shown so, which is another number, and with the unit that is shown behind it.
     """
     if number_format.endswith(_PERCENT):
         return Cell(f"{(100 * Decimal(repr(value))).normalize():f}{_PERCENT}")
@@ -114,4 +120,18 @@ def _write_number(value: int | float, number_format: str) -> Cell:
     if whole is not None and whole >= 0 and _ZEROS.fullmatch(number_format):
         text = text.zfill(len(number_format))
     eaten = abs(value) >= _LONGEST_NUMBER
-    return Cell(text, Message("files.cell-digits") if eaten else None)
+    shown = f"{text} {_find_words_behind(number_format)}".rstrip()
+    return Cell(shown, Message("files.cell-digits") if eaten else None)
+
+
+@lru_cache(maxsize=64)
+def _find_words_behind(number_format: str) -> str:
+    """The words that a number format shows behind the digits, as a unit; "" where it has none, or
+    is longer than a spreadsheet program writes any.
+    """
+    if len(number_format) > _LONGEST_FORMAT:
+        return ""
+    behind = _SHOWN_BEHIND.search(number_format)
+    parts = _WORDS.findall(behind[1]) if behind else []
+    words = "".join(quoted or escaped for quoted, escaped in parts).strip()
+    return words if any(map(str.isalpha, words)) or "°" in words else ""
