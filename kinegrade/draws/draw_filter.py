@@ -40,7 +40,7 @@ from kinegrade.students.rounding.accuracy import Accuracy
 from kinegrade.students.rounding.rounding import Rounding, take_one
 
 if TYPE_CHECKING:
-    from kinegrade.numbers.pad import Doubles
+    from kinegrade.numbers.noting.pad import Doubles
     from kinegrade.students.separation import Separation
 
 # Combinations from which it is judged which mistakes can be kept apart from the truth

@@ -19,7 +19,7 @@ from kinegrade.mechanics.branches import BRANCHES, DIRECTED, Beside, Branch, mea
 from kinegrade.mechanics.shapes import Line
 from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.number import Arithmetic
-from kinegrade.numbers.text import write_decimal
+from kinegrade.numbers.rounded_text import write_decimal
 
 _PLAIN = re.compile(r"-?[0-9]+(\.[0-9]+)?")  # without a power of ten
 

@@ -11,7 +11,8 @@ from flint import arb, fmpq
 
 from kinegrade.numbers.angle import Angle
 from kinegrade.numbers.pi_multiple import multiply_by_pi
-from kinegrade.numbers.text import LATEX, write_angle, write_decimal, write_exact
+from kinegrade.numbers.rounded_text import write_decimal
+from kinegrade.numbers.text import LATEX, write_angle, write_exact
 from kinegrade.numbers.units import Unit
 
 if TYPE_CHECKING:

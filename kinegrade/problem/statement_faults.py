@@ -9,16 +9,12 @@ from kinegrade.errors import TemplateError
 from kinegrade.files.fields.place import key_path
 from kinegrade.language import Language
 from kinegrade.language.message import Fault, Message
-from kinegrade.numbers.text import write_decimal
+from kinegrade.numbers.rounded_text import write_decimal
 from kinegrade.problem.holding import choose_wording, condition_holds
 from kinegrade.problem.statement import list_statement_languages, list_written_texts
 from kinegrade.problem.template.domain import find_doubles
 from kinegrade.problem.template.driven import find_driven
-from kinegrade.problem.template.slots import (
-    find_slots,
-    find_slots_in_formulas,
-    find_units_behind,
-)
+from kinegrade.problem.template.slots import find_slots, find_slots_in_formulas, find_units_behind
 from kinegrade.problem.template.template import Parameter, Template
 
 _TRIED = 6  # values of all givens at which the words for either sense are compared

@@ -12,7 +12,7 @@ from itertools import pairwise
 from math import floor, log10
 from typing import Any
 
-from kinegrade.numbers.text import write_decimal
+from kinegrade.numbers.rounded_text import write_decimal
 from kinegrade.problem.given_values import find_parameter_values, read_values
 from kinegrade.problem.solving import solve_certified
 from kinegrade.problem.template.template import Parameter, Template

@@ -19,7 +19,7 @@ import numpy as np
 from kinegrade.errors import KinegradeError
 from kinegrade.mechanics.plan import Plan
 from kinegrade.numbers.floats import Floats
-from kinegrade.numbers.pad import Doubles
+from kinegrade.numbers.noting.pad import Doubles
 from kinegrade.problem.holding import find_room, is_surely_unmet
 from kinegrade.problem.template.template import Ask, Template
 from kinegrade.students.mistaking.mistake_kinds import Mistake, find_candidates

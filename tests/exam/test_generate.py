@@ -22,7 +22,7 @@ from kinegrade.exam.keyed_exam import read_whole
 from kinegrade.expressions.evaluation import evaluate, make_elementary_functions
 from kinegrade.expressions.reading import read_expression
 from kinegrade.numbers.balls import Balls
-from kinegrade.numbers.text import write_decimal
+from kinegrade.numbers.rounded_text import write_decimal
 from kinegrade.problem.template.library.library import find_shipped, load_template
 from tests.problem.crank import crank_text
 from tests.small_class import (

@@ -27,8 +27,8 @@ from kinegrade.numbers.balls import Balls
 from kinegrade.numbers.doubles import Doubles
 from kinegrade.numbers.field import Field
 from kinegrade.numbers.floats import Floats
-from kinegrade.numbers.noting import Noting
-from kinegrade.numbers.pad import Pad
+from kinegrade.numbers.noting.noting import Noting
+from kinegrade.numbers.noting.pad import Pad
 from kinegrade.numbers.refusals import Inexact
 from kinegrade.numbers.text import write_angle, write_exact
 

@@ -14,8 +14,9 @@ from hypothesis import strategies as st
 from mpmath import mp, mpf
 
 from kinegrade.numbers.elimination import Contradiction
-from kinegrade.numbers.field import MAX_LEVEL, Field, split_radicand, split_square
+from kinegrade.numbers.field import MAX_LEVEL, Field
 from kinegrade.numbers.refusals import Inexact, NegativeRoot
+from kinegrade.numbers.square_roots import split_radicand, split_square
 from kinegrade.numbers.surd import Surd, height
 from kinegrade.numbers.surd import sign as surd_sign
 from kinegrade.numbers.text import write_exact

@@ -7,8 +7,8 @@ from math import cos, radians, sin
 import numpy as np
 import pytest
 
-from kinegrade.numbers.noting import Noting
-from kinegrade.numbers.pad import Noted, Pad
+from kinegrade.numbers.noting.noting import Noting
+from kinegrade.numbers.noting.pad import Noted, Pad
 
 
 def pad(figures: int = 3) -> Pad:

@@ -15,8 +15,9 @@ from kinegrade.numbers.field import Field
 from kinegrade.numbers.floats import Floats
 from kinegrade.numbers.pi_multiple import PiMultiple
 from kinegrade.numbers.refusals import Inexact, NegativeRoot
+from kinegrade.numbers.rounded_text import write_decimal
 from kinegrade.numbers.symbolic import convert_to_sympy
-from kinegrade.numbers.text import LATEX, write_decimal, write_exact
+from kinegrade.numbers.text import LATEX, write_exact
 from kinegrade.numbers.units import Scale
 
 FIELD = Field()

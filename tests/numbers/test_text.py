@@ -18,7 +18,8 @@ from kinegrade.expressions.evaluation import evaluate, make_elementary_functions
 from kinegrade.expressions.reading import read_expression
 from kinegrade.numbers.angle import Angle
 from kinegrade.numbers.field import Field
-from kinegrade.numbers.text import LATEX, write_decimal, write_exact, write_multiple_of_pi
+from kinegrade.numbers.rounded_text import write_decimal
+from kinegrade.numbers.text import LATEX, write_exact, write_multiple_of_pi
 from tests.numbers.numbers import build, digits, rationals, towers
 
 Q = fmpq

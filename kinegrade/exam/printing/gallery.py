@@ -22,8 +22,8 @@ from kinegrade.figure.sketch import sketch
 from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.decimal_mark import write_decimals_of_prose
+from kinegrade.press.gallery_sheet import Gallery, GalleryDemands, GalleryEntry, GalleryFigure
 from kinegrade.press.legible import make_legible
-from kinegrade.press.sheet import Gallery, GalleryDemands, GalleryEntry, GalleryFigure
 from kinegrade.press.typst.press import TypstPress
 from kinegrade.problem.given import list_givens
 from kinegrade.problem.solution import Solution

@@ -20,8 +20,8 @@ from kinegrade.numbers.balls import Balls
 from kinegrade.numbers.field import Field
 from kinegrade.numbers.pi_multiple import split_pi
 from kinegrade.numbers.refusals import Inexact
+from kinegrade.numbers.rounded_text import find_bounds
 from kinegrade.numbers.surd import Surd
-from kinegrade.numbers.text import find_bounds
 
 PRECISION = 256
 _MOST_EXACT_ROOTS = 3  # with more of them, the tower of fields costs more than a ball

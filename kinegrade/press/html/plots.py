@@ -12,15 +12,8 @@ from typing import assert_never
 
 from markupsafe import Markup
 
-from kinegrade.press.class_sheet import (
-    Bar,
-    BoxPlot,
-    Histogram,
-    HistogramPlot,
-    Plot,
-    StackedBar,
-    Summary,
-)
+from kinegrade.press.class_charts import Bar, BoxPlot, Histogram, HistogramPlot, StackedBar, Summary
+from kinegrade.press.class_sheet import Plot
 
 _WIDTH = 640.0
 _LEFT, _RIGHT = 44.0, 12.0

@@ -13,12 +13,10 @@ from kinegrade.language.math.typst_equation import write_formula
 from kinegrade.language.message import Location
 from kinegrade.language.prose.typst import write_line
 from kinegrade.press.figure_text import describe_figure
+from kinegrade.press.gallery_sheet import Gallery, GalleryDemands, GalleryEntry, GalleryFigure
 from kinegrade.press.places import locate_part
-from kinegrade.press.sheet import Gallery, GalleryDemands, GalleryEntry, GalleryFigure, PaperSize
-from kinegrade.press.typst.layout_call import (
-    Sheet,
-    write_layout_call,
-)
+from kinegrade.press.sheet import PaperSize
+from kinegrade.press.typst.layout_call import Sheet, write_layout_call
 
 
 def write_gallery_source(gallery: Gallery, size: PaperSize = "a4") -> str:

@@ -19,11 +19,12 @@ from kinegrade.language.gathering import convert_each
 from kinegrade.language.message import Location, Message
 from kinegrade.language.typst_text import write_literal
 from kinegrade.press.binding.part import count_pages
+from kinegrade.press.gallery_sheet import Gallery
 from kinegrade.press.join import join_pages
 from kinegrade.press.legible import make_legible, make_owner_legible, make_owners_legible
 from kinegrade.press.places import GALLERY, KEY, locate_paper, locate_question, locate_solutions
 from kinegrade.press.protocol import Press, Printout
-from kinegrade.press.sheet import Gallery, KeyBook, Paper, PaperSize, SolutionSheet
+from kinegrade.press.sheet import KeyBook, Paper, PaperSize, SolutionSheet
 from kinegrade.press.typst.compiler import make_compiler
 from kinegrade.press.typst.faults import explain, find_boxed
 from kinegrade.press.typst.paper import write_paper_source

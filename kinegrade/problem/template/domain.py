@@ -14,7 +14,7 @@ from kinegrade.expressions.reading import MAX_LENGTH, read_expression, read_rati
 from kinegrade.files.fields.values import found
 from kinegrade.language.message import Message
 from kinegrade.numbers.balls import PRECISIONS, Balls
-from kinegrade.numbers.text import write_decimal
+from kinegrade.numbers.rounded_text import write_decimal
 
 _MAX_CHOICES = 2000
 _LARGEST = fmpq(10) ** 100  # what is worked out from such values still fits into doubles

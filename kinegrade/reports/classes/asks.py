@@ -13,7 +13,8 @@ from kinegrade.grading.verdict_names import name_verdict
 from kinegrade.grading.wording import Wording
 from kinegrade.language.catalogue import Catalogue
 from kinegrade.language.message import Listing, Message, list_plainly, list_statements
-from kinegrade.press.class_sheet import AskLine, Bar, StackedBar
+from kinegrade.press.class_charts import Bar, StackedBar
+from kinegrade.press.class_sheet import AskLine
 from kinegrade.reports.classes.figures import write_decimal, write_plain, write_share
 from kinegrade.reports.classes.item_statistics import (
     find_discriminations,
@@ -21,11 +22,7 @@ from kinegrade.reports.classes.item_statistics import (
     find_interval,
 )
 from kinegrade.reports.classes.tally import ClassTally
-from kinegrade.reports.classes.words import (
-    explain_verdict,
-    find_symbol,
-    name_question,
-)
+from kinegrade.reports.classes.words import explain_verdict, find_symbol, name_question
 
 _HARD, _EASY, _FLAT, _USUAL = 0.3, 0.9, 0.1, 0.3
 _WIDTH = 70.0  # pixels of the bar of a facility

@@ -9,7 +9,8 @@ from kinegrade.language.catalogue import Catalogue
 from kinegrade.language.message import Message
 from kinegrade.marks_folder.rows import ClassTotals, StudentTotal
 from kinegrade.numbers.amounts import write_amount
-from kinegrade.press.class_sheet import Bar, GradeLine, RankLine
+from kinegrade.press.class_charts import Bar
+from kinegrade.press.class_sheet import GradeLine, RankLine
 from kinegrade.reports.classes.figures import write_percent, write_share
 
 _MANY = 20  # of more grades only those are listed that somebody has

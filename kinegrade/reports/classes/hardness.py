@@ -15,7 +15,8 @@ from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.grading.wording import Wording
 from kinegrade.language.catalogue import Catalogue
 from kinegrade.language.message import Message, Text
-from kinegrade.press.class_sheet import BoxPlot, Hardness, Summary, Symbol, TrendLine
+from kinegrade.press.class_charts import BoxPlot, Summary
+from kinegrade.press.class_sheet import Hardness, Symbol, TrendLine
 from kinegrade.reports.classes.equal_hardness import (
     ENOUGH,
     SIGNIFICANT,
@@ -23,11 +24,7 @@ from kinegrade.reports.classes.equal_hardness import (
     compare_groups,
     find_parameter_trends,
 )
-from kinegrade.reports.classes.figures import (
-    write_decimal,
-    write_p,
-    write_trend,
-)
+from kinegrade.reports.classes.figures import write_decimal, write_p, write_trend
 from kinegrade.reports.classes.parts import list_parts, summarise_parts
 from kinegrade.reports.classes.predicted_hardness import judge_predictions
 from kinegrade.reports.classes.tally import ClassTally

@@ -14,7 +14,7 @@ from math import atanh, sqrt, tanh
 import numpy as np
 import numpy.typing as npt
 
-from kinegrade.press.class_sheet import Histogram, Summary
+from kinegrade.press.class_charts import Histogram, Summary
 
 Points = npt.NDArray[np.float64]
 _FEWEST = 3  # students: a correlation of two is always 1 or -1

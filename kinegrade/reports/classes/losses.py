@@ -7,7 +7,8 @@ from collections.abc import Iterator, Mapping
 
 from kinegrade.grading.wording import Wording
 from kinegrade.language.catalogue import Catalogue
-from kinegrade.press.class_sheet import Bar, LossLine, QuestionLosses
+from kinegrade.press.class_charts import Bar
+from kinegrade.press.class_sheet import LossLine, QuestionLosses
 from kinegrade.reports.classes.tally import ClassTally
 from kinegrade.reports.classes.words import describe_reason, find_symbol, name_question
 

@@ -15,12 +15,8 @@ from kinegrade.language.catalogue import Catalogue, open_catalogue
 from kinegrade.language.message import Message
 from kinegrade.marks_folder.folder import MarksFolder
 from kinegrade.marks_folder.layout import COMPLAINTS
-from kinegrade.press.class_sheet import (
-    ClassFigures,
-    ClassSheet,
-    HistogramPlot,
-    Summary,
-)
+from kinegrade.press.class_charts import HistogramPlot, Summary
+from kinegrade.press.class_sheet import ClassFigures, ClassSheet
 from kinegrade.press.html.class_report import write_class_report
 from kinegrade.reports.classes.asks import list_asks, list_legend
 from kinegrade.reports.classes.by_hand import list_hand_lines
@@ -33,11 +29,7 @@ from kinegrade.reports.classes.figures import (
 )
 from kinegrade.reports.classes.grades import count_grades, rank_students
 from kinegrade.reports.classes.hardness import judge_hardness
-from kinegrade.reports.classes.item_statistics import (
-    find_reliability,
-    make_histogram,
-    summarise,
-)
+from kinegrade.reports.classes.item_statistics import find_reliability, make_histogram, summarise
 from kinegrade.reports.classes.losses import list_losses
 from kinegrade.reports.classes.parts import list_parts
 from kinegrade.reports.classes.tally import ClassTally, tally

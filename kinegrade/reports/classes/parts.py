@@ -10,7 +10,8 @@ import numpy as np
 
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.language.catalogue import Catalogue
-from kinegrade.press.class_sheet import PartLine, Summary
+from kinegrade.press.class_charts import Summary
+from kinegrade.press.class_sheet import PartLine
 from kinegrade.reports.classes.figures import write_deviation, write_percent, write_share
 from kinegrade.reports.classes.item_statistics import summarise
 from kinegrade.reports.classes.tally import ClassTally

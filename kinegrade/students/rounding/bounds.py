@@ -18,8 +18,8 @@ from kinegrade.errors import KinegradeError
 from kinegrade.mechanics.plan import Plan
 from kinegrade.numbers.elimination import Singular
 from kinegrade.numbers.floats import Floats
-from kinegrade.numbers.noting import Noting
-from kinegrade.numbers.pad import DEGREE, Doubles, Noted, Pad, Swept
+from kinegrade.numbers.noting.noting import Noting
+from kinegrade.numbers.noting.pad import DEGREE, Doubles, Noted, Pad, Swept
 from kinegrade.problem.template.template import Ask, Template
 from kinegrade.students.mistaking.mistake_outcomes import find_outcomes
 from kinegrade.students.rounding.rounding import Rounding

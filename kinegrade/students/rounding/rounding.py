@@ -8,7 +8,7 @@ from math import inf
 from typing import TYPE_CHECKING, Generic, TypeVar
 
 if TYPE_CHECKING:
-    from kinegrade.numbers.pad import Doubles
+    from kinegrade.numbers.noting.pad import Doubles
 
 _Number = TypeVar("_Number", float, "Doubles")
 

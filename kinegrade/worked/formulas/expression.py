@@ -17,7 +17,7 @@ from typing import assert_never
 from kinegrade.expressions.reading import read_expression
 from kinegrade.expressions.tree import Call, Expression, Name, Operation, is_literal_zero
 from kinegrade.expressions.tree import Number as Literal
-from kinegrade.numbers.text import write_decimal
+from kinegrade.numbers.rounded_text import write_decimal
 from kinegrade.problem.quantity import is_short_decimal
 from kinegrade.worked.formulas.atoms import ZERO, Number, Tuple, add_terms, multiply_factors
 from kinegrade.worked.formulas.formula import Absolute, Formula, Function, FunctionName, Root

@@ -12,7 +12,7 @@ from kinegrade.expressions.tree import Call, Expression, Name, Operation, find_n
 from kinegrade.expressions.tree import Number as Literal
 from kinegrade.language.math.tree import Letter
 from kinegrade.numbers.field import Field
-from kinegrade.numbers.text import write_decimal
+from kinegrade.numbers.rounded_text import write_decimal
 from kinegrade.worked.formulas.atoms import Measured, Number, Symbol
 from kinegrade.worked.formulas.expression import Formulation
 from kinegrade.worked.formulas.formula import Formula

@@ -11,7 +11,8 @@ import re
 from typing import Any
 
 from kinegrade.numbers.angle import Angle
-from kinegrade.numbers.text import expand_radicals, write_decimal
+from kinegrade.numbers.rounded_text import write_decimal
+from kinegrade.numbers.text import expand_radicals
 from kinegrade.numbers.units import Unit, read_unit
 from kinegrade.problem.quantity import Quantity, express_in_unit
 from kinegrade.worked.formulas.atoms import ZERO, Exact, Measured, Number

@@ -20,7 +20,7 @@ from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.angle import Angle
 from kinegrade.numbers.balls import PRECISIONS, Balls, is_ball
 from kinegrade.numbers.refusals import Inexact
-from kinegrade.numbers.text import write_decimal
+from kinegrade.numbers.rounded_text import write_decimal
 from kinegrade.numbers.units import Unit, read_unit
 from kinegrade.problem.kinds.dimension import find_si_unit
 from kinegrade.problem.quantity import Quantity, express_in_unit
@@ -28,21 +28,12 @@ from kinegrade.worked.case import Case
 from kinegrade.worked.construction_steps import Step
 from kinegrade.worked.document import Prose
 from kinegrade.worked.formulas.atoms import AXES, Symbol
-from kinegrade.worked.formulas.equation import (
-    Equation,
-    Link,
-    drop_repetition,
-    equate,
-)
+from kinegrade.worked.formulas.equation import Equation, Link, drop_repetition, equate
 from kinegrade.worked.formulas.expression import STRUCTURAL, Formulation
 from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.leaves import formulate
 from kinegrade.worked.formulas.numbers import state_quantity, substitute
-from kinegrade.worked.formulas.symbols import (
-    join_letters,
-    name_coordinate,
-    name_point,
-)
+from kinegrade.worked.formulas.symbols import join_letters, name_coordinate, name_point
 from kinegrade.worked.positions.algebra import ZERO, Pair, make_positive
 from kinegrade.worked.positions.axes import Axes, choose_axes, length_of
 from kinegrade.worked.positions.parts import Derived

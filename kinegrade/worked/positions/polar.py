@@ -11,7 +11,7 @@ from typing import Literal, assert_never
 
 from kinegrade.expressions.tree import Call, Expression, Name, Number, Operation, find_names, walk
 from kinegrade.language.message import Message
-from kinegrade.numbers.text import write_decimal
+from kinegrade.numbers.rounded_text import write_decimal
 from kinegrade.problem.template.hints import Angle as Mark
 from kinegrade.worked.formulas.leaves import count_quarter_turns
 from kinegrade.worked.formulas.measures import bearing, is_zero

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from kinegrade.press.class_sheet import BoxPlot, Histogram, HistogramPlot, Summary
+from kinegrade.press.class_charts import BoxPlot, Histogram, HistogramPlot, Summary
 from kinegrade.press.html.plots import write_plot
 
 EQUAL = Summary(40, 50.0, 12.0, 0.0, 40.0, 50.0, 60.0, 100.0)

@@ -2,7 +2,7 @@
 of an elimination.
 
 It finds no answers; it follows the working of a right solution to see how far off rounding may put
-the results (`kinegrade.numbers.pad`).
+the results (`kinegrade.numbers.noting.pad`).
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ import numpy as np
 
 from kinegrade.numbers.elimination import Singular
 from kinegrade.numbers.floats import Floats
-from kinegrade.numbers.pad import NOTHING, Noted, Pad, Use
+from kinegrade.numbers.noting.pad import NOTHING, Noted, Pad, Use
 
 _Table = list[list[Any]]
 
