@@ -57,7 +57,7 @@ def test_a_composition_of_velocities() -> None:
         r"""
         Rotations are positive counter-clockwise. A vector's letter stands for its component in the direction given in its first table ($\perp$ with $\curvearrowleft$: turned
             counter-clockwise from what is named).
-        Calculations keep all digits: a number after $\approx$ is printed rounded, but counts in full where it is put in.
+        Numbers after $\approx$ are rounded, to more digits where a later line needs them; where they are put in, they count in full.
         Given: the angular velocity of the crank $O_{1}A$.
         \omega_{O_{1}A} &= 2\,\unit{rad/s}\quad\text{(counter-clockwise)}
         ## Composition of motions: moving point $A$, moving frame on $OB$

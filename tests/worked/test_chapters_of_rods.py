@@ -181,7 +181,7 @@ def test_a_rod_in_instantaneous_translation() -> None:
     assert read_chapter("# Velocities", solution) == as_read(
         r"""
         Rotations are positive counter-clockwise.
-        Calculations keep all digits: a number after $\approx$ is printed rounded, but counts in full where it is put in.
+        Numbers after $\approx$ are rounded, to more digits where a later line needs them; where they are put in, they count in full.
         Given: the angular velocity of $OA$.
         \omega_{OA} &= 2\,\unit{rad/s}\quad\text{(counter-clockwise)}
         ## $AB$: velocity pole

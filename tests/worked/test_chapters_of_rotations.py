@@ -64,7 +64,7 @@ def test_meshing_seen_from_the_carrier() -> None:
     assert read_chapter("# Velocities", solution) == as_read(
         r"""
         Rotations are positive counter-clockwise.
-        Calculations keep all digits: a number after $\approx$ is printed rounded, but counts in full where it is put in.
+        Numbers after $\approx$ are rounded, to more digits where a later line needs them; where they are put in, they count in full.
         Given: $\omega_{OA} = 2\,\unit{rad/s}\quad\text{(counter-clockwise)}$,
             $\omega_{\text{sun}} = -3\,\unit{rad/s}\quad\text{(clockwise)}$.
         ## The planet gear meshes with the sun gear
@@ -109,7 +109,7 @@ def test_a_given_relative_rate() -> None:
     assert read_chapter("# Velocities", solution) == as_read(
         r"""
         Rotations are positive counter-clockwise.
-        Calculations keep all digits: a number after $\approx$ is printed rounded, but counts in full where it is put in.
+        Numbers after $\approx$ are rounded, to more digits where a later line needs them; where they are put in, they count in full.
         Given: the angular velocity of the arm $OA$.
         \omega_{OA} &= 2\,\unit{rad/s}\quad\text{(counter-clockwise)}
         ## The given motion

@@ -77,7 +77,7 @@ def test_rolling_on_a_line() -> None:
     assert read_chapter("# Velocities", solution) == as_read(
         r"""
         Rotations are positive counter-clockwise.
-        Calculations keep all digits: a number after $\approx$ is printed rounded, but counts in full where it is put in.
+        Numbers after $\approx$ are rounded, to more digits where a later line needs them; where they are put in, they count in full.
         Given: the velocity of $C$.
         v_{C} &= 6\,\unit{m/s}\quad\text{(to the right)}
         ## The wheel rolls without slipping on a fixed straight track
@@ -137,7 +137,7 @@ def test_rolling_inside_a_circle() -> None:
     assert read_chapter("# Velocities", solution) == as_read(
         r"""
         Angular velocities $\omega$ and angular accelerations $\alpha$ are positive counter-clockwise.
-        Calculations keep all digits: a number after $\approx$ is printed rounded, but counts in full where it is put in.
+        Numbers after $\approx$ are rounded, to more digits where a later line needs them; where they are put in, they count in full.
         Given: the angular velocity of the wheel.
         \omega_{\text{wheel}} &= 3\,\unit{rad/s}\quad\text{(counter-clockwise)}
         ## The wheel rolls without slipping on a fixed circle
@@ -174,7 +174,7 @@ def test_a_centre_that_is_driven_on_its_circle() -> None:
     assert read_chapter("# Velocities", solution) == as_read(
         r"""
         Angular velocities $\omega$ and angular accelerations $\alpha$ are positive counter-clockwise.
-        Calculations keep all digits: a number after $\approx$ is printed rounded, but counts in full where it is put in.
+        Numbers after $\approx$ are rounded, to more digits where a later line needs them; where they are put in, they count in full.
         Given: the velocity of $A$ on its circle about $O$.
         v_{A} &= 6\,\unit{m/s}\quad\text{(counter-clockwise about }O\text{)}
         ## The wheel rolls without slipping on a fixed circle
@@ -210,7 +210,7 @@ def test_gears_with_fixed_axes() -> None:
         r"""
         Rotations are positive counter-clockwise. A vector's letter stands for its component in the direction given in its first table ($\perp$ with $\curvearrowleft$: turned
             counter-clockwise from what is named).
-        Calculations keep all digits: a number after $\approx$ is printed rounded, but counts in full where it is put in.
+        Numbers after $\approx$ are rounded, to more digits where a later line needs them; where they are put in, they count in full.
         Given: the angular velocity of the gear.
         \omega_{O} &= 2\,\unit{rad/s}\quad\text{(counter-clockwise)}
         ## 1. Composition of motions: moving point $C$, moving frame on the gear
