@@ -10,6 +10,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
+from itertools import permutations
 from pathlib import Path
 from typing import Literal, assert_never
 
@@ -43,6 +44,7 @@ from kinegrade.numbers.amounts import write_amount
 Preference = Literal["first", "last", "better"]
 _MADE_ANEW = (GRADES, PRINTED, MERGED)
 _OF_PEOPLE = (COMPLAINTS, KEPT)
+_AGAIN = Message("exam.mark-again")
 _OF_THE_FIRST = (SCALE, CORRECTIONS, EXAM)
 
 
@@ -84,6 +86,7 @@ class Merging:
     def write(self, target: Path) -> None:
         """Write the files of a marks folder into `target`, which exists. Raises TableError."""
         self._require_one_scale()
+        self._require_one_key()
         for file in TABLES:
             rows = list(self._list_rows(file))
             if file not in _MADE_ANEW and (rows or file in (ANSWERS, COMPLAINTS)):
@@ -111,6 +114,18 @@ class Merging:
             if each.scale is None  # without points by hand there are no grades yet
             for missing in describe_unmarked(str(each.path), each.open, each.lacking)
         ] or [Fault(str(each.path), what, do=Message("marks.same-scale")) for each in differing]
+        if faults:
+            raise TableError(*faults)
+
+    def _require_one_key(self) -> None:
+        """Raises TableError for markings of one exam of which some are by a key that was corrected
+        after them: one student's marks would be by that of now, another's by that of before.
+        """
+        faults = [
+            Fault(str(before.path), Message("marks.key-of-before", now=str(now.path)), do=_AGAIN)
+            for before, now in permutations(self.folders, 2)
+            if before.exam and before.exam == now.exam and before.corrections < now.corrections
+        ]
         if faults:
             raise TableError(*faults)
 

@@ -163,6 +163,24 @@ def test_marks_given_before_a_correction_of_the_key_are_not_used(exam: Path) -> 
     assert 'NEW/corrections.csv:2: corrections is "many" - expected a whole number' in damaged
 
 
+def test_marks_by_the_key_before_and_after_a_correction_are_not_merged(exam: Path) -> None:
+    folder = exam.parent
+    (folder / "answers.csv").write_text("student,q2.v_y\n007,4\n", encoding="utf-8")
+    mark = ("grade", exam, folder / "answers.csv", "-o")
+    assert kinegrade(*mark, folder / "OLD").exit_code in (0, 1)
+    assert correct(exam, OTHER_ANSWER, options=("--accept-changes",)).exit_code == 1
+    assert kinegrade(*mark, folder / "NEW").exit_code in (0, 1)
+    merge = ("--prefer", "better", "-o", folder / "ALL")
+    for both in (("OLD", "NEW"), ("NEW", "OLD")):
+        done = kinegrade("merge", *(folder / name for name in both), *merge)
+        assert done.exit_code == 2
+        assert done.stderr.splitlines()[0] == (
+            f"error: {folder}/OLD: has marks of the same exam as {folder}/NEW by a key that has "
+            "been corrected since - mark all answers again with kinegrade grade"
+        )
+    assert not (folder / "ALL").exists()
+
+
 def test_an_exam_beside_marks_tells_that_its_key_was_corrected(exam: Path) -> None:
     folder = exam.parent
     (folder / "answers.csv").write_text("student,q2.v_y\n007,4\n", encoding="utf-8")
