@@ -27,8 +27,9 @@ LOOKS = 400
 # 300 is, a class of 30 has its papers, whatever its secret
 PATIENCE = 2_000
 
-# Combinations in one part at most: enough for arrays to pay, few enough to busy several processes
-PART = 50
+# Combinations in one part at most: more at a time are looked at no faster, and several processes
+# are busy to the end of a round, for which the next one waits
+PART = 12
 
 
 @dataclass(frozen=True)

@@ -5,6 +5,7 @@ is one for each place while combinations last.
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from functools import cache, partial
 
@@ -13,7 +14,16 @@ from hypothesis import given
 from hypothesis import strategies as st
 from msgspec import structs
 
-from kinegrade.draws.deal import LOOKS, PART, Deal, deal, look_further, look_here
+from kinegrade.draws.deal import (
+    LOOKS,
+    PART,
+    Deal,
+    DeckPart,
+    Verdicts,
+    deal,
+    look_further,
+    look_here,
+)
 from kinegrade.draws.draw_filter import DrawFilter, Verdict
 from kinegrade.errors import DrawError
 from kinegrade.figure.scene import Scene
@@ -189,6 +199,18 @@ def test_a_deal_is_looked_at_further_from_where_it_ended() -> None:
     assert further.verdicts[: len(begun.verdicts)] == begun.verdicts
     assert len(further.positions) >= 25 == further.wanted
     assert (further.good, further.refused) == (begun.good, begun.refused)
+
+
+def test_a_few_more_are_looked_at_in_several_parts() -> None:
+    filters = {"q1": cranks(r=("1", "2"), h=("1/2", "1", "2"), omega=ONE_TO_SIXTY)}
+    counts: list[int] = []
+
+    def look(parts: Sequence[DeckPart]) -> Iterator[Verdicts]:
+        counts.append(len(parts))
+        return look_here(filters, parts)
+
+    look_further(filters, {"q1": Deal(360, 30)}, look)
+    assert counts[0] >= 2  # for two processes, of which none looks on while the other works
 
 
 VANISHING = ('sign = "+x", points', 'sign = "+x", vanishes = true, points')

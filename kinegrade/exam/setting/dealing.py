@@ -33,7 +33,7 @@ from kinegrade.exam.setting.setting import DealtPaper, Exam, SetPaper, set_paper
 from kinegrade.language.message import Fault, Message, list_plainly
 from kinegrade.processes.executor import Shared, map_in_order
 
-_AHEAD = 8  # parts of decks that are under way or wait
+_AHEAD = 32  # parts of decks that are under way or wait
 _NOTHING: Mapping[str, KeyLine] = MappingProxyType({})
 
 
