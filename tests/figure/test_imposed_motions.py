@@ -59,6 +59,23 @@ def test_a_straight_acceleration_points_as_it_is_imposed() -> None:
     assert senses == [True, False, False]
 
 
+def test_each_of_two_motions_of_a_point_points_as_its_own_driver_has_it() -> None:
+    """Both pointed along the first."""
+    mechanism, hints = slider_crank(0.2, 1.75, 60)
+    drivers = (
+        Component("A", "AB", Vector(1.0, 0.0), -2.0, 0.0),
+        Component("A", "AB", Vector(0.0, 1.0), 3.0, 0.0),
+    )
+    both = tuple(Moving(letter, "A", driver=number) for number, letter in enumerate("uw"))
+    scene = sketch(replace(mechanism, drivers=drivers), replace(hints, arrows=both))
+    ways = set()
+    for head in heads(scene):
+        tip, *feet = head.corners
+        away = tip - (feet[0] + feet[1]) * 0.5
+        ways.add((round(away.x / hypot(*away)), round(away.y / hypot(*away))))
+    assert ways == {(-1, 0), (0, 1)}
+
+
 def test_a_rotation_relative_to_a_body_starts_on_that_body_at_their_pin() -> None:
     mechanism, hints = slider_crank(0.2, 1.75, 60)
     arrow = Turning(r"\omega_r", "AB", None, "velocity", "OA")

@@ -53,7 +53,8 @@ def _find_turning(mechanism: Mechanism, arrow: Turning) -> TurningBody | None:
 
 
 def _find_moving(mechanism: Mechanism, arrow: Moving) -> MovingPoint | None:
-    for driver in mechanism.drivers:
+    drivers = mechanism.drivers if arrow.driver is None else (mechanism.drivers[arrow.driver],)
+    for driver in drivers:
         motion = find_given_motion(mechanism.points, driver, arrow.level)
         if isinstance(motion, MovingPoint) and motion.point == arrow.point:
             return motion

@@ -119,9 +119,10 @@ def _list_arrows(template: Template) -> Iterator[Turning | Moving]:
     the author's other arrows.
     """
     told = {_identify(arrow): arrow for arrow in template.figure.arrows}
-    for sentence in template.scheme.drivers:
+    for number, sentence in enumerate(template.scheme.drivers):
         for level, rate in _list_rates(sentence):
-            imposed = _make_arrow(_name_rate(rate, template.parameters), sentence, level)
+            symbol = _name_rate(rate, template.parameters)
+            imposed = _make_arrow(symbol, sentence, level, number)
             hint = told.pop(_identify(imposed), imposed)
             if hint.symbol:
                 yield replace(imposed, symbol=hint.symbol)
@@ -149,7 +150,9 @@ def _name_rate(rate: Expression, parameters: Mapping[str, Parameter]) -> str:
     return ""
 
 
-def _make_arrow(symbol: str, sentence: DriverSentence, level: Level) -> Turning | Moving:
+def _make_arrow(
+    symbol: str, sentence: DriverSentence, level: Level, driver: int
+) -> Turning | Moving:
     if sentence.stated.TURNS:
         return Turning(symbol, sentence.body, None, level, sentence.of)
-    return Moving(symbol, sentence.point, None, level)
+    return Moving(symbol, sentence.point, None, level, driver)

@@ -114,12 +114,15 @@ class Turning:
 
 @dataclass(frozen=True)
 class Moving:
-    """A straight arrow at a point, towards a side or a point; else as the imposed motion has it."""
+    """A straight arrow at a point, towards a side or a point; else as the imposed motion has it:
+    that of the `driver` of this number, or of the first that moves the point.
+    """
 
     symbol: str
     point: str
     along: str | None = None
     level: Level = "velocity"
+    driver: int | None = None
 
 
 @dataclass(frozen=True)
