@@ -239,6 +239,16 @@ def test_a_wenjuanxing_questionnaire(tmp_path: Path) -> None:
         responses(tmp_path, csv_text(("序号", "x")), "wjx")
 
 
+def test_what_wenjuanxing_writes_for_nothing_is_nothing(tmp_path: Path) -> None:
+    """It was an unreadable answer, and who left all empty was present."""
+    header = (*WJX, "1、学号", "2、速度", "3、角速度", "4、加速度")
+    sent = ("1", "2026/5/1 10:00:00", "60秒", "链接", "直接访问", "127.0.0.1")
+    row = (*sent, "0012345", "(空)", "（跳过）", " (跳过) ")
+    read = responses(tmp_path, csv_text(header, row))
+    assert cells(read)[1] == ("0012345", "", "", "")
+    assert told(read) == []
+
+
 @pytest.mark.parametrize("kind", ["csv", "xlsx"])
 def test_the_answer_sheet_goes_on_as_it_is(tmp_path: Path, kind: str) -> None:
     rows = [
