@@ -43,8 +43,10 @@ class Formulation:
     def state(self, tree: Expression, angular: bool = False) -> Formula:
         """The formula of an expression."""
         found = self.leaf(tree, angular)
-        if found is not None:
-            return found
+        return self._take_apart(tree, angular) if found is None else found
+
+    def _take_apart(self, tree: Expression, angular: bool) -> Formula:
+        """The formula of an expression that is no leaf."""
         match tree:
             case Literal():
                 return _state_literal(tree)
@@ -65,33 +67,32 @@ class Formulation:
             case "*" | "/":
                 return self._state_product(tree, angular)
             case "+" | "-":
-                terms = self._list_terms(tree, angular)
+                terms = self._split_sum(tree, angular)
                 return add_terms(term for term in terms if term.size != ZERO)
             case _:
                 assert_never(tree.sign)
 
     def _list_terms(self, tree: Expression, angular: bool) -> Iterator[Formula]:
-        """The terms of a sum; brackets after a plus are dropped, and a unary minus belongs to the
-        term after it.
-        """
-        if self.leaf(tree, angular) is not None or not isinstance(tree, Operation):
-            yield self.state(tree, angular)
-            return
-        match tree.sign:
-            case "+":
-                yield from () if is_literal_zero(tree) else self._list_terms(tree.left, angular)
-                yield from self._list_terms(tree.right, angular)
-            case "-":
-                yield from () if is_literal_zero(tree) else self._list_terms(tree.left, angular)
-                yield -self.state(tree.right, angular)
-            case "*" | "/" | "**":
-                yield self.state(tree, angular)
-            case _:
-                assert_never(tree.sign)
+        """The terms of what may be a sum; brackets after a plus are dropped."""
+        found = self.leaf(tree, angular)
+        if found is not None:
+            yield found
+        elif isinstance(tree, Operation) and tree.sign in ("+", "-"):
+            yield from self._split_sum(tree, angular)
+        else:
+            yield self._take_apart(tree, angular)
+
+    def _split_sum(self, tree: Operation, angular: bool) -> Iterator[Formula]:
+        """The terms of a sum or a difference; a unary minus belongs to the term after it."""
+        yield from () if is_literal_zero(tree) else self._list_terms(tree.left, angular)
+        if tree.sign == "+":
+            yield from self._list_terms(tree.right, angular)
+        else:
+            yield -self.state(tree.right, angular)
 
     def _state_product(self, tree: Operation, angular: bool) -> Formula:
         """Factors side by side, over the divisors if there are any, with all signs in front."""
-        above, below = self._list_factors(tree, angular)
+        above, below = self._split_product(tree, angular)
         formula = multiply_factors(factor.size for factor in above)
         if below:
             formula = formula / multiply_factors(factor.size for factor in below)
@@ -99,14 +100,23 @@ class Formulation:
 
     def _list_factors(self, tree: Expression, angular: bool) -> tuple[list[Formula], list[Formula]]:
         """The factors of the numerator and of the denominator."""
-        if self.leaf(tree, angular) is not None or not isinstance(tree, Operation):
-            return [self.state(tree, angular)], []
+        found = self.leaf(tree, angular)
+        if found is not None:
+            return [found], []
+        if not isinstance(tree, Operation):
+            return [self._take_apart(tree, angular)], []
+        return self._split_product(tree, angular)
+
+    def _split_product(
+        self, tree: Operation, angular: bool
+    ) -> tuple[list[Formula], list[Formula]]:
+        """The same of an operation that is no leaf."""
         match tree.sign:
             case "-" if is_literal_zero(tree):
                 (first, *more), below = self._list_factors(tree.right, angular)
                 return [-first, *more], below
             case "+" | "-" | "**":
-                return [self.state(tree, angular)], []
+                return [self._take_apart(tree, angular)], []
             case "*":
                 if tree.left == _ONE:
                     return self._list_factors(tree.right, angular)

@@ -197,6 +197,9 @@ def name_acute(ends: tuple[str, str], case: Case) -> Symbol:
 
 def _find_same_line(ends: tuple[str, str], case: Case) -> tuple[str, str] | None:
     """Two points of the line through `ends` whose angle has been found, `ends` first."""
+    for order in (ends, ends[::-1]):
+        if order in case.findings.inclined:
+            return order
     points = case.motion.points
     start, way = points[ends[0]], points[ends[1]] - points[ends[0]]
 
@@ -204,7 +207,7 @@ def _find_same_line(ends: tuple[str, str], case: Case) -> tuple[str, str] | None
         return not double(way.cross(points[point] - start))
 
     found = (pair for pair in case.findings.inclined if all(map(lies, pair)))
-    return min(found, key=lambda pair: ({*pair} != {*ends}, pair != ends, pair), default=None)
+    return min(found, default=None)
 
 
 def is_direction_told(part: Part, case: Case) -> bool:
