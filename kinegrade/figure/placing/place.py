@@ -12,7 +12,7 @@ from msgspec.structs import replace
 from numpy.typing import NDArray
 
 from kinegrade.figure.placing.extent import measure_symbol
-from kinegrade.figure.placing.obstacles import Obstacles, Segment
+from kinegrade.figure.placing.obstacles import COST_THIN, Obstacles, Segment
 from kinegrade.figure.plane import length, polar
 from kinegrade.figure.scene import Bow, Label
 from kinegrade.mechanics.vector import Vector
@@ -110,7 +110,7 @@ def measure_gap(one: Label, other: Label) -> float:
 def is_covered(label: Label, obstacles: Obstacles) -> bool:
     """Whether something is under a label, or too close to it."""
     width, height = (size + 2 * CLEARANCE for size in (label.width, label.height))
-    return obstacles.under_box(*label.centre, width, height) > 0
+    return obstacles.under_box(*label.centre, width, height, COST_THIN) > 0
 
 
 def measure_crowding(wish: Wish, obstacles: Obstacles, enough: float = inf) -> float:

@@ -7,9 +7,10 @@ from itertools import product
 
 import numpy as np
 
+from kinegrade.figure.placing.extent import measure_symbol
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.placing.letters import trace_leader
-from kinegrade.figure.placing.obstacles import COST_FIRM, Obstacles, Segment
+from kinegrade.figure.placing.obstacles import COST_FIRM, Bounds, Obstacles, Segment
 from kinegrade.figure.placing.place import Wish, is_covered
 from kinegrade.figure.plane import length
 from kinegrade.figure.scene import THIN, Label, Strokes
@@ -18,6 +19,7 @@ from kinegrade.mechanics.vector import Vector
 
 _WAYS = np.arange(0.0, 2 * np.pi, np.pi / 12)  # directions from an arrow
 _OFF = np.arange(4.5, 15.0, 0.9)  # millimetres from there to the middle of a symbol
+_STEPS = (np.stack((np.cos(_WAYS), np.sin(_WAYS)), axis=1) * _OFF[:, None, None]).reshape(-1, 2)
 _SHARES = (0.5, 0.3, 0.7)  # of an arrow, where a line may meet it
 # Millimetres, and of a short arrow: a line that meets an arrow nearer to another might be of either
 _APART, _APART_SHARE = (0.7, 0.2)
@@ -37,8 +39,8 @@ def write_symbol(
     if beside.crowded == layout.crowded and _measure_gap(beside.labels[-1], arrow) < _FAR:
         return beside
     for foot in _find_feet(arrow, [other for other in arrows if other is not arrow]):
-        for label, line in _list_leaders(arrow.symbol, foot):
-            if _is_free(label, line, layout.obstacles, crossed):
+        for label, line in _list_leaders(arrow.symbol, foot, layout.obstacles):
+            if layout.obstacles.along((line,), shared=False) <= crossed:
                 spot = Wish(arrow.symbol, np.array([label.centre]))
                 leader = Strokes(((line[0], foot),), THIN)
                 return layout.written((spot,)).drawn((leader,))
@@ -61,19 +63,25 @@ def _find_feet(arrow: VectorArrow, others: Sequence[VectorArrow]) -> Iterator[Ve
             yield foot
 
 
-def _list_leaders(symbol: str, foot: Vector) -> Iterator[tuple[Label, Segment]]:
-    """Places that stand off from a point of an arrow, the nearest first, and the lines from there
-    to just before it.
+def _list_leaders(
+    symbol: str, foot: Vector, obstacles: Obstacles
+) -> Iterator[tuple[Label, Segment]]:
+    """Free places that stand off from a point of an arrow, the nearest first, and the lines from
+    there to just before it.
     """
-    steps = np.stack((np.cos(_WAYS), np.sin(_WAYS)), axis=1) * _OFF[:, None, None]
-    wish = Wish(symbol, np.array(foot) + steps.reshape(-1, 2))
+    wish = Wish(symbol, np.array(foot) + _STEPS)
+    around = obstacles.near(_find_bounds(wish))
     for place in range(len(wish.spots)):
         label = wish.label_at(place)
+        if is_covered(label, around):
+            continue
         line = trace_leader(label, foot, amid=True)
         if line:
             yield label, line
 
 
-def _is_free(label: Label, line: Segment, obstacles: Obstacles, crossed: float) -> bool:
-    """Whether nothing is under a label, and no more than that is crossed by its line."""
-    return not is_covered(label, obstacles) and obstacles.along((line,), shared=False) <= crossed
+def _find_bounds(wish: Wish) -> Bounds:
+    """The box around a symbol at all of its places, with more than what is kept free around it."""
+    width, height = measure_symbol(wish.symbol)
+    (left, bottom), (right, top) = wish.spots.min(axis=0).tolist(), wish.spots.max(axis=0).tolist()
+    return left - width, bottom - height, right + width, top + height

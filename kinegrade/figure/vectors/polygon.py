@@ -13,6 +13,7 @@ from msgspec.structs import replace
 
 from kinegrade.figure.mechanism.fitting import Room, make_scene
 from kinegrade.figure.placing.layout import Layout
+from kinegrade.figure.placing.place import Wish
 from kinegrade.figure.plane import length
 from kinegrade.figure.scene import Disc, Scene
 from kinegrade.figure.vectors.arrows import VectorArrow, put_around
@@ -137,33 +138,37 @@ def _name_arrows(arrows: Sequence[VectorArrow], lettered: Mapping[str, Vector]) 
     """
     corners = list_corners(arrows)
     letters = [wish_letter(*one, corners) for one in lettered.items()]
+    wishes = [(arrow, arrow.wish_beside(arrows)) for arrow in arrows]
+    wishes.sort(key=lambda wished: length(wished[0].end - wished[0].start))
     parts = (part for arrow in arrows for part in arrow.primitives())
     bare = Layout.of((*parts, Disc(_ZERO, 0.5, None, "black")))
     found: list[Layout] = []
     for crossed, letters_first in product((NOTHING, ONE_ARROW), (False, True)):
         early, late = (letters, ()) if letters_first else ((), letters)
-        layout = _write_symbols(bare.written(early), arrows, crossed).written(late)
+        layout = _write_symbols(bare.written(early), wishes, crossed).written(late)
         found.append(layout)
         if not layout.crowded:
             break
     return min(found, key=lambda layout: len(layout.crowded))
 
 
-def _write_symbols(bare: Layout, arrows: Sequence[VectorArrow], crossed: float) -> Layout:
+def _write_symbols(
+    bare: Layout, wishes: Sequence[tuple[VectorArrow, Wish]], crossed: float
+) -> Layout:
     """The layout with all symbols, starting with the shortest arrow: it has the fewest places to
     choose from. Symbols that find no place of their own start the next time, and the rest have
     what is left.
     """
-    order = sorted(arrows, key=lambda arrow: length(arrow.end - arrow.start))
+    order, arrows = list(wishes), [arrow for arrow, _ in wishes]
     layout, crowded = bare, bare.crowded
     for _ in range(_TRIES):
         layout = bare
-        for arrow in order:
-            layout = write_symbol(layout, arrow, arrows, crossed, arrow.wish_beside(arrows))
+        for arrow, wish in order:
+            layout = write_symbol(layout, arrow, arrows, crossed, wish)
         if len(layout.crowded) == len(bare.crowded) or layout.crowded == crowded:
             break
         crowded = layout.crowded
-        order.sort(key=lambda arrow: arrow.symbol not in crowded)
+        order.sort(key=lambda wished: wished[0].symbol not in crowded)
     return layout
 
 

@@ -107,9 +107,7 @@ class Formulation:
             return [self._take_apart(tree, angular)], []
         return self._split_product(tree, angular)
 
-    def _split_product(
-        self, tree: Operation, angular: bool
-    ) -> tuple[list[Formula], list[Formula]]:
+    def _split_product(self, tree: Operation, angular: bool) -> tuple[list[Formula], list[Formula]]:
         """The same of an operation that is no leaf."""
         match tree.sign:
             case "-" if is_literal_zero(tree):

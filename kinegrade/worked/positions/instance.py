@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 from contextlib import suppress
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import Any
 
 from kinegrade.expressions.evaluation import evaluate, make_elementary_functions
@@ -82,11 +83,21 @@ class Instance:
         )
         if not mixed:
             with suppress(Inexact), self.arithmetic.context():
-                return _evaluate_in(tree, self.values, self.arithmetic)
+                return self._exactly.evaluate(tree)
+        with Balls(PRECISIONS[0]).context():
+            return self._enclosed.evaluate(tree)
+
+    @cached_property
+    def _exactly(self) -> _Evaluation:
+        """The values as they are."""
+        return _Evaluation.of(self.values, self.arithmetic)
+
+    @cached_property
+    def _enclosed(self) -> _Evaluation:
+        """The values as enclosures."""
         balls = Balls(PRECISIONS[0])
-        with balls.context():
-            enclosed = {name: _enclose(value, balls) for name, value in self.values.items()}
-            return _evaluate_in(tree, enclosed, balls)
+        enclosed = {name: _enclose(value, balls) for name, value in self.values.items()}
+        return _Evaluation.of(enclosed, balls)
 
     def sign(self, tree: Expression) -> int:
         """The sign of an expression's value: -1, 0 or 1."""
@@ -208,14 +219,27 @@ def add_steps(instance: Instance, more: Iterable[Step]) -> Instance:
     return instance
 
 
-def _evaluate_in(tree: Expression, values: Mapping[str, Any], arithmetic: Any) -> Any:
-    """The value of an expression in one arithmetic."""
-    points = {name: value for name, value in values.items() if isinstance(value, Vector)}
-    functions: dict[str, Callable[..., Any]] = {
-        **make_elementary_functions(arithmetic),
-        **make_constructions(arithmetic, points),
-    }
-    return evaluate(tree, values, functions, arithmetic)
+@dataclass(frozen=True)
+class _Evaluation:
+    """How expressions are evaluated in one arithmetic: the values of names, and functions."""
+
+    values: Mapping[str, Any]
+    functions: Mapping[str, Callable[..., Any]]
+    arithmetic: Any
+
+    @staticmethod
+    def of(values: Mapping[str, Any], arithmetic: Any) -> _Evaluation:
+        """The evaluation with elementary functions, and constructions of the points."""
+        points = {name: value for name, value in values.items() if isinstance(value, Vector)}
+        functions: dict[str, Callable[..., Any]] = {
+            **make_elementary_functions(arithmetic),
+            **make_constructions(arithmetic, points),
+        }
+        return _Evaluation(values, functions, arithmetic)
+
+    def evaluate(self, tree: Expression) -> Any:
+        """The value of an expression."""
+        return evaluate(tree, self.values, self.functions, self.arithmetic)
 
 
 def _has_ball(value: Any) -> bool:
