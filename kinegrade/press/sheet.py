@@ -158,7 +158,7 @@ class KeyBook:
                 return
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)  # one is itself alone: quick to look up
 class WorkedQuestion:
     """A question of a student's paper with its worked solution."""
 

@@ -9,7 +9,8 @@ from dataclasses import dataclass, replace
 from typing import assert_never
 
 from kinegrade.press.sheet import WorkedQuestion
-from kinegrade.press.solutions.chains import Chain, Placed, chain_blocks, join_sentences
+from kinegrade.press.solutions.chains import Chain
+from kinegrade.press.solutions.content import Drawings, find_content
 from kinegrade.press.solutions.drawing_rows import Drawing, DrawingRow
 from kinegrade.press.solutions.row_choice import choose_row, measure_passage
 from kinegrade.press.solutions.settings import (
@@ -18,7 +19,7 @@ from kinegrade.press.solutions.settings import (
     add_heights,
     find_beginning,
 )
-from kinegrade.worked.document import Heading, Pictures, Prose, TermTable
+from kinegrade.worked.document import Heading, TermTable
 
 _MASTHEAD, _QUESTION_HEAD = 4.0, 8.0  # millimetres at the top of the first page, of a question
 
@@ -118,12 +119,10 @@ class _Filling:
 
 def _arrange(question: WorkedQuestion, filling: _Filling) -> Iterator[Part]:
     """The statement beside its figure, both on one page, then all else."""
-    statement = (Placed(Prose(question.statement), stays=False),)
-    items = (statement, *chain_blocks(tuple(join_sentences(question.blocks))))
-    place = 0
-    if question.figure is not None:
+    content = find_content(question)
+    items, figure, place = content.items, content.figure, 0
+    if figure is not None:
         chains = list(_take_text(items))
-        figure = Drawing(question.figure, None, question.title)
         row, place = choose_row((figure,), chains, filling.area.column)
         yield from filling.place([replace(row, whole=True)])
     heading: Chain = ()  # what stays beside the drawings that follow
@@ -137,11 +136,11 @@ def _arrange(question: WorkedQuestion, filling: _Filling) -> Iterator[Part]:
                 above = item if stays and isinstance(item[-1].block, TermTable) else ()
                 heading = item if stays and not above else ()
                 yield from filling.place_chain(item if not stays else ())
-            case Pictures():
+            case Drawings(drawings):
                 chains = list(_take_section(items[place:]))
                 if not chains:
                     yield from filling.place_chain(heading)
-                drawings, passage = _list_drawings(item), _prepend(heading, chains)
+                passage = _prepend(heading, chains)
                 if above and _saves_room(drawings, above, chains, filling):
                     passage = (above, *chains)
                     place += (yield from _set_passage(drawings, passage, filling, ())) - 1
@@ -153,17 +152,13 @@ def _arrange(question: WorkedQuestion, filling: _Filling) -> Iterator[Part]:
     yield from filling.place_chain(heading)
 
 
-def _list_drawings(pictures: Pictures) -> tuple[Drawing, ...]:
-    return tuple(Drawing(each.scene, each.caption, each.caption) for each in pictures.pictures)
-
-
-def _take_text(items: Iterable[Chain | Pictures]) -> Iterator[Chain]:
+def _take_text(items: Iterable[Chain | Drawings]) -> Iterator[Chain]:
     """The chains before the next drawings."""
     for item in items:
         match item:
             case tuple():
                 yield item
-            case Pictures():
+            case Drawings():
                 return
             case _:
                 assert_never(item)
@@ -174,7 +169,7 @@ def _prepend(heading: Chain, chains: Sequence[Chain]) -> tuple[Chain, ...]:
     return ((*heading, *chains[0]), *chains[1:]) if chains else ()
 
 
-def _take_section(items: Iterable[Chain | Pictures]) -> Iterator[Chain]:
+def _take_section(items: Iterable[Chain | Drawings]) -> Iterator[Chain]:
     """The chains that may stand beside drawings before them: up to the next chapter, or
     to what stays with the next drawings.
     """

@@ -17,7 +17,7 @@ _CAPTION, _HIGHER = 9.5, 4.0
 _AROUND = 4.0  # millimetres above and below a row with drawings
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)  # one is itself alone: quick to look up
 class Drawing:
     """A picture with its caption, or the question's figure, which has none; `narrow` where the
     caption leaves text more room beside it.

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from functools import lru_cache
 from itertools import pairwise
 
 from kinegrade.press.solutions.chains import Chain
@@ -34,6 +35,15 @@ def choose_row(
     how many of the chains stand beside it. Where none would, captions are narrow, then equations
     are folded.
     """
+    return _choose_row(drawings, tuple(chains), page)
+
+
+@lru_cache(
+    maxsize=512
+)  # it is asked whether a table saves room beside drawings, then how they stand
+def _choose_row(
+    drawings: tuple[Drawing, ...], chains: tuple[Chain, ...], page: Column
+) -> tuple[DrawingRow, int]:
     narrow = tuple(replace(drawing, narrow=True) for drawing in drawings)
     for shown, folds in ((drawings, False), (narrow, False), (narrow, True)):
         row, taken = _choose_lowest(shown, chains, page, folds=folds)
