@@ -224,6 +224,7 @@ def _write_lines(name: EnvironmentName, row: Row) -> str:
             assert_never(name)
 
 
+@lru_cache(maxsize=2048)  # symbols with their indices, which formulas have again and again
 def _write_scripts(node: Scripts, matched: bool) -> str:
     written = _write_base(node.base, matched) + "'" * node.primes
     if node.lower is not None:

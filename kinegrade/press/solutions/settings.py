@@ -137,11 +137,17 @@ class Column:
 
     def set_each(self, chain: Chain) -> Iterator[Setting]:
         """The settings one by one."""
+        usual = Column(self.width, self.script, USUAL, self.folds)
+        for body, stays in _join_chain(usual, chain):
+            yield Setting(body, stays, self._estimate_height(body))
+
+    def join_each(self, chain: Chain) -> Iterator[tuple[Body, bool]]:
+        """What is set, piece by piece, and whether it stays, however far apart it is."""
         place = 0
         while place < len(chain):
             body, taken = self._join([placed.block for placed in chain[place : place + 3]])
             place += taken
-            yield Setting(body, chain[place - 1].stays, self._estimate_height(body))
+            yield body, chain[place - 1].stays
 
     def _join(self, blocks: Sequence[TextBlock]) -> tuple[Body, int]:
         """What the first of some blocks becomes, and how many of them it holds."""
@@ -208,6 +214,11 @@ class Column:
 @lru_cache(maxsize=1024)  # each is tried beside one drawing, then another
 def _set_chain(column: Column, chain: Chain) -> tuple[Setting, ...]:
     return tuple(column.set_each(chain))
+
+
+@lru_cache(maxsize=1024)  # as usual, and tighter
+def _join_chain(column: Column, chain: Chain) -> tuple[tuple[Body, bool], ...]:
+    return tuple(column.join_each(chain))
 
 
 def fits(setting: Setting) -> bool:

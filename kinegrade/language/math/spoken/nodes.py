@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import lru_cache
 from typing import assert_never
 
 from kinegrade.language.catalogue import Catalogue
@@ -194,6 +195,7 @@ def _say_bracket(words: Catalogue, bracket: str) -> str:
     return "" if bracket == "." else _say_sign(words, bracket)
 
 
+@lru_cache(maxsize=2048)  # symbols with their indices, which formulas have again and again
 def _say_scripts(words: Catalogue, node: Scripts) -> str:
     return " ".join(_list_scripts(words, node))
 

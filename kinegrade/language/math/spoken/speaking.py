@@ -9,6 +9,7 @@ sound alike.
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 from functools import lru_cache
 from unicodedata import east_asian_width
 
@@ -19,7 +20,6 @@ from kinegrade.language.math.spoken.nodes import say
 from kinegrade.language.math.tree import Row
 from kinegrade.language.message import Location
 
-_BLANKS = re.compile(r"\s+")
 _BEFORE_PAUSE = re.compile(r"\s+(?=[,;，；])")
 _PAUSES = re.compile(r"([,;，；])(?:\s*[,;，；])+")
 _WIDE_PAUSES = "，；"
@@ -55,12 +55,16 @@ def speak_row(row: Row, language: Language) -> str:
 
 def _tidy(words: str) -> str:
     """One line, with blanks where the script has them and one pause where several meet."""
-    pieces = _BLANKS.split(words.strip())
-    joined = ""
-    for piece in filter(None, pieces):
-        joined += piece if _meet_closely(joined[-1:], piece[:1]) else f" {piece}"
+    joined = " ".join(words.split()) if words.isascii() else _join_scripts(words.split())
     paused = _PAUSES.sub(r"\1", _BEFORE_PAUSE.sub("", joined))
     return paused.strip(_ENDS)
+
+
+def _join_scripts(pieces: Iterable[str]) -> str:
+    joined = ""
+    for piece in pieces:
+        joined += piece if _meet_closely(joined[-1:], piece[:1]) else f" {piece}"
+    return joined
 
 
 def _meet_closely(before: str, after: str) -> bool:
