@@ -47,6 +47,9 @@ def _write_certified(number: Any, digits: int, degrees: bool = False) -> str:
     """A number that is no fraction, by bounds that are closer and closer to it."""
     for precision in (64 + 4 * digits, 256 + 8 * digits, 4096):
         low, high = find_bounds(number, precision, degrees)
+        rounded = _round(low, digits)
+        if rounded == _round(high, digits):
+            return _write_whole(*rounded)
         if isinstance(number, arb) and (middle := _find_middle(low, high, digits)) is not None:
             return _write_rounded(middle, digits)
         for count in range(digits, 0, -1):
@@ -62,10 +65,8 @@ def _write_certified(number: Any, digits: int, degrees: bool = False) -> str:
 
 def _find_middle(low: Any, high: Any, digits: int) -> Any | None:
     """The number half way between two decimals of so many digits that lies between bounds which
-    agree in many more digits; None where the bounds are rounded alike, or are too far apart.
+    agree in many more digits; None where the bounds, which are rounded apart, do not.
     """
-    if _round(low, digits) == _round(high, digits):
-        return None
     whole, exponent = _round(low, digits + _FURTHER)
     agree = (whole, exponent) == _round(high, digits + _FURTHER)
     return whole * fmpq(10) ** exponent if agree else None
@@ -91,7 +92,11 @@ def _write_rounded(value: Any, digits: int) -> str:
     """A rational number with `digits` significant digits, half to even; trailing zeros are
     dropped.
     """
-    whole, exponent = _round(value, digits)
+    return _write_whole(*_round(value, digits))
+
+
+def _write_whole(whole: int, exponent: int) -> str:
+    """A whole number times a power of ten; trailing zeros are dropped."""
     size = _write_plainly(str(abs(whole)), exponent) if whole else "0"
     return ("-" if whole < 0 else "") + size
 
