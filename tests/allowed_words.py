@@ -166,6 +166,10 @@ ALLOWED: Mapping[str, Mapping[str, Sequence[str]]] = {
         ],
         "lms/responses/forms/wjx.py": [
             "序号",
+            "(空)",
+            "（空）",
+            "(跳过)",
+            "（跳过）",
         ],
         "lms/grades/systems/sakai.py": [
             "Student ID",

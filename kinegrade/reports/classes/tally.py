@@ -9,7 +9,7 @@ from __future__ import annotations
 from array import array
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import cached_property
 from itertools import chain
@@ -28,6 +28,7 @@ from kinegrade.marks_folder.layout import ANSWERS, GRADES
 from kinegrade.marks_folder.rows import MarkedAnswer, StudentTotal
 from kinegrade.numbers.written import read_number
 from kinegrade.reports.classes.item_statistics import Points
+from kinegrade.reports.classes.whole_questions import find_whole_shares
 from kinegrade.reports.paper_record import PaperRecord, PaperRecords
 
 _RIGHT, _BLANK = "right", "blank"
@@ -38,7 +39,8 @@ _UNKNOWN = PaperRecord((), {}, {}, {})  # of another exam
 @dataclass(frozen=True)
 class ClassTally:
     """The students who answered anything; `points` has a row for each, and a column for each of
-    `columns`, NaN where a student's paper does not ask that.
+    `columns`, NaN where a student's paper does not ask that. `whole` are by question the shares of
+    its points that a hand gave for it as a whole, NaN for who has no such mark.
 
     `answered` are these students, `silent` those who answered nothing. `verdicts` counts verdicts
     by ask. `losses` counts by ask why points were lost: the identifier of a mistake, a kind of
@@ -57,17 +59,19 @@ class ClassTally:
     groups: tuple[str, ...]
     parameters: Mapping[tuple[str, str], Points]
     difficulties: Mapping[str, Points]
+    whole: Mapping[str, Points] = field(default_factory=dict)
 
     def share(self, question: str) -> Points:
-        """Each student's share of the points of a question; NaN where the question has no points
-        for that student.
+        """Each student's share of the points of a question, as grades.csv has them; NaN where the
+        question has no points for that student.
         """
         places = [
             place for place, column in enumerate(self.columns) if column.split(".")[0] == question
         ]
         out_of = float(self.out_of[places].sum())
         shares: Points = self.points[:, places].sum(axis=1) / (out_of or np.nan)
-        return shares
+        by_hand = self.whole.get(question)
+        return shares if by_hand is None else np.where(np.isnan(by_hand), shares, by_hand)
 
     @property
     def lost(self) -> Points:
@@ -164,7 +168,7 @@ def tally(marks: MarksFolder, exam: ExamFolder) -> ClassTally:
             )
         else:
             count.silent.append(totals[student])
-    return _close(count)
+    return replace(_close(count), whole=find_whole_shares(count.answered, marks.by_hand))
 
 
 def _open(count: _Count, head: ExamHead, answers: Sequence[MarkedAnswer]) -> None:
