@@ -28,6 +28,46 @@ CREDIT = (
     #: For an answer that follows from the student's own wrong answer to an earlier ask; all the
     #: points where it is not stated, none for `0`. Where nothing is charged for that earlier answer,
     #: as it is void or has all its points, all the points in any case.
+    "follow-through",
+    #: For the right number in a wrong unit of motion, `0.55 s` for 0.55 m; with a unit that is not
+    #: known, as in `0.55 kg`, an answer is unreadable and has no credit.
+    "wrong-unit",
+    #: For known mistakes, by their identifiers: `{ coriolis-halved = "1/2" }`.
+    "mistakes",
+)
+# What is shown where one of them is no table
+_TOLERANCES = '{ relative = "1 %" }', "{ absolute = 0.01 }", "{ figures = 3 }"
+HONEST = "honest"  # in place of a table, and the key of one
+HONESTLY = '{ relative = "1 %", honest = true }'
+_CREDIT = '{ follow-through = "1/2" }'
+_MISTAKES = '{ coriolis-halved = "1/2" }'
+
+
+class StatedTolerance(Struct, frozen=True):
+    """A tolerance as stated; None for what is not stated. `relative` is a share, `absolute` in the
+    ask's unit, `figures` a number of significant figures.
+    """
+
+    relative: Fraction | None = None
+    absolute: Fraction | None = None
+    figures: int | None = None
+
+    def over(self, wider: StatedTolerance) -> StatedTolerance:
+        """This, and where it states nothing what `wider` states."""
+        return StatedTolerance(
+            wider.relative if self.relative is None else self.relative,
+            wider.absolute if self.absolute is None else self.absolute,
+            wider.figures if self.figures is None else self.figures,
+        )
+
+
+class StatedCredit(Struct, frozen=True):
+    """Shares of the points, from 0 to 1, as stated; None for what is not stated.
+
+    `follow_through` is for what follows from an earlier mistake, `wrong_unit` for the right number
+    in a wrong unit, `mistakes` for known mistakes by identifier.
+    """
+
     follow_through: Fraction | None = None
     wrong_unit: Fraction | None = None
     mistakes: Mapping[str, Fraction] = field(default_factory=dict)
