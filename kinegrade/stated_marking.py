@@ -26,8 +26,8 @@ TOLERANCE = (
 )
 CREDIT = (
     #: For an answer that follows from the student's own wrong answer to an earlier ask; all the
-    #: points where it is not stated, none for `0`. Where nothing is charged for that earlier answer,
-    #: as it is void or has all its points, all the points in any case.
+    #: points where it is not stated, none for `0`. Where nothing is charged for that earlier
+    #: answer, as it is void or has all its points, all the points in any case.
     "follow-through",
     #: For the right number in a wrong unit of motion, `0.55 s` for 0.55 m; with a unit that is not
     #: known, as in `0.55 kg`, an answer is unreadable and has no credit.
