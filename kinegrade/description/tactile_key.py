@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import assert_never
 
 from kinegrade.figure.marks.names import write_point_symbol
-from kinegrade.figure.tactile.named import (
+from kinegrade.figure.tactile.labels import (
     AngleName,
     AxesNames,
     BodyLabel,

@@ -19,16 +19,13 @@ from kinegrade.exam.folder.contradictions import (
     explain_contradiction,
     name_place,
 )
-from kinegrade.exam.folder.exact_keys import find_exact_value
 from kinegrade.exam.folder.exam_folder import ExamFolder
-from kinegrade.exam.folder.records import KeyQuestion, StatedAnswer
+from kinegrade.exam.folder.key.exact_keys import find_exact_value
+from kinegrade.exam.folder.key.lines import KeyQuestion, StatedAnswer
 from kinegrade.language.message import Message
 from kinegrade.mechanics.plan import Plan
 from kinegrade.problem.template.template import Template
-from kinegrade.students.following.connections import (
-    find_generic_plan,
-    find_stages,
-)
+from kinegrade.students.following.connections import find_generic_plan, find_stages
 from kinegrade.students.following.followers import AnyFollower, make_follower
 from kinegrade.students.mistaking.mistakes import convert_parameter
 

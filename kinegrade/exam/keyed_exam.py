@@ -6,8 +6,8 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from kinegrade.exam.folder.columns.blocks import list_blocks
-from kinegrade.exam.folder.exact_keys import ListedKeys
 from kinegrade.exam.folder.exam_folder import ExamFolder
+from kinegrade.exam.folder.key.exact_keys import ListedKeys
 from kinegrade.exam.folder.keys import (
     NOT_ASKED,
     Ask,

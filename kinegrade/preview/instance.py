@@ -9,7 +9,7 @@ from msgspec.structs import replace
 
 from kinegrade.draws.deck import Combination
 from kinegrade.exam.bank.blueprint import BankQuestion
-from kinegrade.exam.folder.exact_keys import read_exact_keys
+from kinegrade.exam.folder.key.exact_keys import read_exact_keys
 from kinegrade.exam.folder.keys import Ask, Key
 from kinegrade.exam.printing.head_record import make_ask
 from kinegrade.exam.printing.sample import make_sample_bank

@@ -10,10 +10,10 @@ from pathlib import Path
 
 from kinegrade.errors import OptionError
 from kinegrade.exam.folder.exam_folder import ExamFolder
-from kinegrade.exam.generating.adding import add_students as add_to_exam
 from kinegrade.exam.generating.earlier_exams import count_avoided
 from kinegrade.exam.generating.generate import Generated as Written
 from kinegrade.exam.generating.generate import generate as write_exam
+from kinegrade.exam.generating.growing.adding import add_students as add_to_exam
 from kinegrade.exam.generating.options import GenerateOptions
 from kinegrade.exam.printing.paper_languages import note_languages
 from kinegrade.exam.roster.roster import Roster

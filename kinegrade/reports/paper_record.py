@@ -14,11 +14,11 @@ from math import nan
 from pathlib import Path
 
 from kinegrade.errors import ExamError, FieldError
-from kinegrade.exam.folder.exact_keys import find_exact_value, read_rule
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.faults import decoding, name_paper
+from kinegrade.exam.folder.key.exact_keys import find_exact_value, read_rule
+from kinegrade.exam.folder.key.lines import KeyLine, StatedAnswer
 from kinegrade.exam.folder.numbers import require_double
-from kinegrade.exam.folder.records import KeyLine, StatedAnswer
 from kinegrade.grading.policy.policy import AS_PRINTED, Policy
 from kinegrade.grading.policy.reading import read_kept_policy
 from kinegrade.language.message import Fault, Message, Quoted

@@ -16,7 +16,7 @@ from kinegrade.errors import ExamError
 from kinegrade.exam.bank.bank import read_bank
 from kinegrade.exam.bank.blueprint import Bank, BankQuestion
 from kinegrade.exam.folder.exam_secret import FromWords
-from kinegrade.exam.folder.records import KeyQuestion, StatedTolerance
+from kinegrade.exam.folder.key.lines import KeyQuestion, StatedTolerance
 from kinegrade.exam.roster.roster import Roster
 from kinegrade.exam.setting.dealing import deal_exam
 from kinegrade.exam.setting.derivation import derive_question

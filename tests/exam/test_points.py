@@ -9,7 +9,7 @@ from fractions import Fraction
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kinegrade.exam.bank.points import share_points
+from kinegrade.exam.bank.entries.points import share_points
 
 WEIGHTS = st.lists(st.integers(1, 9), min_size=1, max_size=6).map(
     lambda found: dict(zip("abcdef", found, strict=False))

@@ -16,10 +16,10 @@ import pytest
 
 from kinegrade.errors import ExamError, KinegradeError
 from kinegrade.exam.bank.bank import read_bank
-from kinegrade.exam.folder.exact_keys import read_key_line
 from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.exam.folder.exam_secret import FromWords
-from kinegrade.exam.folder.records import KeyLine
+from kinegrade.exam.folder.key.exact_keys import read_key_line
+from kinegrade.exam.folder.key.lines import KeyLine
 from kinegrade.exam.keyed_exam import read_whole
 from kinegrade.exam.printing.pages import lay_out_paper
 from kinegrade.exam.quiz import quiz

@@ -12,8 +12,8 @@ from typing import Any
 import pytest
 
 from kinegrade.errors import ExamError
-from kinegrade.exam.folder import key_stream
 from kinegrade.exam.folder.exam_folder import open_exam
+from kinegrade.exam.folder.key import stream as key_stream
 from kinegrade.exam.folder.keys import Ask, Key
 from kinegrade.exam.keyed_exam import read_whole
 from kinegrade.grading.grade import grade

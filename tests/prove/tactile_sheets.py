@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 from kinegrade.figure.back_ends.svg import to_svg
-from kinegrade.figure.tactile.named import AxesNames, Subject
+from kinegrade.figure.tactile.labels import AxesNames, Subject
 from kinegrade.figure.tactile.tactile import TactileFigure, draw_tactile
 from kinegrade.language.math.braille import label_in_braille, write_braille_number
 from kinegrade.problem.printed_givens import mark_question

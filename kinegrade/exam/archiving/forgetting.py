@@ -30,10 +30,11 @@ from kinegrade.exam.folder.contents import (
     TEMPLATES,
 )
 from kinegrade.exam.folder.exam_folder import ExamFolder
-from kinegrade.exam.folder.records import Candidate, ExamHead, KeyLine
+from kinegrade.exam.folder.key.lines import KeyLine
+from kinegrade.exam.folder.records import Candidate, ExamHead
 from kinegrade.exam.folder.writing import encode_line
 from kinegrade.exam.generating.exam_files import write_head
-from kinegrade.exam.generating.grown_folder import open_grown_folder
+from kinegrade.exam.generating.growing.grown_folder import open_grown_folder
 from kinegrade.files.output import output_folder
 from kinegrade.marks_folder.folder import MarksFolder
 from kinegrade.marks_folder.forgetting import forget_marks

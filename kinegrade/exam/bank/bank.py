@@ -15,12 +15,12 @@ from msgspec.structs import replace
 from kinegrade.errors import BankError, suggest
 from kinegrade.exam.bank.blueprint import LMS, Bank, Blueprint, Slot
 from kinegrade.exam.bank.by_hand import HandQuestion, find_hand_places
+from kinegrade.exam.bank.entries.entries import MAX_QUESTIONS, Entries, Entry
+from kinegrade.exam.bank.entries.together import require_carried, require_fit
 from kinegrade.exam.bank.formula_sheet import read_formula_sheet
 from kinegrade.exam.bank.header import find_header_places, read_header
 from kinegrade.exam.bank.keys import BANK
-from kinegrade.exam.bank.questions import MAX_QUESTIONS, Entries, Entry
 from kinegrade.exam.bank.terms import BankTolerance, read_bank_tolerance, read_room
-from kinegrade.exam.bank.together import require_carried, require_fit
 from kinegrade.exam.bank.versions import LETTERS
 from kinegrade.exam.folder.contents import HEAD
 from kinegrade.exam.folder.faults import REMEDY
@@ -170,7 +170,7 @@ def _read_frame(table: Table, text: str, translations: Translations) -> Bank:
 
 def _list_mistake_names(table: Table) -> tuple[str, ...]:
     # Few banks give credit for mistakes
-    from kinegrade.exam.bank.own_questions import list_mistake_names  # noqa: PLC0415
+    from kinegrade.exam.bank.entries.own_questions import list_mistake_names  # noqa: PLC0415
 
     return list_mistake_names(table.value("questions"))
 

@@ -14,21 +14,14 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from kinegrade.errors import ExamError
-from kinegrade.exam.folder.contents import (
-    BANK,
-    HEAD,
-    KEY,
-    POOL,
-    SOLUTIONS,
-    SPARES,
-    TEMPLATES,
-)
-from kinegrade.exam.folder.exact_keys import read_key_line
+from kinegrade.exam.folder.contents import BANK, HEAD, KEY, POOL, SOLUTIONS, SPARES, TEMPLATES
 from kinegrade.exam.folder.faults import decoding, explain_unreadable, name_line, name_paper
 from kinegrade.exam.folder.head import read_head, require_finished
-from kinegrade.exam.folder.key_index import KeyIndex, make_index
+from kinegrade.exam.folder.key.exact_keys import read_key_line
+from kinegrade.exam.folder.key.index import KeyIndex, make_index
+from kinegrade.exam.folder.key.lines import KeyLine, StatedNumber
 from kinegrade.exam.folder.keys import Ask, Paper, PaperBlock, RightAnswers, list_questions
-from kinegrade.exam.folder.records import ExamHead, KeyLine, StatedNumber
+from kinegrade.exam.folder.records import ExamHead
 from kinegrade.exam.roster.students import read_place
 from kinegrade.language import Language
 from kinegrade.language.message import Fault, Message, Quoted

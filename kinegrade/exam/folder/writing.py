@@ -10,7 +10,8 @@ from fractions import Fraction
 
 import msgspec
 
-from kinegrade.exam.folder.records import ExamHead, KeyLine
+from kinegrade.exam.folder.key.lines import KeyLine
+from kinegrade.exam.folder.records import ExamHead
 
 
 def encode_head(head: ExamHead) -> bytes:

@@ -29,7 +29,11 @@ from kinegrade.exam.generating.exam_files import (
     write_papers,
     write_sources,
 )
-from kinegrade.exam.generating.grown_folder import copy_exam, digest_grown, open_grown_folder
+from kinegrade.exam.generating.growing.grown_folder import (
+    copy_exam,
+    digest_grown,
+    open_grown_folder,
+)
 from kinegrade.exam.generating.hand_work import digest_editable, find_edited, refuse_edited
 from kinegrade.exam.generating.key_books import list_spare_ids
 from kinegrade.exam.generating.options import Progress

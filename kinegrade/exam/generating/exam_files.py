@@ -32,7 +32,7 @@ from kinegrade.exam.folder.keys import Ask
 from kinegrade.exam.folder.printed_orders import read_held_questions
 from kinegrade.exam.folder.records import ExamHead
 from kinegrade.exam.folder.writing import encode_head
-from kinegrade.exam.generating.answer_workbook import Rows, write_answer_workbook
+from kinegrade.exam.generating.answer_sheets.workbook import Rows, write_answer_workbook
 from kinegrade.exam.generating.hand_work import OWN_COLUMNS
 from kinegrade.exam.generating.key_books import write_key_books
 from kinegrade.exam.printing.head_record import write_warning

@@ -19,7 +19,8 @@ from kinegrade.errors import Problem, TableError
 from kinegrade.exam.bank.blueprint import Bank, Blueprint
 from kinegrade.exam.folder.contents import CONTENTS, HEAD, UNFINISHED
 from kinegrade.exam.folder.exam_secret import ExamSecret
-from kinegrade.exam.folder.records import Candidate, ExamHead, KeyLine
+from kinegrade.exam.folder.key.lines import KeyLine
+from kinegrade.exam.folder.records import Candidate, ExamHead
 from kinegrade.exam.generating.earlier_exams import (
     list_repeated,
     read_earlier_exams,
@@ -37,8 +38,8 @@ from kinegrade.exam.generating.exam_files import (
 from kinegrade.exam.generating.hand_work import digest_editable
 from kinegrade.exam.generating.options import GenerateOptions
 from kinegrade.exam.generating.page_counts import Printer, fill_up_papers
-from kinegrade.exam.generating.paper_changes import PaperChanges
-from kinegrade.exam.generating.replaced_exam import (
+from kinegrade.exam.generating.replacing.paper_changes import PaperChanges
+from kinegrade.exam.generating.replacing.replaced_exam import (
     ReplacedExam,
     remember,
     replaced_exam,

@@ -18,7 +18,11 @@ from kinegrade.exam.folder.contents import SOLUTIONS
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.records import Candidate
 from kinegrade.exam.generating.exam_files import write_head
-from kinegrade.exam.generating.grown_folder import copy_exam, digest_grown, open_grown_folder
+from kinegrade.exam.generating.growing.grown_folder import (
+    copy_exam,
+    digest_grown,
+    open_grown_folder,
+)
 from kinegrade.exam.generating.hand_work import find_edited, refuse_edited
 from kinegrade.exam.printing.class_printing import count_processes
 from kinegrade.exam.printing.class_solutions import print_class_solutions

@@ -15,9 +15,9 @@ from kinegrade.exam.folder.contents import KEY, SPARES
 from kinegrade.exam.folder.exam_folder import ExamFolder, open_exam
 from kinegrade.exam.folder.records import Candidate
 from kinegrade.exam.folder.writing import encode_line
-from kinegrade.exam.generating.adding import write_rest
-from kinegrade.exam.generating.grown_class import find_stem
-from kinegrade.exam.generating.grown_folder import copy_exam, open_grown_folder
+from kinegrade.exam.generating.growing.adding import write_rest
+from kinegrade.exam.generating.growing.grown_class import find_stem
+from kinegrade.exam.generating.growing.grown_folder import copy_exam, open_grown_folder
 from kinegrade.exam.owners.papers_anew import print_anew
 from kinegrade.exam.roster.student_ids import StudentIds
 from kinegrade.exam.roster.students import Student, make_student_key

@@ -16,9 +16,10 @@ from msgspec import structs
 from kinegrade.errors import ExamError, suggest
 from kinegrade.exam.folder.contents import POOL
 from kinegrade.exam.folder.exam_folder import ExamFolder, open_exam
-from kinegrade.exam.folder.records import Candidate, KeyLine, PaperBefore
-from kinegrade.exam.generating.adding import write_rest
-from kinegrade.exam.generating.grown_folder import copy_exam, open_grown_folder
+from kinegrade.exam.folder.key.lines import KeyLine
+from kinegrade.exam.folder.records import Candidate, PaperBefore
+from kinegrade.exam.generating.growing.adding import write_rest
+from kinegrade.exam.generating.growing.grown_folder import copy_exam, open_grown_folder
 from kinegrade.exam.owners.assigning import make_owner, rename_files
 from kinegrade.exam.owners.papers_anew import print_anew, replace_lines
 from kinegrade.exam.roster.student_ids import StudentIds

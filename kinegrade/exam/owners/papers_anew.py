@@ -9,7 +9,8 @@ from msgspec import structs
 
 from kinegrade.exam.folder.contents import KEY, POOL, SPARES
 from kinegrade.exam.folder.exam_folder import ExamFolder
-from kinegrade.exam.folder.records import Candidate, KeyLine
+from kinegrade.exam.folder.key.lines import KeyLine
+from kinegrade.exam.folder.records import Candidate
 from kinegrade.exam.folder.writing import encode_line
 from kinegrade.exam.generating.key_books import list_spare_ids, write_key_books, write_spare_key
 from kinegrade.exam.printing.key_pages import make_kept_keys

@@ -8,7 +8,8 @@ from collections.abc import Generator, Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass
 
-from kinegrade.exam.folder.records import Candidate, KeyLine
+from kinegrade.exam.folder.key.lines import KeyLine
+from kinegrade.exam.folder.records import Candidate
 from kinegrade.exam.printing.class_printing import AHEAD, open_press, split_class
 from kinegrade.exam.printing.printing import Printed, PrintRun, print_papers
 from kinegrade.exam.setting.kept_exam import KeptExam, list_with_keys

@@ -16,13 +16,7 @@ from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.decimal_mark import write_decimal_text, write_decimals_of_math
 from kinegrade.press.paper_parts import write_points_in_words, write_share
-from kinegrade.press.sheet import (
-    KeyAnswer,
-    KeyBook,
-    KeyEntry,
-    KeyPaper,
-    KeyParameter,
-)
+from kinegrade.press.sheet import KeyAnswer, KeyBook, KeyEntry, KeyPaper, KeyParameter
 from kinegrade.problem.quantity import Quantity
 
 

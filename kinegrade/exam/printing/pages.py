@@ -24,11 +24,7 @@ from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.press.paper_head import PaperHead
-from kinegrade.press.sheet import (
-    AnswerRow,
-    Paper,
-    QuestionSheet,
-)
+from kinegrade.press.sheet import AnswerRow, Paper, QuestionSheet
 from kinegrade.problem.printed_givens import mark_question
 from kinegrade.problem.quantity import Quantity
 from kinegrade.problem.statement import write_statement

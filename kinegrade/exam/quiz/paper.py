@@ -13,15 +13,10 @@ from kinegrade.cycles.chapter import write_cycle_chapter
 from kinegrade.description.description import describe
 from kinegrade.errors import ExamError, FieldError, KinegradeError
 from kinegrade.exam.folder.contents import HEAD
-from kinegrade.exam.folder.exact_keys import find_exact_value, read_mistakes, read_rule
-from kinegrade.exam.folder.faults import (
-    AS_GENERATED,
-    describe_damage,
-    explain_broken,
-    name_line_of,
-)
+from kinegrade.exam.folder.faults import AS_GENERATED, describe_damage, explain_broken, name_line_of
+from kinegrade.exam.folder.key.exact_keys import find_exact_value, read_mistakes, read_rule
+from kinegrade.exam.folder.key.lines import KeyLine, StatedAnswer
 from kinegrade.exam.folder.numbers import require_number
-from kinegrade.exam.folder.records import KeyLine, StatedAnswer
 from kinegrade.exam.printing.pages import (
     QuestionPlace,
     ShownInstance,

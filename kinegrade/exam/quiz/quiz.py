@@ -15,7 +15,7 @@ from itertools import islice
 
 from kinegrade.errors import ExamError
 from kinegrade.exam.folder.exam_folder import ExamFolder
-from kinegrade.exam.folder.records import KeyLine
+from kinegrade.exam.folder.key.lines import KeyLine
 from kinegrade.exam.printing.pages import write_version_name
 from kinegrade.exam.quiz.document import Quiz, QuizAsk, QuizPaper
 from kinegrade.exam.quiz.paper import QuizWishes, list_asks, make_quiz_paper

@@ -17,10 +17,10 @@ from kinegrade.exam.bank.bank import read_bank_texts
 from kinegrade.exam.bank.blueprint import BankAsk
 from kinegrade.exam.bank.texts import require_bank_texts
 from kinegrade.exam.folder.contents import BANK
-from kinegrade.exam.folder.exact_keys import read_rule
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.faults import describe_damage, explain_broken
-from kinegrade.exam.folder.records import StatedAnswer
+from kinegrade.exam.folder.key.exact_keys import read_rule
+from kinegrade.exam.folder.key.lines import StatedAnswer
 from kinegrade.exam.quiz.words import AskRule
 from kinegrade.exam.setting.kept_exam import KeptExam
 from kinegrade.exam.setting.setting import state_tolerance

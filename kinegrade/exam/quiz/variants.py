@@ -19,10 +19,10 @@ import msgspec
 
 from kinegrade.errors import ExamError, FieldError
 from kinegrade.exam.folder.contents import KEY
-from kinegrade.exam.folder.exact_keys import find_exact_value
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.faults import describe_damage, explain_broken, name_line_of
-from kinegrade.exam.folder.records import KeyLine, KeyQuestion
+from kinegrade.exam.folder.key.exact_keys import find_exact_value
+from kinegrade.exam.folder.key.lines import KeyLine, KeyQuestion
 from kinegrade.exam.quiz.paper import show_instance
 from kinegrade.exam.quiz.quiz import different
 from kinegrade.files.output import output_file

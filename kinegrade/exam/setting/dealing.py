@@ -23,7 +23,7 @@ from kinegrade.draws.keyed_order import address
 from kinegrade.exam.bank.blueprint import Bank, BankQuestion
 from kinegrade.exam.bank.versions import choose_version, list_version_letters
 from kinegrade.exam.folder.exam_secret import ExamSecret
-from kinegrade.exam.folder.records import KeyLine
+from kinegrade.exam.folder.key.lines import KeyLine
 from kinegrade.exam.roster.roster import Roster
 from kinegrade.exam.roster.students import Student
 from kinegrade.exam.setting.alike_deal import deal_alike

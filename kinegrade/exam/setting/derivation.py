@@ -23,9 +23,9 @@ from kinegrade.exam.folder.contradictions import (
     explain_contradiction,
     list_names,
 )
-from kinegrade.exam.folder.exact_keys import read_rule
+from kinegrade.exam.folder.key.exact_keys import read_rule
+from kinegrade.exam.folder.key.lines import KeyQuestion, StatedAnswer, StatedNumber, StatedTolerance
 from kinegrade.exam.folder.numbers import RATIONAL, require_number
-from kinegrade.exam.folder.records import KeyQuestion, StatedAnswer, StatedNumber, StatedTolerance
 from kinegrade.exam.setting.key_record import make_stated_answer
 from kinegrade.exam.setting.setting import Drawn, SetAsk, SetQuestion, set_drawn
 from kinegrade.language.message import Fault, Message, Part, Text

@@ -18,13 +18,10 @@ from kinegrade.exam.folder.contents import BANK, HEAD, TEMPLATES
 from kinegrade.exam.folder.contradictions import explain_contradiction, list_names, name_place
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.faults import explain_broken
-from kinegrade.exam.folder.records import Candidate, KeyLine, KeyQuestion
+from kinegrade.exam.folder.key.lines import KeyLine, KeyQuestion
+from kinegrade.exam.folder.records import Candidate
 from kinegrade.exam.roster.students import Student, read_place
-from kinegrade.exam.setting.derivation import (
-    derive_question,
-    find_differences,
-    work_out,
-)
+from kinegrade.exam.setting.derivation import derive_question, find_differences, work_out
 from kinegrade.exam.setting.setting import Exam, SetPaper, SetQuestion
 from kinegrade.language.message import Fault, Message, Quoted
 from kinegrade.mechanics.plan import Plan

@@ -7,7 +7,7 @@ from decimal import Decimal
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
-from kinegrade.exam.folder.records import (
+from kinegrade.exam.folder.key.lines import (
     KeyLine,
     KeyQuestion,
     StatedAnswer,

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from typing import assert_never
 
 from kinegrade.figure.marks.names import write_point_symbol
@@ -21,111 +20,27 @@ from kinegrade.figure.tactile.givens import (
     list_right_angle_ways,
     list_turning_ways,
 )
+from kinegrade.figure.tactile.labels import (
+    AngleName,
+    AxesNames,
+    BodyLabel,
+    LengthName,
+    MovingName,
+    Named,
+    PointName,
+    RadiusName,
+    TurningName,
+)
 from kinegrade.figure.tactile.letters import list_led_ways, list_letter_ways
 from kinegrade.figure.tactile.parts import Skeleton
 from kinegrade.figure.tactile.piece import Piece
 from kinegrade.figure.tactile.sizes import EDGE_OF_PAGE
 from kinegrade.mechanics.vector import Vector
-from kinegrade.mechanics.vector_equation import Level
-from kinegrade.problem.template.hints import (
-    Angle,
-    Axes,
-    BodyFrame,
-    Moving,
-    Projection,
-    Turning,
-)
+from kinegrade.problem.template.hints import Angle, Axes, Moving, Turning
 
 _IN_CORNER = 16.0  # millimetres from the margin to axes that stand aside
 _SHARES = (0.5, 0.35, 0.65)  # of a bar, where the line to its name begins
 Cells = Callable[[str], str]  # the Braille of a symbol
-
-
-@dataclass(frozen=True)
-class PointName:
-    """The letter of a point."""
-
-    symbol: str
-
-
-@dataclass(frozen=True)
-class BodyLabel:
-    """The name of a body."""
-
-    body: str
-    symbol: str
-
-
-@dataclass(frozen=True)
-class AxesNames:
-    """Two axes; those of a body have a frame."""
-
-    x: str
-    y: str
-    frame: BodyFrame | None = None
-
-
-@dataclass(frozen=True)
-class LengthName:
-    """A distance between two points, along a side of the paper or from one to the other."""
-
-    symbol: str
-    start: str
-    end: str
-    along: Projection | None
-
-
-@dataclass(frozen=True)
-class AngleName:
-    """An angle at a point."""
-
-    symbol: str
-    at: str
-
-
-@dataclass(frozen=True)
-class RadiusName:
-    """The radius of a circle about a point."""
-
-    symbol: str
-    centre: str
-
-
-@dataclass(frozen=True)
-class TurningName:
-    """The rotation of a body."""
-
-    symbol: str
-    level: Level
-
-
-@dataclass(frozen=True)
-class MovingName:
-    """The motion of a point."""
-
-    symbol: str
-    point: str
-    level: Level
-
-
-Subject = (
-    PointName
-    | BodyLabel
-    | AxesNames
-    | LengthName
-    | AngleName
-    | RadiusName
-    | TurningName
-    | MovingName
-)
-
-
-@dataclass(frozen=True)
-class Named:
-    """What labels name, and how it may be drawn."""
-
-    subject: Subject
-    piece: Piece
 
 
 def list_letters(skeleton: Skeleton, cells: Cells) -> Iterator[Named]:

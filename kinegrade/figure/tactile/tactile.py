@@ -18,9 +18,9 @@ from kinegrade.figure.mechanism.paper import scale_to_paper
 from kinegrade.figure.mechanism.view import crop_to_view
 from kinegrade.figure.scene import Box, Disc, Primitive, Scene, find_common_box
 from kinegrade.figure.tactile.braille import measure_label
+from kinegrade.figure.tactile.labels import Named
 from kinegrade.figure.tactile.named import (
     Cells,
-    Named,
     list_body_names,
     list_given_pieces,
     list_letters,

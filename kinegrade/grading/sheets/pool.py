@@ -10,8 +10,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 
-from kinegrade.exam.folder.exact_keys import ListedKeys
 from kinegrade.exam.folder.exam_folder import ExamFolder
+from kinegrade.exam.folder.key.exact_keys import ListedKeys
 from kinegrade.exam.folder.keys import Ask, Paper, Sitting
 from kinegrade.exam.keyed_exam import Examinee, KeyedExam
 from kinegrade.grading.sheets.entry import Entry

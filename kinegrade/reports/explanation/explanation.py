@@ -11,9 +11,9 @@ from dataclasses import dataclass
 from itertools import groupby
 
 from kinegrade.errors import ExamError, suggest
-from kinegrade.exam.folder.exact_keys import read_exact_keys
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.faults import decoding, name_paper
+from kinegrade.exam.folder.key.exact_keys import read_exact_keys
 from kinegrade.exam.folder.keys import Ask, Key
 from kinegrade.exam.folder.records import Candidate
 from kinegrade.exam.follow_through import FollowThrough

@@ -16,15 +16,11 @@ import pytest
 
 from benchmarks.large_class import write_class
 from kinegrade.exam.folder.columns import reading, record, writing
-from kinegrade.exam.folder.columns.gathering import (
-    find_decimals,
-    read_centres,
-    read_mistakes,
-)
+from kinegrade.exam.folder.columns.gathering import find_decimals, read_centres, read_mistakes
 from kinegrade.exam.folder.columns.part import PartKeys
 from kinegrade.exam.folder.contents import HEAD, KEY, KEY_COLUMNS
-from kinegrade.exam.folder.exact_keys import ListedKeys
 from kinegrade.exam.folder.exam_folder import ExamFolder, open_exam
+from kinegrade.exam.folder.key.exact_keys import ListedKeys
 from kinegrade.exam.folder.keys import Key, Paper
 from kinegrade.numbers.tolerance import Tolerance
 

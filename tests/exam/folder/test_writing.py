@@ -13,20 +13,22 @@ import pytest
 
 from kinegrade.exam.choices import Choice
 from kinegrade.exam.folder.contents import CONTENTS
-from kinegrade.exam.folder.exact_keys import read_key_line
 from kinegrade.exam.folder.exam_folder import open_exam
+from kinegrade.exam.folder.key.exact_keys import read_key_line
+from kinegrade.exam.folder.key.lines import (
+    KeyLine,
+    KeyQuestion,
+    StatedAnswer,
+    StatedNumber,
+    StatedTolerance,
+)
 from kinegrade.exam.folder.keys import Ask
 from kinegrade.exam.folder.records import (
     Candidate,
     ExamHead,
     ExamQuestion,
     HandQuestion,
-    KeyLine,
-    KeyQuestion,
     PaperBefore,
-    StatedAnswer,
-    StatedNumber,
-    StatedTolerance,
 )
 from kinegrade.exam.folder.writing import encode_head, encode_line, make_decimal
 from tests.small_class import contents

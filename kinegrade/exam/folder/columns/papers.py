@@ -15,12 +15,12 @@ from kinegrade.exam.folder.columns.blocks import PartPapers, divide_block, list_
 from kinegrade.exam.folder.columns.reading import DAMAGED, KeyColumns, find_columns, is_key_changed
 from kinegrade.exam.folder.contents import KEY, KEY_COLUMNS
 from kinegrade.exam.folder.faults import decoding, name_line, name_paper
-from kinegrade.exam.folder.key_decoding import PaperDecoder
-from kinegrade.exam.folder.key_index import KeyIndex
-from kinegrade.exam.folder.key_stream import stream_papers
+from kinegrade.exam.folder.key.decoding import PaperDecoder
+from kinegrade.exam.folder.key.index import KeyIndex
+from kinegrade.exam.folder.key.stated_keys import Place
+from kinegrade.exam.folder.key.stream import stream_papers
 from kinegrade.exam.folder.keys import Paper, PaperBlock, RightAnswers
 from kinegrade.exam.folder.records import ExamHead
-from kinegrade.exam.folder.stated_keys import Place
 
 
 @dataclass(frozen=True)

@@ -13,8 +13,8 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
+from kinegrade.exam.folder.key.stated_keys import Terms, UsualKeys
 from kinegrade.exam.folder.keys import StatedKey
-from kinegrade.exam.folder.stated_keys import Terms, UsualKeys
 
 
 @dataclass(frozen=True, slots=True)

@@ -31,9 +31,9 @@ from kinegrade.exam.folder.columns.record import (
     is_other_key,
     read_terms,
 )
+from kinegrade.exam.folder.key.stated_keys import Terms
 from kinegrade.exam.folder.keys import RightAnswers
 from kinegrade.exam.folder.records import ExamHead
-from kinegrade.exam.folder.stated_keys import Terms
 
 DAMAGED = (
     OSError,

@@ -20,8 +20,8 @@ from pathlib import Path
 
 import msgspec
 
+from kinegrade.exam.folder.key.stated_keys import Terms
 from kinegrade.exam.folder.records import ExamHead
-from kinegrade.exam.folder.stated_keys import Terms
 from kinegrade.numbers.tolerance import Tolerance
 
 FORMAT = 1

@@ -25,10 +25,10 @@ from kinegrade.exam.folder.columns.record import (
     keep_time,
     state_terms,
 )
-from kinegrade.exam.folder.key_stream import stream_papers
+from kinegrade.exam.folder.key.stated_keys import StatedKeys, Terms, read_stated_mistakes
+from kinegrade.exam.folder.key.stream import stream_papers
 from kinegrade.exam.folder.keys import Paper
 from kinegrade.exam.folder.records import ExamHead
-from kinegrade.exam.folder.stated_keys import StatedKeys, Terms, read_stated_mistakes
 
 _Arrays = dict[str, NDArray[np.generic]]
 

@@ -23,11 +23,17 @@ import msgspec
 from msgspec.structs import astuple
 
 from kinegrade.errors import FieldError
-from kinegrade.exam.folder.exact_keys import ListedKeys, read_exact_keys, read_key_line, read_rule
+from kinegrade.exam.folder.key.exact_keys import (
+    ListedKeys,
+    read_exact_keys,
+    read_key_line,
+    read_rule,
+)
+from kinegrade.exam.folder.key.lines import StatedTolerance
+from kinegrade.exam.folder.key.stated_keys import Entry, Place, StatedKeys, Terms
 from kinegrade.exam.folder.keys import Ask, Paper
 from kinegrade.exam.folder.numbers import MOST_DIGITS, require_not_negative
-from kinegrade.exam.folder.records import ExamHead, StatedTolerance
-from kinegrade.exam.folder.stated_keys import Entry, Place, StatedKeys, Terms
+from kinegrade.exam.folder.records import ExamHead
 from kinegrade.files.csv_writing import encode
 
 _REMOTE = re.compile("[eE][+-]?[0-9]{3}")  # powers of ten that no number may have

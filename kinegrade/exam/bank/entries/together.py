@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
 
-from kinegrade.exam.bank.alternatives import MOST_ALTERNATIVES
 from kinegrade.exam.bank.blueprint import Slot, list_wishes, name_templates
+from kinegrade.exam.bank.entries.alternatives import MOST_ALTERNATIVES
+from kinegrade.exam.bank.entries.entries import MAX_QUESTIONS, Entry
 from kinegrade.exam.bank.matching import match_slots
-from kinegrade.exam.bank.questions import MAX_QUESTIONS, Entry
 from kinegrade.files.fields.table import Table
 from kinegrade.language.message import Message, Quoted
 from kinegrade.numbers.tolerance import MOST_CARRY

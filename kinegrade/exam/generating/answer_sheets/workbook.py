@@ -17,7 +17,7 @@ from zipfile import ZIP_DEFLATED, ZipFile, ZipInfo
 
 from kinegrade.exam.folder.contents import FINDER
 from kinegrade.exam.folder.keys import Ask
-from kinegrade.exam.generating.typing_aids import (
+from kinegrade.exam.generating.answer_sheets.typing_aids import (
     HEADER_ROW,
     find_row_formula,
     name_column,

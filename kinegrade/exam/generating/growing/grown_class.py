@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 from kinegrade.errors import TableError
 from kinegrade.exam.folder.contents import HEAD
 from kinegrade.exam.folder.exam_folder import ExamFolder
-from kinegrade.exam.generating.paper_changes import compare_students
+from kinegrade.exam.generating.replacing.paper_changes import compare_students
 from kinegrade.exam.printing.reprint import find_kinds
 from kinegrade.exam.roster.roster import Roster
 from kinegrade.exam.roster.students import Student, choose_places, make_file_names, make_student_key

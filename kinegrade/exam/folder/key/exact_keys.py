@@ -18,6 +18,7 @@ from kinegrade.errors import FieldError
 from kinegrade.exam.choices import Choice, fits_paper
 from kinegrade.exam.folder.contents import HEAD
 from kinegrade.exam.folder.faults import describe_damage
+from kinegrade.exam.folder.key.lines import KeyLine, StatedAnswer, StatedTolerance
 from kinegrade.exam.folder.keys import NOT_ASKED, Ask, Key, StatedKey, list_questions
 from kinegrade.exam.folder.numbers import (
     RATIONAL,
@@ -25,7 +26,6 @@ from kinegrade.exam.folder.numbers import (
     require_not_negative,
     require_number,
 )
-from kinegrade.exam.folder.records import KeyLine, StatedAnswer, StatedTolerance
 from kinegrade.language.message import Fault, Message, Quoted, list_plainly
 from kinegrade.numbers.tolerance import Tolerance
 

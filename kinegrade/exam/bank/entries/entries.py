@@ -5,60 +5,35 @@ family or tag.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from functools import cached_property, partial
 from pathlib import Path
-from typing import Literal, NamedTuple, TypeAlias, assert_never
+from typing import NamedTuple, assert_never
 
 from msgspec import Struct
 from msgspec.structs import replace
 
 from kinegrade.errors import FieldError, KinegradeError, suggest
-from kinegrade.exam.bank.alternatives import require_different, require_equal_points
-from kinegrade.exam.bank.asks import read_asks, read_kind, weigh_asks
 from kinegrade.exam.bank.blueprint import BankAsk, BankQuestion, Dealing, Slot
 from kinegrade.exam.bank.by_hand import HandQuestion, read_hand_question
-from kinegrade.exam.bank.domains import read_domains
-from kinegrade.exam.bank.keys import (
-    ANY,
-    BY_HAND,
-    COUNTED,
-    DEALT,
-    DRAWN,
-    FAMILY,
-    NAMED,
-    OWN,
-    TAG,
-    TEXT,
-)
+from kinegrade.exam.bank.entries.alternatives import require_different, require_equal_points
+from kinegrade.exam.bank.entries.asks import read_asks, read_kind, weigh_asks
+from kinegrade.exam.bank.entries.domains import read_domains
+from kinegrade.exam.bank.entries.kinds import ENTRY_KEYS, find_kind, read_dealing
 from kinegrade.exam.bank.shipped_templates import Grouping, Shelf, read_shelf
 from kinegrade.exam.bank.terms import BankTolerance, read_bank_tolerance, read_room
 from kinegrade.files.fields.document import read_text, toml_table
 from kinegrade.files.fields.faults import Faults
 from kinegrade.files.fields.table import Table
 from kinegrade.files.fields.values import flag, found, text, whole
-from kinegrade.language.message import Message, Quoted, list_all
+from kinegrade.language.message import Message, Quoted
 from kinegrade.problem.template.library.library import load_kept_template, load_template
 from kinegrade.problem.template.sections.opening import TEMPLATE
-from kinegrade.problem.template.sections.stepwise_keys import STEPWISE
 from kinegrade.problem.template.template import Template
 
 MAX_QUESTIONS = 50
 _ANY_EXAMPLE = '["slider-crank", "four-bar-parallel-coupler"]'
 _TEMPLATE_FILE = re.compile(r"[\w. -]{1,100}\.toml")
-_Kind: TypeAlias = (
-    Literal["template", "any", "text", "steps"] | Grouping
-)  # the key that says what an entry is
-_ENTRY_KEYS: Mapping[_Kind, tuple[str, ...]] = {
-    "template": (*NAMED, *DEALT, *COUNTED),
-    "any": (*ANY, *DEALT, *COUNTED),
-    "family": (*FAMILY, *DRAWN, *DEALT, *COUNTED),
-    "tag": (*TAG, *DRAWN, *DEALT, *COUNTED),
-    "text": (*TEXT, *BY_HAND, *COUNTED),
-    "steps": (*OWN, *STEPWISE, *DEALT, *COUNTED),
-}
-_ALL_KEYS = tuple(dict.fromkeys(key for keys in _ENTRY_KEYS.values() for key in keys))
-_ONE_KIND = Message("bank.one-kind")
 
 
 class _Terms(NamedTuple):
@@ -98,24 +73,24 @@ class Entries(Struct, frozen=True, dict=True):
 
     def read(self, entry: Table, first: int, wider: BankTolerance) -> Entry:
         """One entry with its questions, numbered from `first`; none if it cannot be read."""
-        by, identifier = _read_kind(entry), f"q{first}"
+        by, identifier = find_kind(entry), f"q{first}"
         match by:
             case None:
                 return Entry(entry, ())
             case "text":
                 return Entry(entry, (), read_hand_question(entry, identifier, self.space))
             case "steps":
-                return Entry(entry, self._own(entry.only(*_ENTRY_KEYS[by]), identifier, wider))
+                return Entry(entry, self._own(entry.only(*ENTRY_KEYS[by]), identifier, wider))
             case "template":
-                known = entry.only(*_ENTRY_KEYS[by])
+                known = entry.only(*ENTRY_KEYS[by])
                 return Entry(entry, self._named(known, identifier, wider))
             case "any":
-                known = entry.only(*_ENTRY_KEYS[by])
+                known = entry.only(*ENTRY_KEYS[by])
                 return Entry(entry, self._given(known, identifier, wider))
             case "family" | "tag":
                 if not entry.required(by, text):
                     return Entry(entry, ())
-                known = entry.only(*_ENTRY_KEYS[by])
+                known = entry.only(*ENTRY_KEYS[by])
                 return Entry(entry, self._drawn(known, by, first, wider))
             case _:
                 assert_never(by)
@@ -133,7 +108,7 @@ class Entries(Struct, frozen=True, dict=True):
     def _own(self, entry: Table, identifier: str, wider: BankTolerance) -> tuple[Slot, ...]:
         """The question that an entry states with steps of its own."""
         # Few banks have questions of their own
-        from kinegrade.exam.bank.own_questions import read_own_question  # noqa: PLC0415
+        from kinegrade.exam.bank.entries.own_questions import read_own_question  # noqa: PLC0415
 
         stated = read_bank_tolerance(entry, wider)
         terms = self._read_terms(entry)
@@ -187,7 +162,7 @@ class Entries(Struct, frozen=True, dict=True):
         """What holds for each question of an entry with a template."""
         return _Terms(
             entry.with_default("space", read_room, self.space),
-            _read_dealing(entry),
+            read_dealing(entry),
             entry.with_default("bonus", flag, False),
         )
 
@@ -260,31 +235,6 @@ def _require_alone(shipped: Template, own: Path) -> None:
     if text != shipped.file.text and "questions" not in toml_table(own.name, text, TEMPLATE):
         what = Message("bank.own-and-shipped", file=Quoted(own.name))
         raise FieldError(what, do=Message("bank.name-own", file=Quoted(own.name)))
-
-
-def _read_kind(entry: Table) -> _Kind | None:
-    """The key by which an entry says what it is; None after a fault."""
-    kinds = [key for key in _ENTRY_KEYS if key in entry]
-    if len(kinds) == 1:
-        return kinds[0]
-    misspelt = entry.only(*_ALL_KEYS).excused
-    if entry.whole and misspelt.isdisjoint(_ENTRY_KEYS):
-        everything = Message("bank.all-these", keys=list_all(kinds))
-        what = everything if kinds else Message("bank.no-template")
-        entry.fault(None, what, _ONE_KIND)
-    return None
-
-
-def _read_dealing(entry: Table) -> Dealing:
-    """How the numbers of an entry's questions are dealt."""
-    same = entry.with_default("same", flag, False)
-    repeats = entry.with_default("repeats", flag, False)
-    if same and repeats:
-        what, do = Message("bank.same-and-repeats"), Message("bank.leave-one-out")
-        entry.fault("repeats", what, do=do)
-    if same:
-        return "same"
-    return "repeated" if repeats else "own"
 
 
 def _make_slot(

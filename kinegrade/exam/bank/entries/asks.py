@@ -6,14 +6,9 @@ from collections.abc import Mapping, Sequence
 from fractions import Fraction
 
 from kinegrade.exam.bank.blueprint import BankAsk
+from kinegrade.exam.bank.entries.points import share_points
 from kinegrade.exam.bank.keys import ASK
-from kinegrade.exam.bank.points import share_points
-from kinegrade.exam.bank.terms import (
-    MAX_POINTS,
-    BankTolerance,
-    read_bank_tolerance,
-    read_points,
-)
+from kinegrade.exam.bank.terms import MAX_POINTS, BankTolerance, read_bank_tolerance, read_points
 from kinegrade.files.fields.table import Table
 from kinegrade.files.fields.values import choice, whole
 from kinegrade.language.message import Message, Text

@@ -18,17 +18,21 @@ from kinegrade.exam.bank.blueprint import Blueprint
 from kinegrade.exam.folder.contents import ANSWER_WORKBOOK, KEY, PAPERS, SOLUTIONS
 from kinegrade.exam.folder.exam_folder import ExamFolder, open_exam
 from kinegrade.exam.folder.records import Candidate, ExamHead
-from kinegrade.exam.generating.added_answers import write_grown_answers
 from kinegrade.exam.generating.exam_files import write_blank_workbook, write_head, write_papers
 from kinegrade.exam.generating.generate import list_complaints, require_none
-from kinegrade.exam.generating.grown_class import LateClass, late_class
-from kinegrade.exam.generating.grown_folder import copy_exam, digest_grown, open_grown_folder
+from kinegrade.exam.generating.growing.added_answers import write_grown_answers
+from kinegrade.exam.generating.growing.grown_class import LateClass, late_class
+from kinegrade.exam.generating.growing.grown_folder import (
+    copy_exam,
+    digest_grown,
+    open_grown_folder,
+)
 from kinegrade.exam.generating.hand_work import find_edited, refuse_edited
 from kinegrade.exam.generating.key_books import list_spare_ids
 from kinegrade.exam.generating.options import GenerateOptions
 from kinegrade.exam.generating.page_counts import list_longer_papers
-from kinegrade.exam.generating.replaced_exam import read_replaced, required_secret
-from kinegrade.exam.generating.same_sources import require_same_sources
+from kinegrade.exam.generating.replacing.replaced_exam import read_replaced, required_secret
+from kinegrade.exam.generating.replacing.same_sources import require_same_sources
 from kinegrade.exam.printing.class_printing import count_processes, print_class
 from kinegrade.exam.printing.head_record import candidate, make_exam_head
 from kinegrade.exam.printing.key_pages import make_kept_keys

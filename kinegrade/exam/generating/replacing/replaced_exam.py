@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from hashlib import sha256
 from pathlib import Path
 
-from msgspec import json, structs
+from msgspec import structs
 
 from kinegrade.errors import ExamError, TableError
 from kinegrade.exam.folder.contents import ANSWERS, HEAD, POOL, SOLUTIONS
@@ -22,10 +22,12 @@ from kinegrade.exam.folder.exam_folder import ExamFolder, open_exam
 from kinegrade.exam.folder.exam_secret import ExamSecret
 from kinegrade.exam.folder.faults import AS_GENERATED
 from kinegrade.exam.folder.head import read_head
-from kinegrade.exam.folder.records import ExamHead, KeyLine, StatedAnswer
+from kinegrade.exam.folder.key.lines import KeyLine
+from kinegrade.exam.folder.records import ExamHead
 from kinegrade.exam.generating.hand_work import is_answered, refuse_edited, require_nothing_edited
 from kinegrade.exam.generating.options import GenerateOptions
-from kinegrade.exam.generating.paper_changes import PaperChanges, list_otherwise
+from kinegrade.exam.generating.replacing.paper_changes import PaperChanges, list_otherwise
+from kinegrade.exam.generating.replacing.paper_digests import paper_digests
 from kinegrade.exam.roster.roster import Roster
 from kinegrade.exam.roster.students import read_place
 from kinegrade.exam.roster.taken_ids import list_former_owners
@@ -57,7 +59,7 @@ class ReplacedExam:
     def changes(self, new: Path) -> PaperChanges:
         """How the papers differ from those of the folder `new`. Raises ExamError."""
         head = read_head(new)
-        papers = _paper_digests(ExamFolder(new, head))
+        papers = paper_digests(ExamFolder(new, head))
         common = [student for student in self.papers if student in papers]
         stated = list_otherwise(self.folder, self.head, new, head) if self.head else ()
         return PaperChanges(
@@ -121,7 +123,7 @@ def read_replaced(exam: ExamFolder) -> ReplacedExam:
     """The exam of which everything is known that a replacement may change. Raises ExamError."""
     secret = required_secret(exam)
     exam.require_sound_key()
-    papers = _paper_digests(exam)
+    papers = paper_digests(exam)
     kept = {line.student: line for line in (*exam.lines(), *exam.spare_lines())}
     _require_places(exam, kept)
     return ReplacedExam(exam.path, exam.head, secret, papers, kept)
@@ -190,33 +192,6 @@ def _list_uncorrected(old: ReplacedExam, new: Path) -> list[str]:
         for name, file, digest in there
         if file.is_file() and sha256(file.read_bytes()).hexdigest() == digest
     ]
-
-
-def _paper_digests(exam: ExamFolder) -> dict[str, bytes]:
-    """For each student of the key a digest of what the paper asks and what is right on it. Raises
-    ExamError.
-    """
-    return {line.student: _paper_digest(line) for line in exam.lines()}
-
-
-def _paper_digest(line: KeyLine) -> bytes:
-    """A digest of a paper and of what its marks depend on: without the known mistakes, which are
-    not on the paper, and without what folders of format 1 do not keep.
-    """
-    questions = tuple(
-        structs.replace(
-            question, drawn={}, asks=dict(map(_without_mistakes, question.asks.items()))
-        )
-        for question in line.questions
-    )
-    paper = structs.replace(line, place=None, questions=questions)
-    return sha256(json.encode(paper, order="sorted")).digest()
-
-
-def _without_mistakes(named: tuple[str, StatedAnswer]) -> tuple[str, StatedAnswer]:
-    """An ask by its name, without what known mistakes lead to."""
-    name, answer = named
-    return name, structs.replace(answer, mistakes={})
 
 
 def _keep(names: Iterable[str], old: Path, new: Path) -> Iterator[Message]:

@@ -10,11 +10,11 @@ from typing import BinaryIO, NamedTuple
 
 from kinegrade.errors import FieldError, Problem
 from kinegrade.exam.folder.faults import explain_broken, explain_unreadable, name_line
-from kinegrade.exam.folder.key_decoding import PaperDecoder
+from kinegrade.exam.folder.key.decoding import PaperDecoder
+from kinegrade.exam.folder.key.stated_keys import Place
 from kinegrade.exam.folder.keys import Paper
 from kinegrade.exam.folder.ownership import find_ownership_faults
 from kinegrade.exam.folder.records import ExamHead
-from kinegrade.exam.folder.stated_keys import Place
 from kinegrade.language.message import Fault
 
 # Bytes: a few of the long lines, but no more than fits in a processor's cache
