@@ -39,8 +39,8 @@ from kinegrade.worked.words.naming import Naming
 @dataclass(frozen=True)
 class Case:
     """A solved instance, the language and method of its solution, the unit in which it counts
-    lengths, the numbers that print with more digits than usual, its drawings, and what it has
-    found so far.
+    lengths, the digits that rounded numbers have beyond the usual ones, its drawings, and what it
+    has found so far.
 
     Chapters are written in order; `findings` is their notebook.
     """
@@ -49,7 +49,7 @@ class Case:
     language: Language
     method: Method | None = None
     length: str = "m"
-    finer: Mapping[str, int] = field(default_factory=dict)
+    more_digits: int = 0
     drawings: Drawings = field(default_factory=Drawings, compare=False, repr=False)
     findings: Findings = field(default_factory=Findings)
 
@@ -123,7 +123,7 @@ class Case:
     @cached_property
     def notation(self) -> Notation:
         """How the formulas of the solution print."""
-        return Notation(open_catalogue(self.language).decimal_mark, self.length, self.finer)
+        return Notation(open_catalogue(self.language).decimal_mark, self.length, self.more_digits)
 
     def write(self, message: Message) -> str:
         """What a message says in the language of the solution."""

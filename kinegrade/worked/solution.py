@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from itertools import chain
 
 from kinegrade.language import Language
 from kinegrade.language.message import Message
@@ -27,11 +28,11 @@ from kinegrade.worked.asked_senses import count_as_asked
 from kinegrade.worked.case import Case
 from kinegrade.worked.checks.chapters import check_places
 from kinegrade.worked.contacts import introduce_contacts
-from kinegrade.worked.conventions import find_conventions
+from kinegrade.worked.conventions import find_conventions, state_rounding
 from kinegrade.worked.document import Block, Heading, WorkedSolution
 from kinegrade.worked.economy import leave_out_unused
 from kinegrade.worked.findings import Findings, Ways
-from kinegrade.worked.formulas.precision import find_finer
+from kinegrade.worked.formulas.precision import find_more_digits
 from kinegrade.worked.formulas.symbols import read_symbol
 from kinegrade.worked.numbering import number_steps
 from kinegrade.worked.positions.parts import list_lines
@@ -71,10 +72,12 @@ def write_worked_solution(
     case = Case(stated, language, method or stated.template.about.method, length)
     asked = tuple(stated.template.asks[name] for name in names)
     written = _write(case, asked, method)
-    finer = find_finer(case.findings.printed)  # which numbers lose digits shows when all is written
-    if not finer:
+    more = find_more_digits(
+        case.findings.printed
+    )  # where digits are lost shows when all is written
+    if not more:
         return written
-    return _write(replace(case, finer=finer, findings=Findings()), asked, method)
+    return _write(replace(case, more_digits=more, findings=Findings()), asked, method)
 
 
 def _write(case: Case, asked: Sequence[Ask], method: Method | None) -> WorkedSolution:
@@ -135,7 +138,7 @@ def _write_blocks(case: Case, asked: Sequence[Ask], boxes: AnswerBoxes) -> Itera
     later = tuple(boxes.frame(chapters))
     if velocities:
         said = find_conventions(later, case, accelerated=bool(accelerations))
-        later = (later[0], *said, *later[1:])
+        later = (later[0], said, *later[1:])
     checks = () if moving else tuple(check_places(still, case))
     used = (*list_lines((*poses, *later)), *case.findings.told[told:])
     task = name_task((*known, *stages), asked, used, case)
@@ -145,10 +148,9 @@ def _write_blocks(case: Case, asked: Sequence[Ask], boxes: AnswerBoxes) -> Itera
     sought = (read_symbol(ask.symbol).row for ask in still)
     where = placed.write_used((*used, *sought)) if moving else placed.write()
     contacts = introduce_contacts(case, points, (*where, *poses, *later, *checks))
-    yield from _head_positions((*contacts, *where), case)
-    yield from poses
-    yield from boxes.state_missing(still)
-    yield from (*later, *checks)
+    positions = _head_positions((*contacts, *where), case)
+    yield from _say_rounding(chain(positions, poses, boxes.state_missing(still), later), case)
+    yield from checks
 
 
 def _head_positions(blocks: Sequence[Block], case: Case) -> Iterator[Block]:
@@ -156,6 +158,13 @@ def _head_positions(blocks: Sequence[Block], case: Case) -> Iterator[Block]:
     if blocks:
         yield Heading(case.write(Message("solution.positions")), 1)
         yield from blocks
+
+
+def _say_rounding(blocks: Iterator[Block], case: Case) -> Iterator[Block]:
+    """The blocks with how values are rounded before the first number."""
+    rounding, first = state_rounding(case.language, case.notation), next(blocks)
+    yield from (first, rounding) if isinstance(first, Heading) else (rounding, first)
+    yield from blocks
 
 
 def find_course(case: Case, asked: Iterable[Ask]) -> tuple[tuple[Step, Stage], ...]:

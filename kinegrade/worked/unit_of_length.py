@@ -20,7 +20,7 @@ from kinegrade.problem.quantity import Quantity
 from kinegrade.problem.solution import Solution
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.template import Template
-from kinegrade.worked.formulas.numbers import DIGITS
+from kinegrade.worked.formulas.notation import DIGITS
 
 METRE: Literal["m"] = "m"
 _INCHES_AND_FEET = {"in", "ft"}

@@ -35,7 +35,7 @@ def test_a_slider_crank_can_be_drawn_from_its_description() -> None:
         "$OA$ turns about the fixed pin $O$. $OA$ and $AB$ are pinned together at $A$. $B$ of $AB$ "
         "slides in a fixed straight guide along the $x$ axis.",
         "$O$ is the origin. $A$ lies at the distance $r$ from $O$ in the direction $\\varphi$. $B$ "
-        "is the right-hand one of the points in which the $x$ axis meets the circle about $A$ of "
+        "is the right-hand intersection of the $x$ axis and the circle about $A$ of "
         "radius $k\\,r$.",
         "$OA$ turns clockwise with the angular velocity $\\omega = 4\\,\\unit{rad/s}$, speeding up "
         "with the angular acceleration $\\alpha = 5\\,\\unit{rad/s^2}$.",

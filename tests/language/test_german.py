@@ -64,7 +64,7 @@ def test_a_statement_and_a_worked_solution_hold_no_decimal_point() -> None:
     blocks = write_worked_solution(solution, ("v_B", "a_B"), GERMAN).blocks
     lines = displayed(blocks)
     assert not [line for line in lines if "0." in line]
-    exact = (solution.answers[name].decimal(4) for name in ("v_B", "a_B"))
+    exact = (solution.answers[name].decimal(5) for name in ("v_B", "a_B"))
     assert [value.split(r"\,")[0] for value in boxed(blocks)] == [
         text.replace(".", "{,}") for text in exact
     ]

@@ -55,9 +55,8 @@ def test_a_composition_of_velocities() -> None:
     solution = solve_small(SLOT, omega="omega(OB) in rad/s")
     assert read_chapter("# Velocities", solution) == as_read(
         r"""
-        Rotations are positive counter-clockwise. A vector's letter stands for its component in the direction given in its first table ($\perp$ with $\curvearrowleft$: turned
+        Rotations are positive counter-clockwise. A vector's letter stands for its component in the direction given in its first table ($\perp$ with $\curvearrowleft$: turned through $90^\circ$
             counter-clockwise from what is named).
-        Numbers after $\approx$ are rounded, to more digits where a later line needs them; where they are put in, they count in full.
         Given: the angular velocity of the crank $O_{1}A$.
         \omega_{O_{1}A} &= 2\,\unit{rad/s}\quad\text{(counter-clockwise)}
         ## Composition of motions: moving point $A$, moving frame on $OB$
@@ -119,7 +118,7 @@ def test_a_composition_of_accelerations_with_coriolis() -> None:
             $\boldsymbol{a}_{\mathrm{r}}$:
         a_{\mathrm{a}}^{\mathrm{n}}\sin\psi_{OA} &= a_{\mathrm{e}}^{\mathrm{t}} + a_{\mathrm{Cor}}
         a_{\mathrm{e}}^{\mathrm{t}} &= -a_{\mathrm{Cor}} + a_{\mathrm{a}}^{\mathrm{n}}\sin\psi_{OA}
-            = -12.288\,\unit{m/s^2} + 16\,\unit{m/s^2} \cdot \sin 36.87^\circ
+            = -12.288\,\unit{m/s^2} + 16\,\unit{m/s^2} \cdot \sin 36.870^\circ
         &= -2.688\,\unit{m/s^2}\quad\text{(clockwise about }O\text{)}
         \alpha &= \frac{a_{\mathrm{e}}^{\mathrm{t}}}{OA} = \frac{-2.688\,\unit{m/s^2}}{5\,\unit{m}}
             = -0.5376\,\unit{rad/s^2}\quad\text{(clockwise)}
@@ -200,7 +199,7 @@ def test_a_relative_vector_that_is_asked_for() -> None:
         v_{B,y} &= v_{A} + \omega_{AB}(x_{B} - x_{A}) = 6\,\unit{m/s}
         The point of the arm $OA$ that coincides with $B$ turns about $O$:
         v_{B(OA)} &= OB \cdot \omega_{OA} = 3.1623\,\unit{m} \cdot 2\,\unit{rad/s} \approx
-            6.325\,\unit{m/s}\quad\text{(counter-clockwise about }O\text{)}
+            6.3246\,\unit{m/s}\quad\text{(counter-clockwise about }O\text{)}
         Relative to the arm $OA$, $B$ has the velocity
             $\boldsymbol{v}_{\mathrm{r}} = \boldsymbol{v}_{B} - \boldsymbol{v}_{B(OA)}$.
         v_{\mathrm{r},x} &= v_{B,x} + \omega_{OA}\,y_{B} = 3\,\unit{m/s} + 2\,\unit{rad/s} \cdot

@@ -76,8 +76,10 @@ def test_rolling_on_a_line() -> None:
     solution = solve_small(ON_A_LINE, omega="omega(wheel) in rad/s")
     assert read_chapter("# Velocities", solution) == as_read(
         r"""
-        Rotations are positive counter-clockwise.
-        Numbers after $\approx$ are rounded, to more digits where a later line needs them; where they are put in, they count in full.
+        Numbers after $\approx$ are rounded, to 4 significant digits and angles to 2 decimals; where
+            they are put in, they count in full.
+        Rotations are positive counter-clockwise. The words in brackets after a value give the actual
+            sense.
         Given: the velocity of $C$.
         v_{C} &= 6\,\unit{m/s}\quad\text{(to the right)}
         ## The wheel rolls without slipping on a fixed straight track
@@ -99,7 +101,7 @@ def test_the_points_of_a_rolling_wheel() -> None:
         The point of contact $D$ is the velocity pole of the wheel, so the velocity of $P$ is
             normal to $DP$:
         v_{P} &= DP \cdot \left|\omega_{\text{wheel}}\right| = 2.8284\,\unit{m} \cdot 3\,\unit{rad/s} \approx
-            8.485\,\unit{m/s}
+            8.4853\,\unit{m/s}
         $D$ is a point of the wheel, base point $C$:
         a_{D,x} &= a_{C} + \alpha_{\text{wheel}}\,y_{C} = 2\,\unit{m/s^2} + (-1\,\unit{rad/s^2}) \cdot
             2\,\unit{m} = 0
@@ -136,8 +138,8 @@ def test_rolling_inside_a_circle() -> None:
     )
     assert read_chapter("# Velocities", solution) == as_read(
         r"""
-        Angular velocities $\omega$ and angular accelerations $\alpha$ are positive counter-clockwise.
-        Numbers after $\approx$ are rounded, to more digits where a later line needs them; where they are put in, they count in full.
+        Angular velocities $\omega$ and angular accelerations $\alpha$ are positive counter-clockwise. The words in brackets after a value give the actual
+            sense.
         Given: the angular velocity of the wheel.
         \omega_{\text{wheel}} &= 3\,\unit{rad/s}\quad\text{(counter-clockwise)}
         ## The wheel rolls without slipping on a fixed circle
@@ -173,8 +175,10 @@ def test_a_centre_that_is_driven_on_its_circle() -> None:
     solution = solve_small(DRIVEN_ROUND, omega="omega(W) in rad/s", alpha="alpha(W) in rad/s^2")
     assert read_chapter("# Velocities", solution) == as_read(
         r"""
-        Angular velocities $\omega$ and angular accelerations $\alpha$ are positive counter-clockwise.
-        Numbers after $\approx$ are rounded, to more digits where a later line needs them; where they are put in, they count in full.
+        Numbers after $\approx$ are rounded, to 4 significant digits and angles to 2 decimals; where
+            they are put in, they count in full.
+        Angular velocities $\omega$ and angular accelerations $\alpha$ are positive counter-clockwise. The words in brackets after a value give the actual
+            sense.
         Given: the velocity of $A$ on its circle about $O$.
         v_{A} &= 6\,\unit{m/s}\quad\text{(counter-clockwise about }O\text{)}
         ## The wheel rolls without slipping on a fixed circle
@@ -208,9 +212,8 @@ def test_gears_with_fixed_axes() -> None:
     solution = solve_small(GEARS, omega="omega(pinion) in rad/s")
     assert read_chapter("# Velocities", solution) == as_read(
         r"""
-        Rotations are positive counter-clockwise. A vector's letter stands for its component in the direction given in its first table ($\perp$ with $\curvearrowleft$: turned
-            counter-clockwise from what is named).
-        Numbers after $\approx$ are rounded, to more digits where a later line needs them; where they are put in, they count in full.
+        Rotations are positive counter-clockwise. A vector's letter stands for its component in the direction given in its first table ($\perp$ with $\curvearrowleft$: turned through $90^\circ$
+            counter-clockwise from what is named). The words in brackets after a value give the actual sense.
         Given: the angular velocity of the gear.
         \omega_{O} &= 2\,\unit{rad/s}\quad\text{(counter-clockwise)}
         ## 1. Composition of motions: moving point $C$, moving frame on the gear

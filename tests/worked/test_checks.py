@@ -116,8 +116,8 @@ def test_a_point_in_two_slots_is_checked_by_the_components_that_are_asked() -> N
         "the time derivative of $y_{M}$",
         r"v_{M,y} = 0.1\,\unit{m/s}",
         r"\omega_{\text{rod}}\,x_{M} + \frac{v_{\mathrm{r}2}}{OM}\,y_{M} = 3\,\unit{rad/s}"
-        r" \cdot 0.1\,\unit{m} + \frac{-0.4\,\unit{m/s}}{0.1155\,\unit{m}}"
-        r" \cdot 0.05774\,\unit{m} = 0.1\,\unit{m/s}",
+        r" \cdot 0.1\,\unit{m} + \frac{-0.4\,\unit{m/s}}{0.11547\,\unit{m}}"
+        r" \cdot 0.057735\,\unit{m} = 0.1\,\unit{m/s}",
     )
 
 
@@ -167,10 +167,10 @@ def test_gears_that_a_planet_joins_are_checked_as_their_carrier_sees_them() -> N
     assert check == Check(
         "the rim speeds of gear $S$ and of gear $R$, equal by way of the planet gear, "
         "seen from the arm $OP$",
-        r"r_{S}(\omega_{S} - \omega_{OP}) = 0.04364\,\unit{m} \cdot (-31.416\,\unit{rad/s} - 3.142\,\unit{rad/s})"
-        r" \approx -1.508\,\unit{m/s}",
-        r"-r_{R}(\omega_{R} - \omega_{OP}) = -0.1164\,\unit{m} \cdot (16.10\,\unit{rad/s} - 3.142\,\unit{rad/s})"
-        r" \approx -1.508\,\unit{m/s}",
+        r"r_{S}(\omega_{S} - \omega_{OP}) = 0.043636\,\unit{m} \cdot (-31.416\,\unit{rad/s} - 3.1416\,\unit{rad/s})"
+        r" \approx -1.5080\,\unit{m/s}",
+        r"-r_{R}(\omega_{R} - \omega_{OP}) = -0.11636\,\unit{m} \cdot (16.101\,\unit{rad/s} - 3.1416\,\unit{rad/s})"
+        r" \approx -1.5080\,\unit{m/s}",
     )
 
 
@@ -193,10 +193,10 @@ def test_a_wheel_between_tracks_is_checked_from_the_other_contact() -> None:
 def test_a_train_about_fixed_axes_is_checked_in_one_step() -> None:
     values = {"r1": "26", "r2": "20", "r3": "30", "r4": "10", "n": "-60"}
     assert find_checks(stated("two-stage-belt-drive", **values))[0] == Check(
-        "the transmission from the engine to the dynamo in one step",
-        r"\omega_{C} \approx -24.50\,\unit{rad/s}",
+        "the transmission from the engine pulley to the dynamo pulley in one step",
+        r"\omega_{C} \approx -24.504\,\unit{rad/s}",
         r"\frac{r_{1}\,r_{3}}{r_{2}\,r_{4}}\,\omega_{O} = \frac{0.26\,\unit{m} \cdot 0.3\,\unit{m}}{0.2\,\unit{m} \cdot 0.1\,\unit{m}} \cdot "
-        r"(-6.283\,\unit{rad/s}) \approx -24.50\,\unit{rad/s}",
+        r"(-6.2832\,\unit{rad/s}) \approx -24.504\,\unit{rad/s}",
     )
 
 
@@ -209,7 +209,7 @@ def test_a_slot_that_turns_is_checked_by_a_coordinate_of_the_point_in_it() -> No
             "the time derivative of $y_{B}$",
             r"v_{B} = 0.5\,\unit{m/s}",
             r"\omega_{AC}\,x_{B} + \frac{v_{\mathrm{r}}}{AB}\,y_{B} = 0.41667\,\unit{rad/s}"
-            r" \cdot 0.6\,\unit{m} + \frac{0.35355\,\unit{m/s}}{0.8485\,\unit{m}}"
+            r" \cdot 0.6\,\unit{m} + \frac{0.35355\,\unit{m/s}}{0.84853\,\unit{m}}"
             r" \cdot 0.6\,\unit{m} = 0.5\,\unit{m/s}",
         )
     ]
@@ -219,7 +219,7 @@ def test_a_pose_is_checked_by_a_distance_that_is_given() -> None:
     values = {"b": "0.8", "l_BC": "1.3", "l_CD": "2.1", "d": "1.9", "theta": "90"}
     assert find_checks(stated("pose-four-bar-coupler", **values))[0] == Check(
         "the distance $DC$ from the coordinates, and as it is given",
-        r"\sqrt{(x_{C} - x_{D})^{2} + y_{C}^{2}} = \sqrt{(0.8255\,\unit{m} - 1.9\,\unit{m})^{2} + (1.8043\,\unit{m})^{2}}"
+        r"\sqrt{(x_{C} - x_{D})^{2} + y_{C}^{2}} = \sqrt{(0.82549\,\unit{m} - 1.9\,\unit{m})^{2} + (1.8043\,\unit{m})^{2}}"
         r" = 2.1\,\unit{m}",
         r"l_{CD} = 2.1\,\unit{m}",
     )

@@ -114,7 +114,7 @@ def test_an_angle_that_a_triangle_has_given_is_not_found_again_by_its_tangent() 
     told = displayed(stated("pose-four-bar-coupler", **COUPLER))
     assert not any(r"\tan\varphi_{2}" in line for line in told)
     (line,) = (line for line in told if line.startswith(r"\varphi_{2} &="))
-    assert r"&= \angle(x,\overrightarrow{BD}) + \angle DBC \approx 50.58^\circ" in line
+    assert r"&= \angle(x,\overrightarrow{BD}) + \angle DBC \approx 50.581^\circ" in line
 
 
 def test_what_n_and_t_mark_is_said_once_and_before_the_first_table_that_has_them() -> None:

@@ -41,7 +41,7 @@ def test_what_a_relation_adds_is_inserted_too() -> None:
         "slider-crank-relative-rotation-driver", "By the relations above", 2
     )
     assert r"v_{BA} = 0.2\,\unit{m} \cdot \omega_{OA} + 0.8\,\unit{m/s}$" in announced
-    assert r"v_{A} \approx 0.3464\,\unit{m} \cdot \omega_{OA}$" in announced
+    assert r"v_{A} \approx 0.34641\,\unit{m} \cdot \omega_{OA}$" in announced
     assert inserted.endswith(r"+ 0.8\,\unit{m/s} \cdot \cos 60^\circ")
 
 
@@ -61,11 +61,11 @@ def test_the_last_of_two_projections_is_inserted_into_the_first() -> None:
         "crank-slider-in-floating-link", "The last equation gives", 4
     )
     assert announced == (
-        r"The last equation gives $\omega_{BC} \approx -0.8660\omega_{O_{1}B}$; inserted into the "
+        r"The last equation gives $\omega_{BC} \approx -0.86603\omega_{O_{1}B}$; inserted into the "
         r"first one, this leaves only $\omega_{O_{1}B}$ unknown:"
     )
-    assert inserted.endswith(r"- 0.23094\,\unit{m} \cdot 0.8660\omega_{O_{1}B}")
-    assert second.startswith(r"\omega_{BC} &= -0.8660 \cdot (-1\,\unit{rad/s}) \approx 0.8660")
+    assert inserted.endswith(r"- 0.23094\,\unit{m} \cdot 0.86603\omega_{O_{1}B}")
+    assert second.startswith(r"\omega_{BC} &= -0.86603 \cdot (-1\,\unit{rad/s}) \approx 0.86603")
 
 
 def test_a_projection_in_which_one_unknown_is_left_gives_it_at_once() -> None:

@@ -10,11 +10,14 @@ import pytest
 from kinegrade.language import Language
 from kinegrade.problem.template.library.library import find_template_names
 from kinegrade.worked.document import Block
+from kinegrade.worked.formulas.numbers import count_digits
 from tests.worked.chains import chains
 from tests.worked.draws import drawn, kept
-from tests.worked.telling import displayed
+from tests.worked.telling import displayed, proses
 
 ROUNDED = re.compile(r"\\approx -?(\d+(?:\.\d+)?)(\^\\circ)?")
+EXACT = 3  # digits of a number that may be exact
+RULE = re.compile(r"rounded, to (\d) significant digits and angles to (\d) decimals")
 
 
 def every_page(name: str) -> Iterator[tuple[Block, ...]]:
@@ -23,15 +26,18 @@ def every_page(name: str) -> Iterator[tuple[Block, ...]]:
 
 @pytest.mark.sampled(12, first=1)
 @pytest.mark.parametrize("name", find_template_names())
-def test_a_rounded_number_has_four_digits_and_an_angle_two_decimals_or_few_more(name: str) -> None:
-    """More where what follows loses digits: the law of figures in `reader` needs them."""
+def test_all_rounded_numbers_of_a_page_have_the_digits_that_it_says_they_have(name: str) -> None:
+    """Four, and two decimals of angles, or of all more, where what follows would lose digits."""
     for blocks in every_page(name):
-        for line in displayed(blocks):
-            for digits, degrees in ROUNDED.findall(line):
-                if degrees:
-                    assert len(digits.partition(".")[2]) <= 5
-                else:
-                    assert len(digits.replace(".", "").lstrip("0")) <= 7
+        (rule,) = {found for text in proses(blocks) for found in RULE.findall(text)}
+        assert rule in [("4", "2"), ("5", "3"), ("6", "4")]
+        text = " ".join((*displayed(blocks), *proses(blocks)))
+        shown = ROUNDED.findall(text)
+        angles = {digits: len(digits.partition(".")[2]) for digits, degrees in shown if degrees}
+        others = {digits: count_digits(digits) for digits, degrees in shown if not degrees}
+        assert [one for one, places in angles.items() if places != int(rule[1])] == []
+        long = {one: count for one, count in others.items() if count > EXACT}
+        assert [one for one, count in long.items() if count != int(rule[0])] == []
 
 
 IDLE = re.compile(r"\\cos\(-[\\a-z]|\(-\\?[a-z]+\)\^\{2\}|\\left\|\d")

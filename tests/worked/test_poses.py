@@ -36,7 +36,7 @@ def test_no_check_compares_a_quantity_with_the_formula_that_has_given_it(name: s
 def test_a_distance_is_checked_by_the_formula_at_which_the_point_is_placed() -> None:
     (check,) = find_checks(write(solve_template(load_template(TRIANGLE), GIVEN)).blocks)
     assert (
-        check.right == r"l\cos\alpha = 0.38\,\unit{m} \cdot \cos 70^\circ \approx 0.1300\,\unit{m}"
+        check.right == r"l\cos\alpha = 0.38\,\unit{m} \cdot \cos 70^\circ \approx 0.12997\,\unit{m}"
     )
 
 

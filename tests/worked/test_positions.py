@@ -170,9 +170,9 @@ def test_a_pose_asks_for_nothing_but_positions(name: str) -> None:
 @pytest.mark.parametrize(
     ("language", "said"),
     [
-        ("en", "$B$ is the one on the right of the line from $O$ to $A$ of the points in which"),
+        ("en", "$B$ is the intersection (on the right of the line from $O$ to $A$) of"),
         ("zh", "的两交点中位于由 $O$ 指向 $A$ 的直线右侧的一个"),
-        ("de", "$B$ ist der rechts von der Geraden von $O$ nach $A$ gelegene der Punkte, in denen"),
+        ("de", "$B$ ist der rechts von der Geraden von $O$ nach $A$ gelegene Schnittpunkt von"),
     ],
 )
 def test_the_side_of_a_directed_line_is_told_as_the_template_names_it(
@@ -195,7 +195,7 @@ def test_a_slider_crank_is_told_as_in_a_textbook() -> None:
         "$O$ is the origin of the coordinates.",
         r"$A$ lies at the distance $r$ from $O$; $OA$ makes $\varphi$ with the $x$ axis and points "
         "upwards to the right:",
-        r"$B$ is the right-hand one of the points in which the $x$ axis meets the circle about $A$ of "
+        r"$B$ is the right-hand intersection of the $x$ axis and the circle about $A$ of "
         r"radius $k\,r$:",
     ]
     assert lines(blocks) == [
@@ -252,10 +252,10 @@ def test_an_angle_without_a_field_gives_decimals_that_say_they_are_rounded() -> 
             r"the line through $(0,\ r)$ parallel to the $x$ axis",
         ),
         ("meet(line(A, B), line((r, 0), (0, r)))", r"the line $(r,\ 0)(0,\ r)$"),
-        ("meet(circle(B, r), line((0, r/2), -phi), left)", "the left-hand one of the points"),
-        ("meet(circle(B, r), line((0, r/4), 0), left)", "the left-hand one of the points"),
-        ("meet(line((r, 0), pi/2), circle(B, r), lower)", "the lower one of the points"),
-        ("meet(line((0, r/4), B), circle(B, r), lower)", "the lower one of the points"),
+        ("meet(circle(B, r), line((0, r/2), -phi), left)", "the left-hand intersection"),
+        ("meet(circle(B, r), line((0, r/4), 0), left)", "the left-hand intersection"),
+        ("meet(line((r, 0), pi/2), circle(B, r), lower)", "the lower intersection"),
+        ("meet(line((0, r/4), B), circle(B, r), lower)", "the lower intersection"),
         ("meet(line((r, 0), pi/2), circle(A, r), clockwise)", "the $y$ axis touches the circle"),
         (
             "meet(circle((r, 0), 2*r), line((0, r/2), B), right)",
@@ -265,7 +265,10 @@ def test_an_angle_without_a_field_gives_decimals_that_say_they_are_rounded() -> 
             "meet(circle(A, r), circle(B, r/2), clockwise)",
             "on the right of the line from $A$ to $B$",
         ),
-        ("meet(circle(A, r), circle(B, r/2), upper)", "the law of cosines gives its angle at $A$"),
+        (
+            "meet(circle(A, r), circle(B, r/2), upper)",
+            "The law of cosines in the triangle $ABC$ gives its angle at $A$",
+        ),
         ("foot((r, r), line(A, B))", r"the perpendicular from $(r,\ r)$ to the line $AB$"),
         ("foot(B, line((0, r), 0))", "the foot of the perpendicular from $B$"),
         ("toward(A, B, 3*r)", "on the ray from $A$ through $B$, at the distance $3 r$ from $A$"),
@@ -423,8 +426,19 @@ def test_coordinates_are_worked_out_where_something_refers_to_them(name: str) ->
     told = [*lines(blocks), *(block.text for block in blocks if isinstance(block, Prose))]
     letters = {write_point_symbol(point) for point in template.scheme.points}
     coordinates = {f"{axis}_{{{letter}}}" for axis in "xy" for letter in letters}
-    for left in coordinates & {left for left, _ in chains(blocks)}:
+    for left in coordinates & {left for left, parts in chains(blocks) if parts != ["0"]}:
         assert sum(left in line for line in told) > 1, left
+
+
+@pytest.mark.parametrize(
+    "name", ["slider-driven-gear-on-rack", "crank-bar-through-sleeve-with-arm"]
+)
+def test_a_coordinate_that_is_zero_is_told_with_the_other(name: str) -> None:
+    """A distance was worked out without it, and a reader looked for it in vain."""
+    values = dict(chains(kept(name)))
+    point = {"slider-driven-gear-on-rack": "C", "crank-bar-through-sleeve-with-arm": "B"}[name]
+    assert {f"x_{{{point}}}", f"y_{{{point}}}"} <= values.keys()
+    assert ["0"] in (values[f"x_{{{point}}}"], values[f"y_{{{point}}}"])
 
 
 def test_a_coordinate_that_only_its_square_refers_to_is_worked_out() -> None:

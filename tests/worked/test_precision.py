@@ -1,11 +1,14 @@
-"""Numbers that lose digits further down print with more of them, and those that lead to them."""
+"""Where digits are lost further down, all numbers of a page print with more of them."""
 
 from __future__ import annotations
 
+import pytest
+
 from kinegrade.worked.formulas.equation import Equation, approximate, equate
 from kinegrade.worked.formulas.formula import Formula
-from kinegrade.worked.formulas.numbers import measure, state_angle
-from kinegrade.worked.formulas.precision import find_finer
+from kinegrade.worked.formulas.notation import Notation
+from kinegrade.worked.formulas.numbers import measure, round_number, state_angle
+from kinegrade.worked.formulas.precision import find_more_digits
 from kinegrade.worked.formulas.symbols import read_symbol
 from tests.worked.draws import stated
 from tests.worked.telling import displayed
@@ -17,21 +20,33 @@ def say(numbers: Formula, value: float) -> Equation:
     return Equation(read_symbol("s"), (*equate(numbers), *approximate(measure(value, "m"))))
 
 
-def test_both_numbers_of_a_difference_that_is_small_have_another_digit() -> None:
+def test_a_difference_that_is_small_takes_more_digits() -> None:
     difference = say(measure(NEAR, "m") - measure(FAR, "m"), NEAR - FAR)
-    assert dict(find_finer([difference])) == {"0.720568": 2, "0.712546": 2}
+    assert find_more_digits([difference]) == 2
 
 
-def test_what_leads_to_a_finer_number_is_finer_too() -> None:
+def test_a_result_that_its_numbers_give_to_four_digits_takes_no_more() -> None:
+    product = say(measure(NEAR / 3, "m").dot(measure(3, "m")), NEAR)
+    assert find_more_digits([product]) == 0
+
+
+def test_digits_beyond_the_fourth_need_not_be_those_of_printed_numbers() -> None:
+    product = say(measure(NEAR / 3, "m").dot(measure(3, "m")), NEAR)
     difference = say(measure(NEAR, "m") - measure(0.7, "m"), NEAR - 0.7)
-    before = say(measure(NEAR / 3, "m").dot(measure(3, "m")), NEAR)
-    assert find_finer([before]) == {}
-    assert set(find_finer([before, difference])) == {"0.720568", "0.240189333"}
+    assert find_more_digits([product, difference]) == 1
 
 
 def test_an_angle_is_compared_in_degrees() -> None:
     turned = state_angle(20.123) + state_angle(30.456)
-    assert find_finer([Equation(turned, approximate(state_angle(50.579)))]) == {}
+    assert find_more_digits([Equation(turned, approximate(state_angle(50.579)))]) == 0
+
+
+@pytest.mark.parametrize(
+    ("number", "shown"), [(-0.498934567, "-0.498935"), (12345.678, "12346"), (9.99999, "10.0000")]
+)
+def test_digits_are_counted_from_the_first(number: float, shown: str) -> None:
+    more = 1 if number > 10 else 2
+    assert round_number(number).show(Notation(more_digits=more)) == shown
 
 
 def test_rounded_numbers_that_miss_zero_stand_before_zero() -> None:

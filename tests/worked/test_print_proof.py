@@ -328,7 +328,7 @@ def test_an_answer_in_the_sense_of_the_question_repeats_the_decimals_found() -> 
     values = {"R": "0.3", "d": "0.82", "omega_1": "5", "omega_2": "3"}
     solution = solve_template(load_template("pin-in-two-rings"), values)
     page = lines(write_worked_solution(solution, ("v_rel_1",), "en").blocks)
-    assert any(r"v_{\mathrm{r}1} &\approx \boxed{-2.318\,\unit{m/s}}" in line for line in page)
+    assert any(r"v_{\mathrm{r}1} &\approx \boxed{-2.3182\,\unit{m/s}}" in line for line in page)
 
 
 def test_two_compositions_of_different_points_have_two_absolute_velocities() -> None:

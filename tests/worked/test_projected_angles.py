@@ -87,7 +87,7 @@ def test_two_lines_have_no_angle_beyond_a_straight_one() -> None:
     values = {"a": "45", "b": "170", "c": "100", "d": "160", "phi": "100", "n": "80"}
     told = "\n".join(proses(stated("four-bar-by-lengths", **values)))
     assert r"The angle between $AB$ and $DC$ is $\varphi + \psi_{DC} - 180^\circ$, so" in told
-    assert r"Here $\varphi + \psi_{DC} = 100^\circ + 85.926^\circ \approx 185.926^\circ$." in told
+    assert r"Here $\varphi + \psi_{DC} = 100^\circ + 85.9257^\circ \approx 185.9257^\circ$." in told
 
 
 def test_lines_make_no_obtuse_angle() -> None:

@@ -62,8 +62,8 @@ def test_a_sum_of_angles_is_worked_out_before_a_point_is_placed_by_it() -> None:
     # the cosine took 86.53 degrees, which stood nowhere
     told = displayed(kept("watt-linkage"))
     (place,) = [place for place, line in enumerate(told) if line.startswith("y_{C} &=")]
-    assert told[place - 1].endswith(r"= 17.821^\circ + 68.714^\circ \approx 86.535^\circ")
-    assert r"\sin 86.535^\circ" in told[place]
+    assert told[place - 1].endswith(r"= 17.8209^\circ + 68.7136^\circ \approx 86.5345^\circ")
+    assert r"\sin 86.5345^\circ" in told[place + 1]
 
 
 def test_a_relative_rotation_is_added_in_numbers() -> None:

@@ -357,7 +357,7 @@ def test_the_sense_in_which_a_driver_counts_is_kept() -> None:
 
 def test_a_known_vector_told_negative_stands_between_bars() -> None:
     lines = lines_of("stone-crusher", "base-point")
-    assert any(r"\approx -1.066\,\unit{m/s}" in line for line in lines)
+    assert any(r"\approx -1.0660\,\unit{m/s}" in line for line in lines)
     assert any(r"\left|v_{G}\right|\sin" in line for line in lines)
 
 

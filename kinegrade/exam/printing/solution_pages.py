@@ -21,7 +21,8 @@ from kinegrade.problem.printed_givens import mark_question
 from kinegrade.problem.solution import Solution
 from kinegrade.problem.statement import write_statement
 from kinegrade.problem.template.template import Method
-from kinegrade.worked.conventions import state_rounding
+from kinegrade.worked.conventions import states_rounding
+from kinegrade.worked.document import Block
 from kinegrade.worked.solution import write_worked_solution
 
 # A language, the identifier of a question, and its values as they were drawn
@@ -78,12 +79,13 @@ def write_solution_sheet(bank: Bank, paper: SetPaper, writer: SolutionWriter) ->
 def _say_rounding_once(
     questions: Iterable[WorkedQuestion], language: Language
 ) -> Iterator[WorkedQuestion]:
-    """The questions with that values are rounded said by the first alone that says so."""
-    rounding, said = state_rounding(language), False
+    """The questions, each without how values are rounded where the one before has said the same."""
+    said = list[Block]()
     for question in questions:
-        others = tuple(block for block in question.blocks if block != rounding)
-        yield replace(question, blocks=others) if said else question
-        said = said or others != question.blocks
+        rounding = [block for block in question.blocks if states_rounding(block, language)]
+        others = tuple(block for block in question.blocks if block not in rounding)
+        yield replace(question, blocks=others) if rounding == said else question
+        said = rounding or said
 
 
 def work_question(

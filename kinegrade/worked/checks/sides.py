@@ -8,12 +8,12 @@ from dataclasses import dataclass, replace
 from math import floor, log10
 from typing import Any
 
-from kinegrade.worked.formulas.atoms import ZERO, Measured
+from kinegrade.worked.formulas.atoms import ZERO, Measured, Number
 from kinegrade.worked.formulas.equation import Equation, Link, approximate, equate
 from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.measures import double
-from kinegrade.worked.formulas.notation import PLAIN, Notation
-from kinegrade.worked.formulas.numbers import DIGITS, measure, round_number
+from kinegrade.worked.formulas.notation import DIGITS, Notation
+from kinegrade.worked.formulas.numbers import measure, round_number
 from kinegrade.worked.formulas.printed_values import find_printed_value
 
 _EQUAL = 1e-9  # relative: far below a digit that is printed
@@ -33,15 +33,15 @@ class Side:
         return self.letters or self.numbers
 
     def count_digits(self, notation: Notation) -> int:
-        """How many digits of the value its printed numbers give, to within one of the last; none
-        where they cancel but for what rounding has left.
+        """How many digits of the value its printed numbers give, to within one of the last, at most
+        as many as are usual; none where they cancel but for what rounding has left.
         """
         value = double(self.value)
         if self.numbers.is_decimal or not value:
             return DIGITS
         printed, first = find_printed_value(self.numbers, notation), floor(log10(abs(value)))
         for digits in range(DIGITS, 0, -1):
-            rounded = find_printed_value(round_number(self.value, digits))
+            rounded = find_printed_value(self._round(digits), notation)
             if abs(printed - rounded) < 10.0 ** (first - digits + 1):
                 return digits
         return 0
@@ -54,10 +54,7 @@ class Side:
 
     def work_out(self, unit: str, digits: int, notation: Notation) -> Equation:
         """The side with its value; alone where it is nothing but a value."""
-        as_usual = self.numbers.print(notation) == self.numbers.print()
-        said = self.numbers.is_decimal and (
-            (digits == DIGITS and as_usual) or not double(self.value)
-        )
+        said = self.numbers.is_decimal and (digits == DIGITS or not double(self.value))
         value = () if said else self._state_value(unit, digits, notation)
         if self.letters is None:
             return Equation(self.numbers, value)
@@ -67,16 +64,21 @@ class Side:
             return Equation(self.letters, value)
         return Equation(self.letters, (*numbers, *value))
 
-    def _misses(self, number: Formula, notation: Notation = PLAIN) -> bool:
+    def _round(self, digits: int) -> Number:
+        """The value as usual, or with the fewer digits that its numbers give."""
+        number = round_number(self.value, digits)
+        return number if digits == DIGITS else replace(number, long="")
+
+    def _misses(self, number: Formula, notation: Notation) -> bool:
         """Whether what is printed is not the value, but is rounded, or made of rounded numbers."""
         printed, value = find_printed_value(number, notation), double(self.value)
         return abs(printed - value) > _EQUAL * max(abs(value), 1e-3)
 
     def _state_value(self, unit: str, digits: int, notation: Notation) -> tuple[Link, ...]:
         zero = not (digits and double(self.value))
-        number = ZERO if zero else replace(round_number(self.value, digits), long="")
+        number = ZERO if zero else self._round(digits)
         stated = ZERO if zero else Measured(number, unit)
-        if self._misses(number):
+        if self._misses(number, notation):
             return approximate(stated)
         printed = find_printed_value(self.numbers, notation)
         away = abs(printed - find_printed_value(number)) > _EQUAL * max(abs(printed), 1e-3)

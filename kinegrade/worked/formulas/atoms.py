@@ -11,7 +11,7 @@ from typing import ClassVar, Literal, TypeAlias
 
 from kinegrade.language.math.tree import DEGREE, Letter, Lettering, Row, Scripts, Sign, Space, Unit
 from kinegrade.worked.formulas.formula import Formula, Kind, Negative, Product, Root, Sum
-from kinegrade.worked.formulas.notation import PLAIN, Notation
+from kinegrade.worked.formulas.notation import DIGITS, PLAIN, Notation
 from kinegrade.worked.formulas.rows import enclose, print_decimal, raise_last
 
 AxisName: TypeAlias = Literal["x", "y"]
@@ -41,14 +41,15 @@ class Number(Formula):
     def show(self, notation: Notation) -> str:
         """The digits that are printed.
 
-        >>> Number("-0.4989", True, "-0.498934567").show(Notation(finer={"0.498934567": 2}))
+        >>> Number("-0.4989", True, "-0.498934567").show(Notation(more_digits=2))
         '-0.498935'
         """
-        more = notation.finer.get(self.long.removeprefix("-"), 0) if self.rounded else 0
-        if not more:
+        if not (self.rounded and self.long and notation.more_digits):
             return self.digits
-        places = len(self.digits.partition(".")[2]) + more
-        return f"{Decimal(self.long):.{places}f}"
+        digits, mark, power = self.digits.partition("e")
+        last = -len(digits.partition(".")[2]) or max(len(digits.strip("-")) - DIGITS, 0)
+        finer = Decimal(self.long).scaleb(-int(power or 0))
+        return f"{round(finer, notation.more_digits - last):f}{mark}{power}"
 
     @property
     def begins_with_minus(self) -> bool:

@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 from kinegrade.numbers.units import read_unit
+
+DIGITS = 4  # significant ones, that a rounded number usually has
+PLACES = 2  # decimals of a rounded angle in degrees
 
 
 @dataclass(frozen=True)
 class Notation:
     """The decimal mark of a language, and the unit in which a solution counts lengths: formulas
-    write `m` for it, whichever it is; `finer` are the digits that a number, as it is without
-    rounding, has beyond the usual ones.
+    write `m` for it, whichever it is; rounded numbers have `more_digits` than usual.
 
     >>> Notation(length="cm").name("m/s^2"), Notation(length="cm").name("rad/s")
     ('cm/s^2', 'rad/s')
@@ -20,7 +21,7 @@ class Notation:
 
     decimal_mark: str = "."
     length: str = "m"
-    finer: Mapping[str, int] = field(default_factory=dict, hash=False)
+    more_digits: int = 0
 
     def name(self, unit: str) -> str:
         """The name on paper of a formula's unit."""

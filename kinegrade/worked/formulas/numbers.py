@@ -1,8 +1,8 @@
 """The one rule by which a worked solution prints numbers, from the givens to the last line.
 
 A number that a decimal of few digits says stands after `=`. Any other is rounded, to four
-significant digits, angles to two decimals, keeps its zeros and stands after the approximate sign;
-its exact form stands before it where that is short. A zero is 0.
+significant digits, angles to two decimals, or all of a solution to more, keeps its zeros and stands
+after the approximate sign; its exact form stands before it where that is short. A zero is 0.
 """
 
 from __future__ import annotations
@@ -19,11 +19,10 @@ from kinegrade.worked.formulas.atoms import ZERO, Exact, Measured, Number
 from kinegrade.worked.formulas.equation import Link, approximate, equate
 from kinegrade.worked.formulas.exact import make_exact, make_exact_angle
 from kinegrade.worked.formulas.formula import Formula
+from kinegrade.worked.formulas.notation import DIGITS, PLACES
 from kinegrade.worked.formulas.symbols import INFINITY
 
-DIGITS = 4
 _CERTAINLY = 9  # digits of a number that is no longer than it looks
-_PLACES = 2  # decimals of an angle in degrees
 _LONGEST = 20  # characters of an exact form that is read at a glance: 20 - 2*sqrt(3)
 _LONGEST_WHOLE = 3  # digits of the whole numbers in it
 _LONGEST_SUBSTITUTED = 12  # characters of an exact form in place of a symbol
@@ -132,9 +131,9 @@ def state_angle(angle: float) -> Measured:
 
 
 def _round_degrees(angle: float) -> Number:
-    rounded = round(angle, _PLACES)
+    rounded = round(angle, PLACES)
     exact = abs(rounded - angle) < 10**-_CERTAINLY
-    shown = f"{rounded:g}" if exact else f"{rounded:.{_PLACES}f}"
+    shown = f"{rounded:g}" if exact else f"{rounded:.{PLACES}f}"
     return Number(shown, rounded=not exact, long=f"{angle:.{_CERTAINLY}f}")
 
 

@@ -1,24 +1,23 @@
-"""Which numbers of a solution print with more digits than usual: those that lose digits further
-down, as where two nearly equal ones are subtracted, so that whoever works out a line with its
-printed numbers gets the printed result, to one of its last digit; then those that lead to them.
+"""With how many digits the rounded numbers of a solution print: with more than usual, all of them,
+where what follows would lose digits, as where two nearly equal ones are subtracted. So whoever
+works out a line with its printed numbers gets the printed result, to one of its fourth digit.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, replace
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
 from math import degrees, floor, log10
 
 from kinegrade.worked.formulas.atoms import Measured, Number
 from kinegrade.worked.formulas.equation import Equation
 from kinegrade.worked.formulas.exactness import is_exact, is_numeric, list_parts
 from kinegrade.worked.formulas.formula import Formula
-from kinegrade.worked.formulas.notation import Notation
+from kinegrade.worked.formulas.notation import DIGITS, Notation
 from kinegrade.worked.formulas.printed_values import find_printed_value
 
-_DIGITS = 4  # of a result that has fewer, as it is exact
-_MOST = 3  # digits beyond the usual ones
-_ROOM = 0.99  # units of the last digit
+MOST_MORE_DIGITS = 3
+_ROOM = 0.99  # units of the last digit that is usual
 
 
 @dataclass(frozen=True)
@@ -29,53 +28,28 @@ class _Working:
     result: Number
     in_degrees: bool
 
-    def is_off(self, notation: Notation) -> bool:
-        """Whether the printed numbers give another result than the printed one."""
-        return self._measure(notation) > _ROOM
-
-    def _measure(self, notation: Notation) -> float:
-        """How far off it is, in units of the last digit."""
-        shown = self.result.show(notation)
-        value = abs(float(shown))
-        last = len(shown.partition(".")[2])
-        place = max(last, _DIGITS - 1 - floor(log10(value))) if not self.result.rounded else last
+    def measure(self, notation: Notation) -> float:
+        """How far from the printed result that of the printed numbers is, in units of the last
+        digit that is usual.
+        """
+        value = abs(float(self.result.show(notation)))
+        last = len(self.result.digits.partition(".")[2])
+        place = last if self.result.rounded else max(last, DIGITS - 1 - floor(log10(value)))
         worked = abs(find_printed_value(self.numbers, notation))
         away = (degrees(worked) if self.in_degrees else worked) - value
-        return abs(away) * 10.0**place
-
-    def choose(self, notation: Notation) -> str | None:
-        """The number whose next digit brings the result nearest."""
-        finer = {
-            number.long.removeprefix("-"): _refine(notation, number)
-            for number in _list_numbers(self.numbers)
-        }
-        left = {long: one for long, one in finer.items() if one.finer[long] <= _MOST}
-        return min(left, key=lambda long: self._measure(left[long]), default=None)
+        return float(abs(away) * 10.0**place)
 
 
-def _refine(notation: Notation, number: Number) -> Notation:
-    long = number.long.removeprefix("-")
-    return replace(notation, finer={**notation.finer, long: notation.finer.get(long, 0) + 1})
-
-
-def _list_numbers(formula: Formula) -> Iterator[Number]:
-    """The rounded numbers of a formula."""
-    for part in list_parts(formula):
-        if isinstance(part, Number) and part.rounded and part.long and "e" not in part.digits:
-            yield part
-
-
-def find_finer(equations: Iterable[Equation]) -> Mapping[str, int]:
-    """The digits beyond the usual ones that numbers need, by what these are without rounding."""
+def find_more_digits(equations: Iterable[Equation]) -> int:
+    """The digits beyond the usual ones: as few as do, else those that do best."""
     workings = [working for equation in equations for working in _list_workings(equation)]
-    notation, settled = Notation(), False
-    while not settled:
-        settled = True
-        for working in workings:
-            while working.is_off(notation) and (chosen := working.choose(notation)):
-                finer = {**notation.finer, chosen: notation.finer.get(chosen, 0) + 1}
-                notation, settled = replace(notation, finer=finer), False
-    return notation.finer
+    worst = dict[int, float]()
+    for more in range(MOST_MORE_DIGITS + 1):
+        notation = Notation(more_digits=more)
+        worst[more] = max((one.measure(notation) for one in workings), default=0.0)
+        if worst[more] <= _ROOM:
+            return more
+    return min(worst, key=lambda more: worst[more])
 
 
 def _list_workings(equation: Equation) -> Iterator[_Working]:
@@ -86,9 +60,16 @@ def _list_workings(equation: Equation) -> Iterator[_Working]:
         if result is None:
             if is_exact(formula):  # it says nothing of what leads to it
                 continue
-            numbers = formula if is_numeric(formula) and any(_list_numbers(formula)) else None
+            numbers = formula if is_numeric(formula) and any(_list_rounded(formula)) else None
         elif numbers is not None and float(result.digits):
             yield _Working(numbers, result, "deg" in _list_units(formula))
+
+
+def _list_rounded(formula: Formula) -> Iterator[Number]:
+    """The rounded numbers of a formula."""
+    for part in list_parts(formula):
+        if isinstance(part, Number) and part.rounded and part.long:
+            yield part
 
 
 def _list_units(formula: Formula) -> list[str]:

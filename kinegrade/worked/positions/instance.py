@@ -176,7 +176,10 @@ class Instance:
         x, y = (name_coordinate(axis, self.symbols[point]) for axis in AXES)
         across = ZERO if self.axes.x(point) == ZERO else across
         up = ZERO if self.axes.y(point) == ZERO else up
-        return Derived(x, self.equation(x, across)), Derived(y, self.equation(y, up))
+        return self._derive(x, across), self._derive(y, up)
+
+    def _derive(self, symbol: Symbol, tree: Expression) -> Derived:
+        return Derived(symbol, self.equation(symbol, tree), is_zero=tree == ZERO)
 
     def coordinate_lines(self, point: str, pair: Pair) -> tuple[Row, ...]:
         """The lines of both coordinates."""

@@ -23,12 +23,13 @@ COORDINATES = (Letter("x"), Letter("y"))
 @dataclass(frozen=True)
 class Derived:
     """A coordinate of a point or a named length by its symbol, and the lines that work it out;
-    `reason` says before where an angle in them comes from.
+    `reason` says before where an angle in them comes from; `is_zero` where it has none to work out.
     """
 
     symbol: Symbol
     lines: tuple[Row, ...]
     reason: Message | None = None
+    is_zero: bool = False
 
 
 @dataclass(frozen=True)
@@ -89,13 +90,15 @@ def _is_origin(part: Part) -> bool:
 
 
 def _select_met(found: Sequence[Derived], met: Set[Node]) -> tuple[Derived, ...]:
-    """Those to which later formulas refer, or the lines of those that follow them."""
+    """Those to which later formulas refer, or the lines of those that follow them; with these a
+    coordinate that is 0, of which formulas make no term.
+    """
     kept, known = list[Derived](), set(met)
     for each in reversed(found):
         if is_met(each.symbol, known):
             kept.append(each)
             known |= find_symbols(each.lines)
-    return tuple(reversed(kept))
+    return tuple(each for each in found if each in kept or (kept and each.is_zero))
 
 
 def _has_coordinates(met: Set[Node]) -> bool:

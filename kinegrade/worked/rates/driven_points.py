@@ -19,7 +19,7 @@ from kinegrade.worked.senses import (
     state_sense_along,
 )
 from kinegrade.worked.unlettered import find_translating_body
-from kinegrade.worked.vectors.known_vectors import find_free_axis
+from kinegrade.worked.vectors.known_vectors import find_free_axis, find_given_sign
 from kinegrade.worked.vectors.magnitudes import orient_track
 from kinegrade.worked.vectors.relatives import find_relative, index_relative
 from kinegrade.worked.vectors.summands import name_component
@@ -78,13 +78,16 @@ def say_driven(
     the velocity counts negative.
     """
     point, carrier = case.naming.point(law.point), find_translating_body(law.point, case)
+    if against:
+        sign = find_given_sign(law, relation, case, level)
+        sense = describe_direction(law.direction if sign > 0 else -law.direction, case)
+        if carrier is not None:
+            body = case.naming.body(carrier)
+            return Message("solution.counter-translation", body=body, way=sense)
+        return Message("solution.counter-motion", point=point, way=sense)
     if law.of == GROUND and carrier is not None:
         body = case.naming.body(carrier)
-        if against:
-            return Message("solution.counter-translation", body=body)
         return Message(f"solution.given-translation-{level}", body=body)
-    if against:
-        return Message("solution.counter-motion", point=point)
     if law.of != GROUND:
         other, way = case.naming.body(law.of), _describe_positive_way(law, case)
         return Message(f"solution.given-relative-motion-{level}", point=point, way=way, other=other)

@@ -30,7 +30,6 @@ from kinegrade.mechanics.vector_equation import Part, VectorEquation
 from kinegrade.problem.quantities.functions import find_motion_calls
 from kinegrade.problem.template.template import Ask
 from kinegrade.worked.case import Case
-from kinegrade.worked.conventions import state_rounding
 from kinegrade.worked.document import Block, Heading
 from kinegrade.worked.formulas.measures import double
 from kinegrade.worked.formulas.symbols import join_letters
@@ -66,8 +65,6 @@ def say_idea(task: Message, reasons: Sequence[Message], case: Case) -> Iterator[
     """The known and the sought, `task`, then why each way serves."""
     yield Heading(case.write(Message("solution.idea")), 1)
     yield case.say(_join((task, *reasons)))
-    if Message("solution.idea-pose") in reasons:
-        yield state_rounding(case.language)
 
 
 def _join(sentences: Sequence[Message]) -> Message:

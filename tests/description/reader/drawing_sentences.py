@@ -90,10 +90,10 @@ def away_from(part: Parts, words: Vocabulary) -> Items:
 def extreme_meeting(part: Parts, words: Vocabulary) -> Items:
     """The outermost of the common points of two curves."""
     side = SIDES[part["side"]]
-    second = part["second"] or part["other"]
+    first, second = part["first"] or part["third"], part["second"] or part["other"]
     return drawn(
         part,
-        combined(lambda a, b: extreme(common_points(a, b), side), part["first"], second),
+        combined(lambda a, b: extreme(common_points(a, b), side), first, second),
     )
 
 
@@ -175,8 +175,9 @@ DRAWING_PATTERNS = [
         on_ray,
     ),
     Pattern(
-        "{name} is the (?P<side>right-hand|left-hand|upper|lower) one of the points in which "
-        "{curve:first} (?:meets {curve:second}|and {curve:other} meet)",
+        "{name} is the (?P<side>right-hand|left-hand|upper|lower) "
+        "(?:intersection of {curve:first} and {curve:second}"
+        "|one of the points in which {curve:third} and {curve:other} meet)",
         extreme_meeting,
     ),
     Pattern(

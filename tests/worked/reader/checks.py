@@ -15,7 +15,7 @@ from kinegrade.language.message import Message
 from kinegrade.worked.document import Block, Prose, write_sentence
 from tests.worked.reader.amounts import Amount, MixedUnits, Unreadable
 from tests.worked.reader.equations import Line, Side, read_page
-from tests.worked.reader.forms import find_angles, is_decimal, measure_last_digit
+from tests.worked.reader.forms import find_angles, is_decimal, measure_usual_digit
 from tests.worked.reader.formula_reader import ROUNDED, find_symbols, read_formula
 
 _ANY = "体"  # stands for any words: a Chinese sentence has no space beside it
@@ -26,7 +26,7 @@ _CLOSE = 1e-6  # of the room that a digit leaves
 
 def find_unrepeatable(blocks: Sequence[Block]) -> Iterator[str]:
     """The sides of checks whose printed numbers do not amount to the printed value, to within one
-    of the last digit, of an exact one the last that a rounded one has.
+    of the fourth digit.
     """
     for check in _list_checks(blocks):
         yield from (side for side in check if not _is_repeatable(side))
@@ -83,7 +83,7 @@ def _is_repeatable(side: str) -> bool:
 
 def is_off(line: Line) -> bool:
     """Whether printed numbers amount to another figure than the one said of them, by more than one
-    of its last digit, of an exact one the last that a rounded one has.
+    of its fourth digit.
     """
     sides = (Side("=", line.left), *line.sides)
     for side, stated in pairwise(sides):
@@ -102,7 +102,7 @@ def _is_missed(worked: float, stated: Side, figure: float) -> bool:
     """Whether printed numbers are worth another figure than is stated; about 0 nothing is known."""
     if not figure:
         return False
-    last = measure_last_digit(stated.row, figure)
+    last = measure_usual_digit(stated.row, figure)
     if stated.relation == "=":
         angle = list(find_angles(stated.row))
         fourth = 10.0 ** (math.floor(math.log10(abs(figure))) - ROUNDED + 1)

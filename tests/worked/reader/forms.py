@@ -121,3 +121,14 @@ def measure_last_digit(row: Row, value: float) -> float:
     places = len(digits.partition(".")[2])
     zeros = 0 if places else len(digits) - len(digits.rstrip("0"))
     return float(abs(value / float(digits)) * 10.0 ** (zeros - places))
+
+
+def measure_usual_digit(row: Row, value: float) -> float:
+    """One of the fourth digit of a decimal that is worth so much, of the second decimal of an
+    angle; of the last digit where it has fewer.
+    """
+    digits = ".".join(node.digits for node in list_nodes(row) if isinstance(node, Number))
+    places = len(digits.partition(".")[2])
+    count = len(digits.replace(".", "").lstrip("0"))
+    more = places - 2 if any(find_angles(row)) else count - 4
+    return measure_last_digit(row, value) * 10.0 ** max(more, 0)

@@ -114,8 +114,8 @@ LAWS: dict[Law, str] = {
     "doubled": "a side of a check has each number once",
     "signed": "the letter of a motion in a check has been given a value with its sign before",
     "zero": "a coordinate of a point of the mechanism that is 0 is not found by rounding",
-    "redone": "whoever works out a check with its printed numbers gets what it prints, to one of the last digit",
-    "figure": "the printed numbers of a line amount to the figure said of them, to one of the last digit of a rounded one",
+    "redone": "whoever works out a check with its printed numbers gets what it prints, to one of the fourth digit",
+    "figure": "the printed numbers of a line amount to the figure said of them, to one of the fourth digit of a rounded one",
     "sign": "a number of fewer digits than rounded ones have is exact, and stands after a sign of equality",
 }
 NATURAL = (0.0, 90.0, 180.0, 270.0, 360.0)  # degrees
