@@ -40,6 +40,15 @@ def test_a_distance_is_checked_by_the_formula_at_which_the_point_is_placed() -> 
     )
 
 
+def test_a_point_on_a_line_and_a_circle_is_checked_by_the_law_of_cosines() -> None:
+    """Its coordinates were put back into the equation of the circle from which they came."""
+    given = {"r": "0.4", "e": "0.2", "psi": "30"}
+    (check,) = find_checks(write(solve_template(load_template("pose-cam-tappet"), given)).blocks)
+    assert check.way == "the law of cosines in the triangle $OCA$"
+    assert check.left.startswith(r"e^{2} + y_{A}^{2} - 2e\,y_{A}\sin\psi = (0.2\,\unit{m})^{2} + ")
+    assert check.right == r"r^{2} = (0.4\,\unit{m})^{2} = 0.16\,\unit{m^2}"
+
+
 @pytest.mark.parametrize("language", ["en", "de", "zh"])
 @pytest.mark.parametrize("name", POSES)
 def test_an_angle_that_is_counted_or_lies_somewhere_is_named(name: str, language: Language) -> None:

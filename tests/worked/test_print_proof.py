@@ -168,6 +168,19 @@ WRONG: dict[Law, tuple[Block, ...]] = {
             (read_math(r"s = 0.7206\,\unit{m} - 0.7125\,\unit{m} \approx 0.008254\,\unit{m}", ""),)
         ),
     ),
+    "independent": (
+        Display(
+            (
+                read_math(r"x_{C} = r\cos\varphi = 0.5\,\unit{m}", ""),
+                read_math(r"x_{C}^{2} + y_{A}^{2} = r^{2}", ""),
+                read_math(r"y_{A} = \sqrt{r^{2} - x_{C}^{2}} \approx 0.8660\,\unit{m}", ""),
+            )
+        ),
+        Prose(
+            r"Check by Pythagoras: left side $\sqrt{x_{C}^{2} + y_{A}^{2}} = 1\,\unit{m}$, right"
+            r" side $r = 1\,\unit{m}$; they agree."
+        ),
+    ),
     "sign": (
         Display(
             (read_math(r"v = 2.419\,\unit{m/s} \cdot \sin 7^\circ \approx 0.3\,\unit{m/s}", ""),)

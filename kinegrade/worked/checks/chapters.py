@@ -17,8 +17,8 @@ from kinegrade.worked.checks.carriers import list_carrier_checks
 from kinegrade.worked.checks.check import Check, choose_check
 from kinegrade.worked.checks.constraints import list_constraint_checks
 from kinegrade.worked.checks.forms import Told, list_rates, list_solved
-from kinegrade.worked.checks.places import list_place_checks
-from kinegrade.worked.checks.poles import list_pole_checks
+from kinegrade.worked.checks.positions.places import list_place_checks
+from kinegrade.worked.checks.positions.poles import list_pole_checks
 from kinegrade.worked.checks.seen import list_seen_checks
 from kinegrade.worked.checks.theorems import list_theorem_checks
 from kinegrade.worked.checks.tracks import list_track_checks

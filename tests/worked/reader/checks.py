@@ -19,7 +19,7 @@ from tests.worked.reader.forms import find_angles, is_decimal, measure_usual_dig
 from tests.worked.reader.formula_reader import ROUNDED, find_symbols, read_formula
 
 _ANY = "体"  # stands for any words: a Chinese sentence has no space beside it
-_RELATION = re.compile(r"(=|\\approx)")
+RELATION = re.compile(r"(=|\\approx)")
 _DECIMALS = 2  # of a rounded angle in degrees
 _CLOSE = 1e-6  # of the room that a digit leaves
 
@@ -36,7 +36,7 @@ def find_unlettered(blocks: Sequence[Block]) -> Iterator[str]:
     """The sides of checks that begin with numbers, other than 0 alone."""
     for check in _list_checks(blocks):
         for side in check:
-            first = _RELATION.split(side)[0].strip()
+            first = RELATION.split(side)[0].strip()
             if first != "0" and not any(find_symbols(read_math(first, "test"))):
                 yield side
 
@@ -45,7 +45,7 @@ def find_doubled(blocks: Sequence[Block]) -> Iterator[str]:
     """The sides of checks that print one number twice."""
     for check in _list_checks(blocks):
         for side in check:
-            links = [link.strip() for link in _RELATION.split(side)[::2]]
+            links = [link.strip() for link in RELATION.split(side)[::2]]
             yield from (side for one, other in pairwise(links) if one == other)
 
 
@@ -72,7 +72,7 @@ def _make_pattern(language: str) -> re.Pattern[str]:
 
 def _is_repeatable(side: str) -> bool:
     """Whether the last two links of a side are the same, as far as its digits say."""
-    *_, formula, relation, value = ["", "", *_RELATION.split(side)]
+    *_, formula, relation, value = ["", "", *RELATION.split(side)]
     rows = [read_math(one.strip(), "test") for one in (formula, value)]
     try:
         printed, stated = (read_formula(row, _refuse) for row in rows)

@@ -43,6 +43,7 @@ from tests.worked.reader.formula_reader import (
 )
 from tests.worked.reader.givens import find_introduced, find_letters, read_givens
 from tests.worked.reader.inclined import find_underived
+from tests.worked.reader.independence import find_told_before
 from tests.worked.reader.meanings import (
     find_negative_sizes,
     find_two_senses,
@@ -85,8 +86,10 @@ Law: TypeAlias = Literal[
     "doubled",
     "signed",
     "zero",
+    "independent",
 ]
 LAWS: dict[Law, str] = {
+    "independent": "a check says of what has been found something else than each line before it",
     "equal": "a sign of equality joins equal values, to within what rounding can do",
     "rounded": "a rounded decimal stands after an approximate sign",
     "exact": "an exact form does not stand after numbers that have been rounded",
@@ -190,6 +193,9 @@ def find_faults(blocks: Sequence[Block], solution: Solution) -> Iterator[Fault]:
     yield from (Fault("signed", side) for side in find_senseless(blocks, solution))
     yield from (Fault("zero", line) for line in find_rounded_away(blocks, solution))
     yield from (Fault("redone", check) for check in find_unrepeatable(blocks))
+    given = {symbol for symbol, _ in read_givens(solution)}
+    told_before = find_told_before(blocks, known.worth, given)
+    yield from (Fault("independent", check) for check in told_before)
     for wrong in judge_polygons(blocks, known.amounts):
         yield Fault(wrong.law, wrong.line)
 

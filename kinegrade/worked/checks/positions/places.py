@@ -17,6 +17,7 @@ from kinegrade.worked.answers.pose_working import AXIS_X, AXIS_Y
 from kinegrade.worked.case import Case
 from kinegrade.worked.checks.arms import point_from
 from kinegrade.worked.checks.check import Check, compare
+from kinegrade.worked.checks.positions.cosines import list_circles_on_lines, list_cosine_checks
 from kinegrade.worked.checks.sides import Side
 from kinegrade.worked.formulas.atoms import ZERO, add_squares
 from kinegrade.worked.formulas.formula import Formula, Function
@@ -63,9 +64,15 @@ class _Distance:
 
 
 def list_place_checks(asked: Sequence[Ask], case: Case) -> Iterator[Check]:
-    """The checks of distances, then those of direction cosines."""
+    """The checks by the law of cosines, those of distances, then those of direction cosines. Of a
+    point that a line and a circle have given, the circle's equation has led to its coordinates: it
+    would be put back into it.
+    """
+    yield from list_cosine_checks(case)
+    solved = {frozenset(ends) for ends in list_circles_on_lines(case)}
     for distance in (*_list_placed("circle", case), *_list_lengths(asked, case)):
-        yield distance.check(case)
+        if frozenset((distance.first, distance.second)) not in solved:
+            yield distance.check(case)
     for angle in asked:
         for cosine in asked:
             yield from _check_cosine(angle, cosine, case)

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator
 from kinegrade.language.message import Message
 from kinegrade.worked.case import Case
 from kinegrade.worked.checks.check import Check, compare
-from kinegrade.worked.checks.places import state_difference
+from kinegrade.worked.checks.positions.places import state_difference
 from kinegrade.worked.checks.sides import Side
 from kinegrade.worked.formulas.atoms import AXES, ZERO, add_squares
 from kinegrade.worked.formulas.formula import Formula
