@@ -2,22 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
 import pytest
-from flint import arb
 
-from kinegrade.errors import ExpressionError, MechanismError
+from kinegrade.errors import MechanismError
 from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
-from kinegrade.mechanics.geometry import Constructions, Round
 from kinegrade.mechanics.joints import (
     GROUND,
     Arc,
     Contact,
-    Line,
     Mesh,
     Parallel,
     Pin,
@@ -25,32 +21,12 @@ from kinegrade.mechanics.joints import (
     Sleeve,
     Slide,
 )
-from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.motion import solve_motion
-from kinegrade.numbers.balls import Balls, Undecided
+from kinegrade.numbers.balls import Balls
 from kinegrade.numbers.floats import Floats
 from tests.laws.cases import with_numbers
-from tests.mechanics.writing import Paper, X, Y
-from tests.small_class import kinegrade
-
-P = Paper()
-POINTS = {"O": (0, 0), "A": (3, 0), "B": (8, 0), "C": (3, 4)}
-BODIES = {"OA": "O A", "AB": "A B"}
-CRANK = [Pin("O", ("OA", GROUND)), Pin("A", ("OA", "AB"))]
-
-
-def problem(mechanism: Mechanism) -> str:
-    """The refusal of a mechanism, all its lines."""
-    with pytest.raises(MechanismError) as refusal:
-        solve_motion(mechanism, P.field)
-    assert all("\n" not in line for line in refusal.value.problems)
-    return str(refusal.value)
-
-
-def written(
-    joints: Any, drivers: Any = (), points: Any = POINTS, bodies: Any = BODIES
-) -> Mechanism:
-    return P.mechanism(points, bodies, list(joints), list(drivers))
+from tests.mechanics.refusals import BODIES, CRANK, POINTS, P, problem, written
+from tests.mechanics.writing import X, Y
 
 
 @pytest.mark.parametrize(
@@ -143,62 +119,6 @@ def test_a_body_that_only_translates_or_a_point_that_only_slides_is_loose() -> N
         written([Slide("A", "M", P.line(0, 0, X), GROUND)], bodies={"M": "particle A"})
     ).startswith("A can still move (1 degree of freedom left)")
     assert problem(written([], bodies={"M": "particle A", "AB": "A B"})).count("can still") == 2
-
-
-def test_a_dead_point_names_the_joints_that_cannot_act_together() -> None:
-    stretched = written(
-        [*CRANK, Slide("B", "AB", P.line(0, 0, X), GROUND)], [P.moves("B", "AB", X, 1)]
-    )
-    assert problem(stretched).endswith(
-        "the given motion of B of AB cannot act together: choose another configuration or driver"
-    )
-
-
-DYAD_POINTS = {"O": (0, 0), "C": (2, 0), "D": (5, 0), "O6": (9, 0)}
-DYAD_BODIES = {"OC": "O C", "CD": "C D", "DO6": "D O6"}
-DYAD = [
-    Pin("O", ("OC", GROUND)),
-    Pin("C", ("OC", "CD")),
-    Pin("D", ("CD", "DO6")),
-    Pin("O6", ("DO6", GROUND)),
-]
-
-
-def test_a_dead_point_says_what_is_in_line_and_asks_for_no_joint() -> None:
-    """The four-bar is complete; only where its coupler and its rocker are in line they may turn
-    either way.
-    """
-    assert problem(written(DYAD, [P.turns("OC", 0)], points=DYAD_POINTS, bodies=DYAD_BODIES)) == (
-        "dead point: C, D and O6 are in line at these values: choose other values or another driver"
-    )
-    standing = {**DYAD_POINTS, "O": (2, -2)}
-    assert problem(
-        written(DYAD, [P.turns("OC", 1)], points=standing, bodies=DYAD_BODIES)
-    ).startswith("dead point: C, D and O6 are in line at these values, ")
-
-
-def test_a_rod_at_right_angles_to_its_guide_is_at_a_dead_point() -> None:
-    upright = {**POINTS, "B": (3, 5)}
-    joints = [*CRANK, Slide("B", "AB", P.line(0, 5, X), GROUND)]
-    assert problem(written(joints, [P.turns("OA", 0)], points=upright)) == (
-        "dead point: AB is at right angles to the line on which B slides at these values: "
-        "choose other values or another driver"
-    )
-
-
-def test_links_in_line_that_lack_a_joint_are_loose() -> None:
-    assert problem(
-        written(DYAD[:3], [P.turns("OC", 1)], points=DYAD_POINTS, bodies=DYAD_BODIES)
-    ).endswith("(2 degrees of freedom left): add a joint or a driver")
-    assert problem(written(DYAD, [], points=DYAD_POINTS, bodies=DYAD_BODIES)).endswith(
-        "left): add a joint or a driver"
-    )
-
-
-def test_solve_names_the_dead_point_of_a_trammel() -> None:
-    shown = kinegrade("solve", "elliptic-trammel-end-driven", "--set", "phi=0")
-    assert shown.exit_code == 2
-    assert "dead point: AB is at right angles to the line on which B slides" in shown.stderr
 
 
 @pytest.mark.parametrize(
@@ -411,89 +331,3 @@ def test_doubles_refuse_a_loose_mechanism_too() -> None:
     floats = Floats()
     with pytest.raises(MechanismError, match="body AB can still turn"):
         solve_motion(with_numbers(written(CRANK, [P.turns("OA", 1)]), floats.number), floats)
-
-
-def ground_line(y: Any) -> Line:
-    return P.line(0, y, X)
-
-
-BUILD = Constructions(P.field, {"A": (place := P.vector(0, 1))})
-
-
-@pytest.mark.parametrize(
-    ("construct", "message"),
-    [
-        (
-            lambda: BUILD.meet(Round(place, P.number("3/10")), ground_line(0), "right"),
-            "the circle about A of radius 0.3 does not reach the line y = 0",
-        ),
-        (
-            lambda: BUILD.meet(P.line(2, 0, Y), Round(place, P.number(1)), "upper"),
-            "the circle about A of radius 1 does not reach the line x = 2",
-        ),
-        (
-            lambda: BUILD.meet(Round(place, P.number(1)), P.line(9, 0, (1, 1)), "upper"),
-            "the circle about A of radius 1 does not reach the slanting line through (9, 0)",
-        ),
-        (
-            lambda: BUILD.meet(
-                Round(place, P.number(1)), Round(P.vector(5, 1), P.number(2)), "upper"
-            ),
-            "the circle about A of radius 1 does not reach the circle about (5, 1) of radius 2",
-        ),
-        (
-            lambda: BUILD.meet(
-                Round(place, P.number(9)), Round(P.vector(5, 1), P.number(2)), "upper"
-            ),
-            "the circle about A of radius 9 does not reach the circle about (5, 1) of radius 2",
-        ),
-        (
-            lambda: BUILD.meet(
-                Round(place, P.number(1)), Round(P.vector(0, 1), P.number(1)), "upper"
-            ),
-            "have one centre and do not meet",
-        ),
-        (
-            lambda: BUILD.meet(Round(place, P.number(2)), P.line(1, 0, Y), "right"),
-            "right does not distinguish the two common points - name another side, one of right, "
-            "left, upper, lower",
-        ),
-        (
-            lambda: BUILD.meet(Round(place, P.number(2)), P.line(1, 0, Y), "clockwise"),
-            "clockwise does not distinguish the two",
-        ),
-        (
-            lambda: BUILD.meet(ground_line(0), ground_line(3)),
-            "the line y = 0 and the line y = 3 are parallel and do not meet",
-        ),
-    ],
-)
-def test_configurations_that_cannot_be_constructed(
-    construct: Callable[[], Any], message: str
-) -> None:
-    with pytest.raises(MechanismError) as refusal:
-        construct()
-    assert message in str(refusal.value)
-
-
-@pytest.mark.parametrize("branch", [None, "rightright", "up", place])
-def test_two_common_points_need_the_name_of_a_side(branch: Any) -> None:
-    with pytest.raises(
-        ExpressionError,
-        match="say which, one of right, left, upper, lower, counterclockwise, clockwise",
-    ):
-        BUILD.meet(Round(place, P.number(2)), ground_line(0), branch)
-
-
-def test_a_ball_that_may_be_a_dead_point_is_undecided_rather_than_wrong() -> None:
-    balls = Balls(256)
-    with balls.context():
-        mechanism = with_numbers(
-            written(
-                [*CRANK, Slide("B", "AB", P.line(0, 0, X), GROUND)], [P.moves("B", "AB", X, 1)]
-            ),
-            balls.number,
-        )
-        points = {**mechanism.points, "A": mechanism.points["A"]._replace(y=arb(0, arb("1e-30")))}
-        with pytest.raises(Undecided):
-            solve_motion(replace(mechanism, points=points), balls)

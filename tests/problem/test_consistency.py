@@ -5,51 +5,17 @@ whatever reads it.
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any
 
 import pytest
 
-from kinegrade.errors import TemplateError
-from kinegrade.expressions.evaluation import make_elementary_functions
 from kinegrade.expressions.reading import read_expression
-from kinegrade.mechanics.geometry import make_constructions
-from kinegrade.numbers.field import Field
-from kinegrade.problem.centrode import Centrodes
-from kinegrade.problem.kinds.dimension import LENGTH, SPEED
-from kinegrade.problem.kinds.kinds import (
-    Arrow,
-    BodyKind,
-    Kind,
-    Ring,
-    Scalar,
-    Side,
-    Straight,
-    describe_kind,
-)
-from kinegrade.problem.kinds.signatures import CONSTRUCTIONS, ELEMENTARY
-from kinegrade.problem.quantities.functions import QUANTITIES, make_quantities
 from kinegrade.problem.statement_faults import find_statement_faults
 from kinegrade.problem.template.library.reading import read_template
-from kinegrade.problem.template.meaning.meaning import Scope
 from kinegrade.problem.template.meaning.radians import require_no_radians
+from tests.problem.consistency import ON_REQUEST, PUBLISHED, asking, faults
 from tests.problem.crank import crank, crank_text
-from tests.said import all_said, said
+from tests.said import all_said
 from tests.small_class import kinegrade
-
-PUBLISHED = 'gives = { v_x = "-omega*h" }'
-ON_REQUEST = '\n[asks]\nw = { quantity = "%s", unit = "%s", means = { en = "w", zh = "w 量" } }\n'
-
-
-def faults(*changes: tuple[str, str]) -> list[str]:
-    """What reading the changed crank refuses."""
-    with pytest.raises(TemplateError) as refusal:
-        crank(*changes)
-    return list(refusal.value.problems)
-
-
-def asking(quantity: str, unit: str) -> list[str]:
-    """What reading the crank refuses when something further may be asked for on request."""
-    return faults(("\n[asks]\n", ON_REQUEST % (quantity, unit)))
 
 
 @pytest.mark.parametrize(
@@ -266,14 +232,6 @@ def test_what_makes_no_sense_is_refused_with_its_place(old: str, new: str, probl
     assert any(fault.startswith(f"crank.toml:{problem}") for fault in found), found
 
 
-def test_a_named_length_of_two_dimensions_is_refused_once() -> None:
-    lengths = '\n[lengths]\nmixed = "h + omega"\n\n[points]\n'
-    assert faults(("\n[points]\n", lengths), ('"(0, h)"', '"(mixed, mixed)"')) == [
-        'crank.toml:19: lengths.mixed: "+": a length (m) and an angular velocity (rad/s) '
-        "do not go together - check the units"
-    ]
-
-
 def test_numbers_of_the_source_may_stand_for_values_with_units() -> None:
     """A source that states h = 1/2 m prints its result without h; a literal alone takes any
     dimension.
@@ -304,126 +262,9 @@ def test_an_exam_that_keeps_such_a_template_can_still_be_read() -> None:
     assert read_template("crank", text, kept=True).asks["w"].unit.text == "m/s"
 
 
-def test_one_unreadable_unit_is_one_fault() -> None:
-    assert faults(('r     = { unit = "m"', 'r     = { unit = "furlong"')) == [
-        'crank.toml:14: parameters.r.unit: unit "furlong" - expected a product or quotient like m/s^2 of '
-        "1, cm, deg, ft, h, in, km, m, min, mm, r, rad, rpm, s"
-    ]
-
-
-def test_one_wrong_unit_is_one_fault() -> None:
-    (fault,) = faults(('h     = { unit = "m"', 'h     = { unit = "s"'))
-    assert fault == (
-        'crank.toml:15: parameters.h.unit: "s" does not fit where h is used (2 faults), as in points.P: '
-        "its coordinates are a time (s) - expected a length (m) - check the units"
-    )
-
-
-def test_one_point_or_ask_that_cannot_be_read_is_one_fault() -> None:
-    assert faults(('"(0, h)"', '"(0, h"')) == [
-        'crank.toml:20: points.P: "(0, h", character 6: found the end, expected "," or ")"'
-    ]
-    assert faults(('"(0, 0)"', '"(0 0)"')) == [
-        'crank.toml:19: points.O: "(0 0)", character 4: found "0", expected "," or ")"'
-    ]
-    assert faults(('"x(velocity(A))"', '"x(velocity(A)"')) == [
-        'crank.toml:27: asks.v_x.quantity: "x(velocity(A)", character 14: found the end, expected "," or ")"'
-    ]
-
-
-def test_signatures_are_there_for_every_function_and_for_no_other() -> None:
-    field, nothing = Field(), {}
-    values = make_elementary_functions(field)
-    places = {**values, **make_constructions(field, nothing)}
-    motion: Any = None
-    of_poles = Centrodes(crank(), nothing, None).functions(field)
-    assert set(ELEMENTARY) == set(values)
-    assert set(CONSTRUCTIONS) == set(places)
-    assert set(QUANTITIES) == {*places, *make_quantities(motion, field), *of_poles}
-
-
-SCOPE = Scope(
-    {
-        "r": Scalar(LENGTH),
-        "A": Arrow(LENGTH, "A"),
-        "v": Arrow(SPEED),
-        "rod": BodyKind(),
-        "upper": Side(),
-    },
-    QUANTITIES,
-    frozenset({"rod"}),
-    frozenset({"phi"}),
-)
-
-
-@pytest.mark.parametrize(
-    ("text", "kind"),
-    [
-        ("2*pi", Scalar(None)),
-        ("sqrt(3)/2", Scalar(None)),
-        ("-r", Scalar(LENGTH)),
-        ("-v", Arrow(SPEED)),
-        ("r**-2*r**3", Scalar(LENGTH)),
-        ("sqrt(r*r)", Scalar(LENGTH)),
-        ("abs(r) + 1", Scalar(LENGTH)),
-        ("turned(v)*2/3", Arrow(SPEED)),
-        ("line(A, pi/2)", Straight()),
-        ("circle(A, r)", Ring()),
-        ("foot(A, line(A, A + (1, 0)))", Arrow(LENGTH)),
-        ("along(v, A)", Scalar(SPEED)),
-        ("sqrt(magnitude(v)**2)", Scalar(SPEED)),
-    ],
-)
-def test_the_kind_of_an_expression(text: str, kind: Kind) -> None:
-    assert SCOPE.kind(read_expression(text)) == kind
-
-
-def test_kinds_in_words() -> None:
-    kinds: tuple[Kind, ...] = (Straight(), Ring(), BodyKind(), Side(), Arrow(None), Scalar(None))
-    assert [said(describe_kind(kind)) for kind in kinds] == [
-        "a line",
-        "a circle",
-        "a body",
-        "the name of a side",
-        "a vector",
-        "a number",
-    ]
-
-
 @pytest.mark.parametrize("text", ["0", "pi/3", "phi", "phi + pi", "2*3 - 6", "1/0", "2**2"])
 def test_what_is_no_plain_number_is_no_slip(text: str) -> None:
     require_no_radians(read_expression(text))
-
-
-@pytest.mark.parametrize(
-    ("changes", "fault"),
-    [
-        (
-            [("h     = {", "height = {")],
-            '20: points.P: unknown name "h" (and at 3 more places) - '
-            "known here: O, clockwise, counterclockwise and 8 more",
-        ),
-        (
-            [('OA = "O A"', 'CA = "O A"')],
-            '5: joints[1]: no body "OA" (and at 1 more place) - known here: CA, ground',
-        ),
-        (
-            [('quantity = "x(v', 'qantity = "x(v')],
-            '27: asks.v_x.qantity: unknown key - did you mean "quantity"? (known here: cyclic, '
-            "means, points, quantity, sign, symbol, unit, vanishes)",
-        ),
-    ],
-)
-def test_one_misspelt_name_does_not_flood_its_author(
-    changes: list[tuple[str, str]], fault: str
-) -> None:
-    assert faults(*changes) == [f"crank.toml:{fault}"]
-
-
-def test_one_misspelt_table_does_not_make_every_name_unknown() -> None:
-    assert faults(("[parameters]", "[parameter]")) == [
-        'crank.toml:13: parameter: unknown table or key - did you mean "parameters"?'
-    ]
 
 
 @pytest.mark.parametrize(
@@ -461,36 +302,6 @@ def test_a_point_stands_once_in_a_body_and_at_one_end_of_a_mark(
 ) -> None:
     assert faults((old, new)) == [said]
     crank((old, new), kept=True)  # no later rule closes an exam
-
-
-@pytest.mark.parametrize(
-    ("quantity", "number"),
-    [
-        ("magnitude(velocity(A)) + 3", "3"),
-        ("3 + magnitude(velocity(A))", "3"),
-        ("abs(x(velocity(A)) - 1/2)", "1/2"),
-    ],
-)
-def test_a_number_added_to_what_has_a_dimension_is_refused(quantity: str, number: str) -> None:
-    asked = ON_REQUEST % (quantity, "m/s")
-    assert faults(("\n[asks]\n", asked)) == [
-        f"crank.toml:27: asks.w.quantity: {number} is added to a velocity (m/s) - add a given with a "
-        "unit, or nothing"
-    ]
-
-
-@pytest.mark.parametrize(
-    ("quantity", "unit"),
-    [
-        ("-magnitude(velocity(A))", "m/s"),
-        ("magnitude(velocity(A)) + 0", "m/s"),
-        ("direction(O, A) - 2*pi", "rad"),
-        ("r/h + 3", "1"),
-        ("2*magnitude(velocity(A))", "m/s"),
-    ],
-)
-def test_a_number_may_be_added_to_a_number(quantity: str, unit: str) -> None:
-    assert "w" in crank(("\n[asks]\n", ON_REQUEST % (quantity, unit))).asks
 
 
 @pytest.mark.parametrize(

@@ -9,7 +9,6 @@ from collections.abc import Iterable
 
 import pytest
 
-from kinegrade.expressions.tree import Call, walk
 from kinegrade.language import ENGLISH, Language
 from kinegrade.language.known import known_languages
 from kinegrade.language.math.reading import read_math
@@ -24,18 +23,15 @@ from kinegrade.problem.template.library.library import (
     load_template,
 )
 from kinegrade.problem.template.library.reading import read_template
-from kinegrade.problem.template.notation import write_point_symbol
 from kinegrade.worked.answers.boxes import AnswerBoxes
 from kinegrade.worked.answers.poses import explain_pose_answers, is_positional
 from kinegrade.worked.case import Case
-from kinegrade.worked.document import Block, Heading, Prose
+from kinegrade.worked.document import Block, Prose
 from kinegrade.worked.formulas.equation import WIDEST
 from kinegrade.worked.formulas.numbers import has_short_form
 from kinegrade.worked.positions.positions import explain_positions
 from kinegrade.worked.solution import write_worked_solution
 from tests.laws.cases import shipped
-from tests.problem.draws import draw_filter
-from tests.problem.draws import drawn as draws_of
 from tests.worked.chains import chains, disagreements, part_value
 from tests.worked.draws import drawn, kept, stated
 from tests.worked.telling import displayed as lines
@@ -224,14 +220,6 @@ def test_a_line_is_broken_at_a_relation_sign_where_it_grows_too_wide(name: str) 
         assert relations == 1 or measure_row(read_math(line, "test")) <= WIDEST + 4
 
 
-def test_only_the_points_wanted_and_those_they_need_are_told() -> None:
-    solution = solve_template(load_template("slider-crank"), {})
-    assert {left for left, _ in chains(explain_positions(Case(solution, "en"), ["A"]).write())} == {
-        "x_{A}",
-        "y_{A}",
-    }
-
-
 def test_an_angle_without_a_field_gives_decimals_that_say_they_are_rounded() -> None:
     solution = solve_template(load_template("slider-crank"), {"r": "1/5", "k": "2", "phi": "37"})
     assert lines(explain_positions(Case(solution, "en"), ["A"]).write())[0] == tidy(
@@ -379,23 +367,6 @@ def test_the_quadrant_of_an_angle_is_told_from_the_signs_of_its_cosine_and_sine(
     assert told in sentences(explain_pose_answers(Case(solution, "en"), ("q",)))[-1]
 
 
-@pytest.mark.parametrize(
-    ("name", "place", "told"),
-    [
-        ("stone-crusher", "$F$ lies at", False),  # only drawn
-        ("wheel-on-circular-track", "$E$ lies at", False),  # marks an angle in the figure
-        ("wheel-on-circular-track", "$D$ lies at", True),  # the pole, about which B turns
-        ("slider-crank", "$A$ lies at", True),
-    ],
-)
-def test_a_point_is_placed_only_where_the_solution_uses_it(
-    name: str, place: str, told: bool
-) -> None:
-    template = load_template(name)
-    blocks = write_worked_solution(solve_template(template, {}), template.asked(), "en").blocks
-    assert any(text.startswith(place) for text in proses(blocks)) == told
-
-
 @pytest.mark.parametrize(("unit", "factor"), [("ft/s", 0.3048), ("km/h", 1000 / 3600)])
 def test_an_answer_in_other_units_stands_behind_that_in_si(unit: str, factor: float) -> None:
     text = (find_shipped("templates") / "slider-crank.toml").read_text(encoding="utf-8")
@@ -409,27 +380,6 @@ def test_an_answer_in_other_units_stands_behind_that_in_si(unit: str, factor: fl
     assert rf"\,\unit{{m/s}} \approx {speed / factor:.4g}\,\unit{{{unit}}}" in line
 
 
-def is_plainly_placed(name: str) -> bool:
-    """Whether no point is met or reached by a longer construction, which is told as a whole."""
-    trees = load_template(name).scheme.points.values()
-    calls = {part.function for tree in trees for part in walk(tree) if isinstance(part, Call)}
-    return not calls & {"meet", "foot", "toward"}
-
-
-@pytest.mark.parametrize("name", list(filter(is_plainly_placed, find_template_names()))[::4])
-def test_coordinates_are_worked_out_where_something_refers_to_them(name: str) -> None:
-    [drawn] = draws_of(draw_filter(load_template(name), "used"), 1)
-    template = drawn.solution.template
-    asked = (template.asks[name] for name in template.asked())
-    moving = [ask.name for ask in asked if not is_positional(ask)]
-    blocks = write_worked_solution(drawn.solution, moving, "en").blocks
-    told = [*lines(blocks), *(block.text for block in blocks if isinstance(block, Prose))]
-    letters = {write_point_symbol(point) for point in template.scheme.points}
-    coordinates = {f"{axis}_{{{letter}}}" for axis in "xy" for letter in letters}
-    for left in coordinates & {left for left, parts in chains(blocks) if parts != ["0"]}:
-        assert sum(left in line for line in told) > 1, left
-
-
 @pytest.mark.parametrize(
     "name", ["slider-driven-gear-on-rack", "crank-bar-through-sleeve-with-arm"]
 )
@@ -439,23 +389,6 @@ def test_a_coordinate_that_is_zero_is_told_with_the_other(name: str) -> None:
     point = {"slider-driven-gear-on-rack": "C", "crank-bar-through-sleeve-with-arm": "B"}[name]
     assert {f"x_{{{point}}}", f"y_{{{point}}}"} <= values.keys()
     assert ["0"] in (values[f"x_{{{point}}}"], values[f"y_{{{point}}}"])
-
-
-def test_a_coordinate_that_only_its_square_refers_to_is_worked_out() -> None:
-    [drawn] = draws_of(draw_filter(load_template("rolling-wheel-rim-points"), "square"), 1)
-    asked = drawn.solution.template.asked()
-    blocks = write_worked_solution(drawn.solution, asked, "en").blocks
-    lefts = {left for left, _ in chains(blocks)}
-    squared = set(re.findall(r"([xy]_\{[A-Z]_?\{?\d?\}?\})\^", " ".join(lines(blocks))))
-    assert squared
-    assert squared <= lefts
-
-
-def test_a_solution_without_coordinates_has_no_chapter_on_positions() -> None:
-    [drawn] = draws_of(draw_filter(load_template("stepped-drum-on-two-ropes"), "used"), 1)
-    asked = drawn.solution.template.asked()
-    blocks = write_worked_solution(drawn.solution, asked, "en").blocks
-    assert "Positions" not in [block.text for block in blocks if isinstance(block, Heading)]
 
 
 def test_an_origin_at_a_moving_point_is_fixed_there() -> None:
@@ -484,18 +417,3 @@ def test_a_point_at_a_distance_is_placed_by_the_acute_angle_with_an_axis() -> No
         "downwards to the left:"
     )
     assert said in list(proses(kept("toggle-press")))
-
-
-@pytest.mark.parametrize(
-    ("language", "reason"),
-    [
-        ("en", "$A$ slides along the $x$ axis."),
-        ("de", "$A$ gleitet auf der $x$-Achse."),
-        ("zh", "$A$ 沿 $x$ 轴滑动。"),
-    ],
-)
-def test_a_coordinate_that_a_track_gives_is_not_worked_out(language: Language, reason: str) -> None:
-    """y_A = 0.9464 m - 1.65 m sin 35 degrees was said to be about 0: A is on the ground."""
-    page = stated("rod-ground-and-incline", language, l="1.65", theta="35", gamma="98")
-    assert any(text.startswith(reason) for text in proses(page))
-    assert [line for line in lines(page) if line.startswith("y_{A}")] == ["y_{A} &= 0"]
