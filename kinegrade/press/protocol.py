@@ -48,7 +48,7 @@ class Press(ABC):
         """Every paper, by its name, and how many pages it has: at least so many; for None, as many
         as the longest of them. Large print takes as many as it takes.
 
-        Those that have fewer are printed once more, which is fast.
+        Those that have fewer are printed once more; a press may do better, to the same bytes.
         """
         printed = self.papers(papers)
         counts = {name: count_pages(each.pdf) for name, each in printed.items()}

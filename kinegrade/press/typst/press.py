@@ -25,6 +25,7 @@ from kinegrade.press.legible import make_legible, make_owner_legible, make_owner
 from kinegrade.press.places import GALLERY, KEY, locate_paper, locate_question, locate_solutions
 from kinegrade.press.protocol import Press, Printout
 from kinegrade.press.sheet import KeyBook, Paper, PaperSize, SolutionSheet
+from kinegrade.press.typst.alike import AlikePapers
 from kinegrade.press.typst.compiler import make_compiler
 from kinegrade.press.typst.faults import explain, find_boxed
 from kinegrade.press.typst.paper import write_paper_source
@@ -61,6 +62,20 @@ class TypstPress(Press):
     def papers(self, papers: Mapping[str, Paper]) -> dict[str, Printout]:
         """Every paper, by its name. Raises TypesetError with all faults of all of them."""
         return _print_each(papers, self.paper)
+
+    def alike(
+        self, papers: Mapping[str, Paper], pages: int | None
+    ) -> tuple[dict[str, Printout], dict[str, int]]:
+        """Every paper and how many pages it has, as `Press` says. Raises TypesetError as `papers`
+        does.
+        """
+        filling = AlikePapers(pages, self.paper)
+        printed = _print_each(papers, filling)
+        short = filling.find_short(papers)
+        counts = dict(zip(papers, filling.counts, strict=True))
+        return printed | self.papers(short), counts | {
+            name: paper.pages for name, paper in short.items()
+        }
 
     def solutions(self, sheets: Mapping[str, SolutionSheet]) -> dict[str, Printout]:
         """Every student's worked solutions, by name. Raises TypesetError as `papers` does."""
