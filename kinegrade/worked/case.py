@@ -89,6 +89,12 @@ class Case:
         return collect_symbols(self.template)
 
     @cached_property
+    def named_rows(self) -> frozenset[Row]:
+        """How the symbols of givens and of lengths that the template names are printed."""
+        named = (*self.template.parameters, *self.template.scheme.lengths)
+        return frozenset(self.symbols[name].row for name in named)
+
+    @cached_property
     def construction(self) -> tuple[Step, ...]:
         """The points of the template with their constructions, step by step."""
         return list_steps(self.template)

@@ -11,7 +11,7 @@ from kinegrade.figure.placing.extent import measure_symbol
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.placing.letters import trace_leader
 from kinegrade.figure.placing.obstacles import COST_FIRM, Bounds, Obstacles, Segment
-from kinegrade.figure.placing.place import Wish, is_covered
+from kinegrade.figure.placing.place import Floats, Wish, is_covered
 from kinegrade.figure.plane import length
 from kinegrade.figure.scene import THIN, Label, Strokes
 from kinegrade.figure.vectors.arrows import VectorArrow, measure_distances
@@ -69,10 +69,10 @@ def _list_leaders(
     """Free places that stand off from a point of an arrow, the nearest first, and the lines from
     there to just before it.
     """
-    wish = Wish(symbol, np.array(foot) + _STEPS)
-    around = obstacles.near(_find_bounds(wish))
-    for place in range(len(wish.spots)):
-        label = wish.label_at(place)
+    size, centres = measure_symbol(symbol), np.array(foot) + _STEPS
+    around = obstacles.near(_find_bounds(centres, size))
+    for x, y in centres.tolist():
+        label = Label(symbol, Vector(x, y), *size)
         if is_covered(label, around):
             continue
         line = trace_leader(label, foot, amid=True)
@@ -80,8 +80,8 @@ def _list_leaders(
             yield label, line
 
 
-def _find_bounds(wish: Wish) -> Bounds:
-    """The box around a symbol at all of its places, with more than what is kept free around it."""
-    width, height = measure_symbol(wish.symbol)
-    (left, bottom), (right, top) = wish.spots.min(axis=0).tolist(), wish.spots.max(axis=0).tolist()
+def _find_bounds(centres: Floats, size: tuple[float, float]) -> Bounds:
+    """The box around labels at all of their places, with more than what is kept free around one."""
+    (left, bottom), (right, top) = centres.min(axis=0).tolist(), centres.max(axis=0).tolist()
+    width, height = size
     return left - width, bottom - height, right + width, top + height

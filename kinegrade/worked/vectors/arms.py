@@ -34,17 +34,15 @@ def find_stated_length(start: str, end: str, case: Case) -> Symbol | None:
     """The symbol of the statement for the distance of two points: their letters, what the figure
     writes between them, or the given at which one is placed from the other.
     """
-    given = case.symbols
     for ends in ((start, end), (end, start)):
         letters = join_letters(map(case.naming.letter, ends))
-        named = (*case.template.parameters, *case.template.scheme.lengths)
-        if any(given[name].looks_like(letters) for name in named):
+        if letters.row in case.named_rows:
             return letters
     for one in case.template.figure.lengths:
         if one.along is None and not one.signed and {one.start, one.end} == {start, end}:
             return read_symbol(one.symbol)
     radius = _find_radius(start, end, case)
-    stated = given[radius.name] if isinstance(radius, Name) else None
+    stated = case.symbols[radius.name] if isinstance(radius, Name) else None
     stated = stated or _find_rolling_radius(start, end, case)
     opposite = _find_opposite_side(start, end, case)
     return stated or (find_stated_length(*opposite, case) if opposite else None)
