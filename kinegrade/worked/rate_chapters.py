@@ -6,6 +6,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence, Set
 from dataclasses import dataclass
+from functools import cached_property
 
 from kinegrade.language.message import Message
 from kinegrade.mechanics.plan import Step
@@ -58,14 +59,15 @@ class _Answers:
     wanted: list[Ask]
     boxes: AnswerBoxes
 
+    @cached_property
+    def _needed(self) -> Mapping[str, Set[Rate]]:
+        """The rates that each of them needs, by its name."""
+        reader = self.boxes.case.reader
+        return {ask.name: find_needs(ask.quantity, reader).rates for ask in self.wanted}
+
     def list_due(self, known: Set[Rate] | None) -> tuple[Ask, ...]:
         """Those that follow from the rates known, or all that are left."""
-        reader = self.boxes.case.reader
-        return tuple(
-            ask
-            for ask in self.wanted
-            if known is None or find_needs(ask.quantity, reader).rates <= known
-        )
+        return tuple(ask for ask in self.wanted if known is None or self._needed[ask.name] <= known)
 
     def follow(self, known: Set[Rate] | None) -> Iterator[Block]:
         """Those that follow from the rates known, or all that are left, each with its way."""

@@ -7,6 +7,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import lru_cache
 from itertools import combinations, islice, pairwise, permutations, product
 from types import MappingProxyType
 from typing import TypeAlias
@@ -82,10 +83,17 @@ def find_order(
     """The places of the vectors of both sides, in the order nearest to the given one in which the
     fewest run along another and, of these orders, the most corners have letters.
     """
+    return _find_order(tuple(left), tuple(right), tuple(vertices.values()))
 
+
+@lru_cache(maxsize=128)  # what is said of a polygon depends on it, as do its letters and itself
+def _find_order(
+    left: tuple[Arrow, ...], right: tuple[Arrow, ...], vertices: tuple[Vector, ...]
+) -> _Order:
     def rate(order: _Order) -> tuple[int, int]:
         sides = [left[place] for place in order[0]], [right[place] for place in order[1]]
-        return -_count_overlaps(*sides), _count_lettered(*sides, vertices)
+        scale = find_scale(*sides)
+        return -_count_overlaps(*sides, scale), _count_lettered(*sides, scale, vertices)
 
     given: _Order = (range(len(left)), range(len(right)))
     best, most = given, rate(given)
@@ -127,11 +135,10 @@ def _move_one(places: Places) -> Iterator[Places]:
             yield (*rest[:at], taken, *rest[at:])
 
 
-def _count_overlaps(left: Sequence[Arrow], right: Sequence[Arrow]) -> int:
+def _count_overlaps(left: Sequence[Arrow], right: Sequence[Arrow], scale: float) -> int:
     """How many pairs of vectors run along one another, on paper of the scale that they would
     have.
     """
-    scale = find_scale(left, right)
     least = NEGLIGIBLE * max((length(arrow.value) for arrow in (*left, *right)), default=0.0)
     lines = [
         (start * scale, end * scale)
@@ -143,12 +150,10 @@ def _count_overlaps(left: Sequence[Arrow], right: Sequence[Arrow]) -> int:
 
 
 def _count_lettered(
-    left: Sequence[Arrow], right: Sequence[Arrow], vertices: Mapping[str, Vector]
+    left: Sequence[Arrow], right: Sequence[Arrow], scale: float, vertices: Sequence[Vector]
 ) -> int:
-    """How many of the letters of corners have their corner."""
-    scale = find_scale(left, right)
+    """How many of the places of letters are corners."""
     corners = (*find_corners(left), *find_corners(right))
     return sum(
-        any(length(corner - vertex) * scale < _SAME for corner in corners)
-        for vertex in vertices.values()
+        any(length(corner - vertex) * scale < _SAME for corner in corners) for vertex in vertices
     )
