@@ -5,13 +5,15 @@ for students.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from contextlib import suppress
+from itertools import islice
 from time import perf_counter
 from typing import assert_never
 
 from kinegrade.draws.deck import Combination, Deck, make_deck
 from kinegrade.draws.draw_filter import DrawFilter
-from kinegrade.draws.examining import Examined, Refused
-from kinegrade.errors import TemplateError
+from kinegrade.draws.examining import Examined, Reason, Refused
+from kinegrade.errors import MechanismError, TemplateError
 from kinegrade.language.message import Fault, Message, list_plainly
 from kinegrade.problem.holding import choose_wording, condition_holds
 from kinegrade.problem.needs import find_idle_givens
@@ -48,6 +50,7 @@ from kinegrade.students.rounding.accuracy import WIDEST
 _TEXTS_TRIED = 1000  # draws at which the texts that depend on values are tried
 _SEARCHED = 300  # instances that the search for breaking values tries
 _RIGHT_ANGLE = 90
+_UNLIKE: frozenset[Reason] = frozenset({"condition", "mechanism", "degenerate"})
 _EXAMPLES = 10  # instances that are put together in other ways, some milliseconds each
 _BEYOND = 2 * WIDEST  # stands for more than any tolerance may give
 
@@ -178,7 +181,21 @@ def _draw(report: Report, draws: Sequence[Combination]) -> None:
             case _:
                 assert_never(found)
     report.seconds = (perf_counter() - start) / max(report.instances, 1)
+    if not report.examples:
+        report.examples += islice(_solve_refused(draw_filter, draws, verdicts), _EXAMPLES)
     count_on(report, draw_filter)
+
+
+def _solve_refused(
+    draw_filter: DrawFilter, draws: Sequence[Combination], verdicts: Sequence[Examined | Refused]
+) -> Iterator[Solution]:
+    """Instances that no paper will have though they move: what the statement says has to hold for
+    them, too.
+    """
+    for values, verdict in zip(draws, verdicts, strict=True):
+        if isinstance(verdict, Refused) and verdict.reason not in _UNLIKE:
+            with suppress(MechanismError):
+                yield draw_filter.solved(values)
 
 
 def choose_drawable(template: Template, sample: int, secret: str = SECRET) -> list[Combination]:

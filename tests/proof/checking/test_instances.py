@@ -8,7 +8,11 @@ import re
 
 import pytest
 
-from kinegrade.problem.template.library.library import find_template_names, load_template
+from kinegrade.problem.template.library.library import (
+    find_shipped,
+    find_template_names,
+    load_template,
+)
 from kinegrade.problem.template.library.reading import read_template
 from kinegrade.proof.checking import check, choose_drawable
 from kinegrade.proof.reporting import write_verdict
@@ -151,3 +155,12 @@ def test_a_family_in_capitals_is_remarked_on() -> None:
         'family: families are in small letters, and "Crank" is another one than "crank" to lists '
         'and banks - did you mean "crank"?' in all_said(report.remarks)
     )
+
+
+def test_a_statement_is_held_against_draws_of_which_none_is_accepted() -> None:
+    """A guide said to be vertical went through without a word, as nothing was there to compare."""
+    text = (find_shipped("templates") / "slider-crank.toml").read_text(encoding="utf-8")
+    false = read_template("slider-crank", text.replace("horizontal guide", "vertical guide"))
+    looks = (check(false, sample=2, secret=each) for each in "abcdefghijklmnop")
+    report = next(each for each in looks if not each.instances)
+    assert any('"vertical guide"' in each for each in all_said(report.faults)), report.refused
