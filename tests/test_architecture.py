@@ -6,29 +6,31 @@ from __future__ import annotations
 
 import ast
 import re
-from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping
-from functools import cache
+from collections.abc import Iterator
 from graphlib import CycleError, TopologicalSorter
 from pathlib import Path
 from typing import get_args
 
 import pytest
 
-import kinegrade
-from kinegrade.language import ENGLISH, Language
 from kinegrade.mechanics.drivers import Driver
 from kinegrade.mechanics.joints import Joint
 from kinegrade.mechanics.laws import Law
 from kinegrade.mechanics.relations import Kind as TermKind
 from kinegrade.mechanics.vector_equation import Role
-from kinegrade.problem.template.library.library import find_template_names, load_template
-from kinegrade.problem.template.texts import list_lines, list_prose
-from tests.package_files import GROUP, package_files
+from tests.package_files import GROUP
+from tests.package_trees import (
+    LOBBY,
+    ROOT,
+    edges,
+    floor,
+    imported,
+    list_nodes,
+    read_trees,
+    texts_without_docstrings,
+)
 
 pytestmark = GROUP
-PACKAGE = Path(kinegrade.__file__).parent
-ROOT = PACKAGE.parent
 FLOORS = {
     "ask_names": 0,
     "deadlines": 0,
@@ -68,7 +70,6 @@ FLOORS = {
 # Messages are below the errors that hold them, all else in language/ is above these
 INSIDE = {"kinegrade.errors": "kinegrade.language.errors"}
 SIBLINGS = ("figure", "grading", "lms")
-LOBBY = {"kinegrade", "kinegrade.__main__"}  # the entrances, which call any floor
 GRADING_MAY_USE = {
     "kinegrade.exam.keyed_exam",
     "kinegrade.exam.value_dimension",
@@ -80,81 +81,6 @@ GRADING_MAY_USE = {
 EXAM_FOLDER = "kinegrade.exam.folder."
 FLINT = {"expressions", "numbers", "problem", "students"}
 DIRECT_TEXT = (".py", ".toml", ".typ", ".md", ".csv", ".json", ".jsonl", ".yml", ".txt")
-CHINESE = re.compile(r"[\u4e00-\u9fff]")
-
-
-def module_name(file: Path) -> str:
-    parts = file.relative_to(ROOT).with_suffix("").parts
-    return ".".join(parts[:-1] if parts[-1] == "__init__" else parts)
-
-
-@cache
-def read_texts() -> Mapping[str, str]:
-    """The modules of the package."""
-    return {module_name(ROOT / file.path): file.text for file in package_files()}
-
-
-@cache
-def read_trees() -> Mapping[str, ast.Module]:
-    """The modules of the package, parsed."""
-    return {module_name(ROOT / file.path): file.tree for file in package_files()}
-
-
-@cache
-def list_nodes(tree: ast.AST) -> tuple[ast.AST, ...]:
-    """All nodes of a tree, found once: many laws ask each of them."""
-    return tuple(ast.walk(tree))
-
-
-def imported(nodes: Iterable[ast.AST]) -> Iterator[str]:
-    """The modules that import statements name; `from package import module` names the module."""
-    for node in nodes:
-        if isinstance(node, ast.Import):
-            yield from (name.name for name in node.names)
-        elif isinstance(node, ast.ImportFrom):
-            module = node.module or ""
-            for name in node.names:
-                inner = f"{module}.{name.name}"
-                yield inner if inner in read_trees() else module
-
-
-def floor(module: str) -> str:
-    return module.split(".")[1]
-
-
-def edges() -> Iterator[tuple[str, str]]:
-    """Who imports whom inside the package, wherever in the file."""
-    for module, tree in read_trees().items():
-        for target in imported(list_nodes(tree)):
-            if target.startswith("kinegrade.") and not {module, target} & LOBBY:
-                yield module, target
-
-
-def functions(tree: ast.Module) -> Iterator[ast.FunctionDef]:
-    return (node for node in list_nodes(tree) if isinstance(node, ast.FunctionDef))
-
-
-def first_line(module: str, function: ast.FunctionDef) -> int:
-    """Where a function begins; a command's parameters are its options, a line each, and do not
-    count.
-    """
-    command = module.startswith("kinegrade.cli.")
-    return function.body[0].lineno if command else function.lineno
-
-
-def undocumented(tree: ast.Module) -> Iterator[str]:
-    """Public functions, classes and methods without a docstring; what stands inside a function is
-    its own business.
-    """
-    stack: list[ast.AST] = [tree]
-    while stack:
-        node = stack.pop()
-        for child in ast.iter_child_nodes(node):
-            if isinstance(child, ast.FunctionDef | ast.ClassDef) and not child.name.startswith("_"):
-                if ast.get_docstring(child) is None:
-                    yield child.name
-                if isinstance(child, ast.ClassDef):
-                    stack.append(child)
 
 
 def test_every_module_has_a_floor() -> None:
@@ -341,13 +267,6 @@ def test_markdown_is_read_in_one_place_and_each_typesetter_has_its_room() -> Non
     assert not [use for use in used if not use[1].startswith(f"{rooms[use[0]]}.")]
 
 
-def test_a_folder_holds_at_most_twenty_files() -> None:
-    folders = Counter(file.parent for file in PACKAGE.rglob("*.py"))
-    assert {
-        str(folder.relative_to(ROOT)) for folder, files in folders.items() if files > 20
-    } == set()
-
-
 def test_only_what_hands_values_to_other_processes_knows_pickle() -> None:
     """Unpickling a file runs the code of whoever wrote it."""
     knowing = {
@@ -356,20 +275,6 @@ def test_only_what_hands_values_to_other_processes_knows_pickle() -> None:
         if "pickle" in set(imported(list_nodes(tree)))
     }
     assert knowing == {"kinegrade.processes.cluster", "kinegrade.processes.executor"}
-
-
-def texts_without_docstrings(tree: ast.AST) -> Iterator[str]:
-    """The string constants of a module, parts of f-strings too; no docstrings."""
-    documented = ast.Module | ast.ClassDef | ast.FunctionDef | ast.AsyncFunctionDef
-    docstrings = {
-        id(node.body[0].value)
-        for node in list_nodes(tree)
-        if isinstance(node, documented) and node.body and isinstance(node.body[0], ast.Expr)
-    }
-    for node in list_nodes(tree):
-        match node:
-            case ast.Constant(value=str(text)) if id(node) not in docstrings:
-                yield text
 
 
 def test_only_one_package_knows_the_files_of_a_marks_folder() -> None:
@@ -412,83 +317,6 @@ def test_only_the_exam_folder_knows_what_its_files_are_called() -> None:
         if any(file in text for text in written_texts(tree) for file in files)
     }
     assert knowing == {"kinegrade.exam.folder.contents"}
-
-
-def test_modules_are_named_for_what_they_hold() -> None:
-    vague = re.compile(r"utils?|helpers?|common|managers?|misc|base|core|data|info")
-    assert not [module for module in read_trees() if vague.fullmatch(module.split(".")[-1])]
-
-
-def test_modules_are_small_and_documented() -> None:
-    assert [name for name, text in read_texts().items() if text.count("\n") > 400] == []
-    bare = [
-        name
-        for name, text in read_texts().items()
-        if text and not ast.get_docstring(read_trees()[name])
-    ]
-    assert bare == []
-    assert [
-        (name, each) for name, tree in read_trees().items() for each in undocumented(tree)
-    ] == []
-
-
-def test_functions_are_short() -> None:
-    assert [
-        f"{name} {function.name}"
-        for name, tree in read_trees().items()
-        for function in functions(tree)
-        if (function.end_lineno or 0) - first_line(name, function) >= 40
-    ] == []
-
-
-def test_modules_assert_nothing_and_change_no_names_of_others() -> None:
-    odd = (ast.Assert, ast.Global, ast.Nonlocal)
-    assert [
-        f"{name}:{node.lineno}"
-        for name, tree in read_trees().items()
-        for node in list_nodes(tree)
-        if isinstance(node, odd)
-    ] == []
-
-
-def test_no_module_runs_what_it_reads() -> None:
-    assert [
-        f"{name}:{node.lineno}"
-        for name, tree in read_trees().items()
-        for node in list_nodes(tree)
-        if isinstance(node, ast.Call) and runs_anything(ast.unparse(node.func))
-    ] == []
-
-
-def runs_anything(called: str) -> bool:
-    """Whether a call runs, prints or changes what no module may."""
-    never = {"eval", "exec", "compile", "__import__", "print", "input", "breakpoint"}
-    return called in never or called.endswith((".eval", ".system", ".popen", ".chdir"))
-
-
-def test_what_runs_anything_is_seen() -> None:
-    assert runs_anything("eval")
-    assert runs_anything("os.system")
-    assert not runs_anything("re.compile")
-
-
-@pytest.mark.parametrize("name", find_template_names())
-def test_every_sentence_of_a_template_is_there_in_both_languages(name: str) -> None:
-    template = load_template(name)
-    for _, text in (*list_lines(template), *list_prose(template)):
-        english, chinese = text.in_language(ENGLISH), text.in_language(Language("zh"))
-        assert english.strip()
-        assert CHINESE.search(chinese), chinese
-        assert not CHINESE.search(english), english
-
-
-@pytest.mark.parametrize("name", find_template_names())
-def test_no_two_sentences_of_a_template_say_the_same(name: str) -> None:
-    template = load_template(name)
-    for language in ("en", "zh"):
-        for parts in (template.parameters, template.asks):
-            sentences = [part.means.in_language(language) for part in parts.values()]  # type: ignore[attr-defined]
-            assert len(set(sentences)) == len(sentences)
 
 
 def test_no_file_knows_the_machine_it_was_written_on() -> None:

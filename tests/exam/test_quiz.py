@@ -23,28 +23,20 @@ from kinegrade.exam.folder.key.lines import KeyLine
 from kinegrade.exam.keyed_exam import read_whole
 from kinegrade.exam.printing.pages import lay_out_paper
 from kinegrade.exam.quiz import quiz
-from kinegrade.exam.quiz.document import Quiz, QuizAsk, QuizPaper
+from kinegrade.exam.quiz.document import QuizAsk, QuizPaper
 from kinegrade.exam.quiz.paper import QuizWishes, make_quiz_paper, show_instance
-from kinegrade.exam.quiz.quiz import PLAIN, read_quiz
+from kinegrade.exam.quiz.quiz import PLAIN
 from kinegrade.exam.quiz.source import read_quiz_source
 from kinegrade.exam.roster.roster import Roster
 from kinegrade.exam.setting.dealing import deal_exam
-from kinegrade.language import Language
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.statement import write_statement
 from kinegrade.problem.template.library.library import find_template_names, load_template
 from kinegrade.processes.executor import Start, open_executor
 from kinegrade.stated_marking import find_identifier
 from kinegrade.students.mistaking.mistake_names import describe_mistakes
+from tests.exam.quizzes import papers, quiz_of
 from tests.small_class import STUDENTS, generate, write_class
-
-
-def quiz_of(folder: Path, language: Language | None = None, **options: Any) -> Quiz:
-    return read_quiz(open_exam(folder), language, **options)
-
-
-def papers(folder: Path, **options: Any) -> tuple[QuizPaper, ...]:
-    return tuple(quiz_of(folder, **options).papers)
 
 
 def asks(paper: QuizPaper) -> dict[str, QuizAsk]:
@@ -122,14 +114,6 @@ def test_what_is_shown_needs_no_solving(name: str) -> None:
         template, solution.parameters, "en"
     )
     assert shown.mechanism == solution.assembly.mechanism.map(float)
-
-
-def test_identifiers_are_stable_and_tell_nothing_of_the_secret(small_class: Path) -> None:
-    first, again = (papers(small_class / "EXAM") for _ in range(2))
-    identifiers = [question.identifier for paper in first for question in paper.questions]
-    assert len(set(identifiers)) == len(identifiers) == 12
-    assert identifiers == [question.identifier for paper in again for question in paper.questions]
-    assert all(" " not in identifier and "spring" not in identifier for identifier in identifiers)
 
 
 def test_the_rule_is_the_banks_even_where_zero_answers_have_more_room(small_class: Path) -> None:
@@ -385,70 +369,6 @@ def test_a_value_that_builds_no_mechanism_is_told_with_its_paper(
     line["questions"][1]["drawn"]["h"] = "99"
     with pytest.raises(KinegradeError, match=rf"EXAM: paper {line['paper']}, q2: points.A: "):
         make_quiz_paper(source, PLAIN, read_line(line))
-
-
-def test_a_late_student_leaves_the_exam_s_identifier_as_it_is(tmp_path: Path) -> None:
-    write_class(tmp_path)
-    assert generate(tmp_path).exit_code == 0
-    before = quiz_of(tmp_path / "EXAM").identifier
-    with (tmp_path / "roster.csv").open("a", encoding="utf-8") as roster:
-        roster.write("late,Lee,\n")
-    assert generate(tmp_path, "EXAM", "--force").exit_code == 0
-    quiz = quiz_of(tmp_path / "EXAM")
-    assert quiz.identifier == before
-    assert len({student.student for student in quiz.papers}) == 5
-
-
-def test_a_reordered_roster_leaves_the_exam_s_identifier_as_it_is(tmp_path: Path) -> None:
-    write_class(tmp_path)
-    assert generate(tmp_path, "EXAM").exit_code == 0
-    head, *students = (tmp_path / "roster.csv").read_text(encoding="utf-8").splitlines()
-    reordered = "\n".join([head, *reversed(students)])
-    (tmp_path / "roster.csv").write_text(f"{reordered}\n", encoding="utf-8")
-    assert generate(tmp_path, "AGAIN").exit_code == 0
-    first, again = (quiz_of(tmp_path / name) for name in ("EXAM", "AGAIN"))
-    assert first.identifier == again.identifier
-    assert next(iter(first.papers)).code != next(iter(again.papers)).code
-
-
-def test_versions_are_identified_by_their_letters_and_by_no_student(tmp_path: Path) -> None:
-    write_class(tmp_path)
-    bank = (tmp_path / "bank.toml").read_text(encoding="utf-8")
-    (tmp_path / "bank.toml").write_text(f"versions = 2\n{bank}", encoding="utf-8")
-    assert generate(tmp_path, "EXAM").exit_code == 0
-    for variants in (None, 2):
-        quiz = quiz_of(tmp_path / "EXAM", variants=variants)
-        found = [question.identifier for paper in quiz.papers for question in paper.questions]
-        assert found == [
-            f"{quiz.identifier}-{letter}-q{place}" for letter in "AB" for place in (1, 2, 3)
-        ]
-
-
-def test_the_identifier_does_not_come_from_the_secret_that_draws(tmp_path: Path) -> None:
-    write_class(tmp_path)
-    assert generate(tmp_path, "EXAM", "--seed", "s").exit_code == 0
-    before = quiz_of(tmp_path / "EXAM").identifier
-    head = json.loads((tmp_path / "EXAM" / "exam.json").read_text(encoding="utf-8"))
-    other = dict(head, secret="0" * 64)
-    (tmp_path / "EXAM" / "exam.json").write_text(json.dumps(other), encoding="utf-8")
-    assert quiz_of(tmp_path / "EXAM").identifier == before
-    for name in ("secret", "codes"):
-        assert before not in head[name]
-    renewed = dict(head, codes="1" * 64)
-    (tmp_path / "EXAM" / "exam.json").write_text(json.dumps(renewed), encoding="utf-8")
-    assert quiz_of(tmp_path / "EXAM").identifier != before
-
-
-@pytest.mark.parametrize("kept", [{"seed": "spring"}, {}])
-def test_folders_of_earlier_versions_and_without_a_secret_have_an_identifier(
-    tmp_path: Path, kept: dict[str, str]
-) -> None:
-    write_class(tmp_path)
-    assert generate(tmp_path, "EXAM", "--seed", "s").exit_code == 0
-    head = json.loads((tmp_path / "EXAM" / "exam.json").read_text(encoding="utf-8"))
-    older = {name: value for name, value in head.items() if name not in ("secret", "codes")}
-    (tmp_path / "EXAM" / "exam.json").write_text(json.dumps({**older, **kept}), encoding="utf-8")
-    assert len(quiz_of(tmp_path / "EXAM").identifier) == 8
 
 
 def test_the_asks_are_known_ahead_of_the_papers(small_class: Path) -> None:

@@ -62,6 +62,12 @@ def paper(student: str) -> dict[str, Any]:
     return {"student": student, "paper": "K7Q2", "questions": questions}
 
 
+def asks(paper: dict[str, Any], question: int = 0) -> dict[str, Any]:
+    """What a line of the key asks in a question."""
+    found: dict[str, Any] = paper["questions"][question]["asks"]
+    return found
+
+
 def write_exam(folder: Path, head: object, papers: list[Any]) -> Path:
     folder.mkdir()
     (folder / "exam.json").write_text(json.dumps(head), encoding="utf-8")
