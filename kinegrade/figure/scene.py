@@ -34,6 +34,8 @@ BOLD = Pen(0.8)
 FIRM = Pen(0.4)
 TOOTHED = Pen(0.2)  # lighter than an outline, as its teeth are close
 THIN = Pen(0.18)
+DASHED = Pen(0.3, "dashed")  # of arrows of what is sought
+OPEN = Pen(0.25)  # of their heads
 PITCH = Pen(0.18, "dash-dotted")
 
 

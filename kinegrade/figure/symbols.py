@@ -12,7 +12,9 @@ from msgspec.structs import replace
 from kinegrade.figure.plane import angle_of, length, polar, shorter_way, unit
 from kinegrade.figure.scene import (
     BOLD,
+    DASHED,
     FIRM,
+    OPEN,
     PITCH,
     THIN,
     TOOTHED,
@@ -332,13 +334,18 @@ def draw_arrow(start: Vector, end: Vector, heads: int = 1) -> tuple[Primitive, .
     return (shaft, *(draw_arrowhead(tip, toward) for tip in tips))
 
 
-def draw_curved_arrow(bow: Bow, heads: int = 1) -> tuple[Primitive, ...]:
-    """An arrow along a circular arc for a given rotation, with so many heads."""
+def draw_curved_arrow(bow: Bow, heads: int = 1, *, sought: bool = False) -> tuple[Primitive, ...]:
+    """An arrow along a circular arc for a rotation, with so many heads; dashed, with open heads,
+    where that is `sought`.
+    """
     turn = (1 if bow.sweep > 0 else -1) / bow.radius
     end = bow.start + bow.sweep
-    shaft = replace(bow, sweep=bow.sweep - turn * HEAD_LENGTH * 0.7, pen=FIRM)
+    shaft = replace(bow, sweep=bow.sweep - turn * HEAD_LENGTH * 0.7, pen=DASHED if sought else FIRM)
     tips = [end - turn * index * _HEAD_STEP for index in range(heads)]
-    return (shaft, *(_draw_curved_head(bow, tip, turn * HEAD_LENGTH) for tip in tips))
+    filled = [_draw_curved_head(bow, tip, turn * HEAD_LENGTH) for tip in tips]
+    if sought:
+        return (shaft, *(replace(head, pen=OPEN, fill="white") for head in filled))
+    return (shaft, *filled)
 
 
 def draw_arc_head(bow: Bow) -> Outline:

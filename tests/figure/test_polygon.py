@@ -8,8 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from kinegrade.figure.scene import FIRM, THIN, Outline, Scene
-from kinegrade.figure.vectors.arrows import DASHED
+from kinegrade.figure.scene import DASHED, FIRM, THIN, Outline, Scene
 from kinegrade.figure.vectors.chains import Arrow, find_order
 from kinegrade.figure.vectors.corners import FAR
 from kinegrade.figure.vectors.plain_mechanism import LARGE, PICTURE
@@ -280,8 +279,8 @@ def test_the_origin_has_another_letter_where_a_corner_is_o() -> None:
 
 
 def test_a_symbol_without_a_place_beside_its_arrow_is_led_to_it() -> None:
-    # The second arrow is a fiftieth of the others, both of its ends are corners
-    tick = Vector(0.1, 0.02)
+    # The second arrow is a twentieth of the others, both of its ends are corners
+    tick = Vector(0.25, -0.1)
     right = [Arrow("v_1", A), Arrow(r"v_{2A}^{\mathrm{t}}", tick), Arrow("v_3", B - A)]
     total = B + tick
     scene = draw_polygon([Arrow("v", total)], right)

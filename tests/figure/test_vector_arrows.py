@@ -13,14 +13,13 @@ import typst
 from kinegrade.figure.back_ends.typst import translate_symbol
 from kinegrade.figure.placing.extent import measure_symbol
 from kinegrade.figure.placing.place import CLEARANCE
-from kinegrade.figure.scene import FIRM, Outline, Strokes
+from kinegrade.figure.scene import DASHED, FIRM, Outline, Strokes
 from kinegrade.figure.vectors.arrows import (
-    DASHED,
     VectorArrow,
     look_like_one,
     put_side_by_side,
-    rate_nearness_to_lines,
 )
+from kinegrade.figure.vectors.symbols import rate_nearness_to_lines, wish_at_tip
 from kinegrade.mechanics.vector import Vector
 
 HERE, X = Vector(0.0, 0.0), Vector(10.0, 0.0)
@@ -85,7 +84,7 @@ def test_arrows_of_one_point_and_direction_stay_there_where_their_tips_are_apart
     almost = VectorArrow("c", HERE, X * 0.9)
     placed = put_side_by_side([long, short, almost], (1.5,), nested=True)
     assert [arrow.aside for arrow in placed] == [HERE, HERE, Vector(0.0, 1.5)]
-    label = short.wish_at_tip([long, short])
+    label = wish_at_tip(short, [long, short])
     assert label.demerits is not None
     assert not label.demerits[:8].all()
 

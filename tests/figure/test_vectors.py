@@ -11,7 +11,7 @@ import pytest
 
 from kinegrade.figure.back_ends.typst import write_typst
 from kinegrade.figure.placing.layout import Layout
-from kinegrade.figure.scene import BOLD, FIRM, THIN, Bow, Disc, Strokes
+from kinegrade.figure.scene import BOLD, DASHED, FIRM, OPEN, THIN, Bow, Disc, Strokes
 from kinegrade.figure.vectors import mechanism as vectors_on_mechanisms
 from kinegrade.figure.vectors.arrows import VectorArrow
 from kinegrade.figure.vectors.mechanism import (
@@ -120,11 +120,21 @@ def test_arrows_to_all_sides_do_not_make_the_mechanism_small() -> None:
 
 @pytest.mark.parametrize("sense", ["ccw", "cw"])
 def test_a_rotation_has_its_sense(sense: str) -> None:
-    scene = draw_with_vectors(MECHANISM, HINTS, ARROWS, [Turning(r"\omega_{AB}", "AB", sense)])  # type: ignore[arg-type]
+    turning = Turning(r"\omega_{AB}", "AB", sense)  # type: ignore[arg-type]
+    scene = draw_with_vectors(MECHANISM, HINTS, ARROWS, [turning])
     (bow,) = (part for part in scene.primitives if isinstance(part, Bow) and part.pen != THIN)
     assert (bow.sweep > 0) == (sense == "ccw")
     assert r"\omega_{AB}" in symbols(scene)
     assert len(heads(scene)) == 2
+
+
+def test_a_rotation_that_is_sought_is_dashed_like_the_vectors() -> None:
+    turning = Turning(r"\omega_{AB}", "AB", "cw", sought=True)
+    scene = draw_with_vectors(MECHANISM, HINTS, ARROWS[:1], [turning])
+    (bow,) = (part for part in scene.primitives if isinstance(part, Bow) and part.pen != THIN)
+    (head,) = (one for one in heads(scene, "white") if one.pen == OPEN)
+    assert bow.pen == DASHED
+    assert abs(hypot(*(head.corners[0] - bow.centre)) - bow.radius) < 0.01
 
 
 @pytest.mark.sampled(8)

@@ -8,13 +8,15 @@ from itertools import pairwise
 
 import pytest
 
-from kinegrade.figure.scene import THIN, Outline, Strokes
+from kinegrade.figure.scene import FIRM, THIN, Bow, Outline, Strokes
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.library.library import find_template_names, load_template
 from kinegrade.worked.case import write_row
 from kinegrade.worked.document import Block, Picture, Pictures, Prose, TermTable
 from kinegrade.worked.solution import write_worked_solution
 from tests.worked.draws import drawn, kept, stated, told
+
+ROUND = 1.6  # radians: a longer arc is a rim
 
 
 def list_drawings(blocks: Sequence[Block], caption: str) -> list[Picture]:
@@ -136,3 +138,12 @@ def test_the_caption_says_what_an_outline_in_a_polygon_is(name: str) -> None:
         outlines = (one for one in polygon.scene.primitives if isinstance(one, Outline))
         hollow = any(one.fill == "none" for one in outlines)
         assert ("outline" in polygon.caption) == hollow
+
+
+@pytest.mark.sampled(12, first=4)
+@pytest.mark.parametrize("name", find_template_names())
+def test_all_that_is_sought_is_dashed(name: str) -> None:
+    """Angular velocities were solid, under "dashed: sought"."""
+    for picture in list_drawings(kept(name), "velocities, dashed: sought"):
+        bows = [one for one in picture.scene.primitives if isinstance(one, Bow)]
+        assert FIRM not in {one.pen for one in bows if abs(one.sweep) < ROUND}

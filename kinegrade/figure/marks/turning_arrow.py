@@ -129,8 +129,8 @@ class TurningArrow(Struct, frozen=True):
         return self.bow.path(_STATIONS)[self.tied :]
 
     def primitives(self) -> tuple[Primitive, ...]:
-        """The arc and its arrowhead."""
-        return draw_curved_arrow(self.bow, HEADS[self.hint.level])
+        """The arc and its arrowhead, dashed where the rotation is sought."""
+        return draw_curved_arrow(self.bow, HEADS[self.hint.level], sought=self.hint.sought)
 
 
 def _rate_arc(bow: Bow, arc: Bow) -> float:

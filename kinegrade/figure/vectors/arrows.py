@@ -8,38 +8,35 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 
-import numpy as np
-
-from kinegrade.figure.placing.extent import measure_symbol
 from kinegrade.figure.placing.obstacles import Segment
-from kinegrade.figure.placing.place import Floats, Wish, list_spots_around, list_spots_beside
 from kinegrade.figure.plane import length, unit
-from kinegrade.figure.scene import FIRM, Label, Outline, Pen, Primitive, Strokes
+from kinegrade.figure.scene import DASHED, FIRM, OPEN, Outline, Pen, Primitive, Strokes
 from kinegrade.mechanics.vector import Vector
 
 _IN_PLACE = Vector(0.0, 0.0)
-_HEAD_LENGTH, _HEAD_WIDTH = 2.4, 1.4  # millimetres: larger than the heads of dimensions
-DASHED = Pen(0.3, "dashed")
+_HEAD_LENGTH = 2.4  # millimetres: larger than the heads of dimensions
+_HEAD_SLENDER = 0.29  # half the width of a head, as a share of its length
+_HEAD_LEAST = 0.35  # millimetres, that of a small head: more than the line
 _SOLID = Pen(0.3)
 _HEAD_SHARE = 0.6  # of a short arrow that its head takes at most
 _AROUND = 1.1  # millimetres from the line of an arrow to its outline around another
 _WING = 0.8  # millimetres by which the head of an outline is wider on either side, and longer
+# Of a short arrow that a head at one of its ends may be as long as, and millimetres of the least
+_SPARED, _SMALLEST_HEAD = 0.6, 0.8
+_AT_TIP = 0.05  # millimetres within which the ends of two arrows coincide
 _SLANTED = 0.35  # sine of the angle from which on an arrow is seen to have another direction
 _SAME = 0.01  # millimetres within which two arrows start at one point
+_ON_LINE = 0.35  # millimetres from its line within which the tip of another arrow is on it
 _HEADS_APART = 3.0  # millimetres between the tips of two arrows on one line
 _CLOSE = 0.9  # millimetres: lines nearer than this over a stretch look like one
 _STRETCH = 0.8  # millimetres that two lines may run close together
-_NEARER = 0.3  # millimetres by which a symbol has to be nearer to its arrow than to any other
-# Along a line, of its points whose distance from a symbol is measured
-_SHARES = np.linspace(0.0, 1.0, 17)[:, None, None]
-# Cost of a symbol that may be read as that of another arrow: more than covering a firm line
-_MISTAKEN = 40.0
 
 
 @dataclass(frozen=True)
 class VectorArrow:
     """An arrow on paper, in millimetres, displaced by `aside` from its true position when another
-    line lies there, or an outline `around` so many others that lie there.
+    line lies there, or an outline `around` so many others that lie there; its `head` has that
+    length at most.
     """
 
     symbol: str
@@ -48,6 +45,7 @@ class VectorArrow:
     known: bool = True
     aside: Vector = _IN_PLACE
     around: int = 0
+    head: float = _HEAD_LENGTH
 
     @property
     def line(self) -> Segment:
@@ -63,6 +61,25 @@ class VectorArrow:
         across = unit(tip - start).turned() * (_AROUND * self.around)
         return ((start + across, tip + across), (start - across, tip - across))
 
+    @property
+    def head_corners(self) -> tuple[Vector, Vector, Vector]:
+        """The tip, and the corners of the head behind it."""
+        start, tip = self.line
+        toward = unit(tip - start)
+        head = min(self.head, _HEAD_SHARE * length(tip - start))
+        half = max(head * _HEAD_SLENDER, _HEAD_LEAST)
+        back, across = tip - toward * head, toward.turned() * half
+        return (tip, back + across, back - across)
+
+    def goes_on_from(self, other: VectorArrow) -> bool:
+        """Whether an arrow leads from the start of another one over its tip."""
+        (start, tip), (begin, end) = self.line, other.line
+        if self.around or other.around or length(begin - start) > _SAME:
+            return False
+        way, step = tip - start, end - start
+        beyond = length(way) > length(step) and way.dot(step) > 0
+        return beyond and abs(unit(way).cross(step)) < _ON_LINE
+
     def shares_start(self, other: VectorArrow) -> bool:
         """Whether another arrow on one line with this one starts where it does, and has its head
         elsewhere on that line.
@@ -74,20 +91,14 @@ class VectorArrow:
         """Shaft and head; the head is open where the vector is unknown."""
         if self.around:
             return (self._outline(),)
-        start, tip = self.line
-        toward, size = unit(tip - start), length(tip - start)
-        head = min(_HEAD_LENGTH, _HEAD_SHARE * size)
-        back, across = (
-            tip - toward * head,
-            toward.turned() * (head * _HEAD_WIDTH / _HEAD_LENGTH / 2),
-        )
-        corners = (tip, back + across, back - across)
+        corners = self.head_corners
+        (start, tip), back = self.line, (corners[1] + corners[2]) / 2
         if self.known:
             return (
-                Strokes(((start, back + toward * (0.2 * head)),), FIRM),
+                Strokes(((start, back + (tip - back) * 0.2),), FIRM),
                 Outline(corners, None, "black"),
             )
-        return (Strokes(((start, back),), DASHED), Outline(corners, Pen(0.25), "white"))
+        return (Strokes(((start, back),), DASHED), Outline(corners, OPEN, "white"))
 
     def _outline(self) -> Outline:
         start, tip = self.line
@@ -98,76 +109,6 @@ class VectorArrow:
         corners = (left, left + back, left + back + wing, tip)
         others = (right + back - wing, right + back, right)
         return Outline((*corners, *others), _SOLID if self.known else DASHED)
-
-    def wish_beside(self, others: Iterable[VectorArrow]) -> Wish:
-        """The symbol beside the middle of the arrow, nearer to it than to any other."""
-        start, end = self.line
-        return self._wish(
-            np.concatenate((list_spots_beside(self.symbol, start, end), self._about_tip())), others
-        )
-
-    def wish_at_tip(self, others: Iterable[VectorArrow]) -> Wish:
-        """The symbol around the tip of the arrow, or beside its half near the tip, at last beside
-        the other half, nearer to it than to any other.
-        """
-        start, end = self.line
-        middle, about = (start + end) / 2, self._about_tip()
-        near, far = (
-            list_spots_beside(self.symbol, *half, gaps=(0.5, 1.4))
-            for half in ((middle, end), (start, middle))
-        )
-        return self._wish(np.concatenate((about[:8], near, about[8:], far)), others)
-
-    def foresee_symbol(self) -> Label:
-        """The symbol at the first of its places around the tip."""
-        return Wish(self.symbol, self._about_tip()).label_at(0)
-
-    def _about_tip(self) -> Floats:
-        start, end = self.line
-        return list_spots_around(self.symbol, end, away=end - start)
-
-    def _wish(self, spots: Floats, others: Iterable[VectorArrow]) -> Wish:
-        lines = [line for other in others if other is not self for line in self._find_rest(other)]
-        return Wish(
-            self.symbol,
-            spots,
-            None,
-            _MISTAKEN * rate_nearness_to_lines(self.symbol, spots, self.edges, lines),
-        )
-
-    def _find_rest(self, other: VectorArrow) -> tuple[Segment, ...]:
-        """The lines of another arrow; of one that goes on where this one ends, its last part."""
-        (start, tip), (_, end) = self.line, other.line
-        longer = length(end - start) > length(tip - start) and not self.around + other.around
-        if longer and self.shares_start(other) and look_like_one(self.line, other.line):
-            return (((tip + end) / 2, end),)
-        return other.edges
-
-
-def rate_nearness_to_lines(
-    symbol: str, spots: Floats, own: Sequence[Segment], others: Sequence[Segment]
-) -> Floats:
-    """For each spot 1 where a symbol would stand about as near to another line as to its `own`,
-    else 0.
-    """
-    if not others:
-        return np.zeros(len(spots))
-    half = np.array(measure_symbol(symbol)) / 2
-    mine, theirs = (measure_distances(spots, half, lines) for lines in (own, others))
-    return np.asarray(theirs < mine + _NEARER, dtype=float)
-
-
-def measure_distances(spots: Floats, half: Floats, lines: Sequence[Segment]) -> Floats:
-    """The distances from boxes about the spots to the nearest of the lines, each line sampled as a
-    row of points.
-    """
-    starts, ends = (np.array(corners) for corners in zip(*lines, strict=True))
-    rows = starts + _SHARES * (ends - starts)
-    off = [
-        np.maximum(np.abs(spots[:, axis, None] - rows[..., axis].ravel()) - half[axis], 0.0)
-        for axis in (0, 1)
-    ]
-    return np.asarray(np.sqrt((off[0] ** 2 + off[1] ** 2).min(axis=1)))
 
 
 def put_side_by_side(
@@ -186,6 +127,23 @@ def put_side_by_side(
         chosen = next((way for way in ways if _is_clear(way, placed, nested)), arrow)
         placed.append(chosen)
     return tuple(placed)
+
+
+def spare_short(arrows: Sequence[VectorArrow]) -> tuple[VectorArrow, ...]:
+    """The arrows, the heads so small that none covers a short arrow that starts or ends at its
+    tip.
+    """
+    return tuple(replace(arrow, head=_find_head(arrow, arrows)) for arrow in arrows)
+
+
+def _find_head(arrow: VectorArrow, arrows: Iterable[VectorArrow]) -> float:
+    """The length of an arrow's head beside the others at its tip."""
+    sizes = [
+        _SPARED * _measure(other)
+        for other in arrows
+        if any(length(end - arrow.end) < _AT_TIP for end in (other.start, other.end))
+    ]
+    return min(_HEAD_LENGTH, max(_SMALLEST_HEAD, min(sizes)))
 
 
 def put_around(arrows: Sequence[VectorArrow]) -> tuple[VectorArrow, ...]:

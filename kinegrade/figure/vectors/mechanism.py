@@ -26,6 +26,7 @@ from kinegrade.figure.vectors.plain_mechanism import (
     BareMechanism,
     find_pins,
 )
+from kinegrade.figure.vectors.symbols import foresee_symbol, wish_at_tip
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import FigureHints, Turning
@@ -61,7 +62,13 @@ class _Size:
     share: float
 
 
-_SIZES = (_Size(PICTURE, 1.0), _Size(PICTURE, 0.75), _Size(LARGE, 1.0), _Size(LARGE, 0.75))
+_SIZES = (
+    _Size(PICTURE, 1.0),
+    _Size(PICTURE, 0.75),
+    _Size(LARGE, 1.0),
+    _Size(LARGE, 1.4),
+    _Size(LARGE, 0.75),
+)
 
 
 def draw_with_vectors(
@@ -144,7 +151,7 @@ def add_symbols(layout: Layout, arrows: Sequence[VectorArrow]) -> Layout:
     from.
     """
     for arrow in sorted(arrows, key=lambda arrow: length(arrow.end - arrow.start)):
-        layout = write_symbol(layout, arrow, arrows, WALLS, arrow.wish_at_tip(arrows))
+        layout = write_symbol(layout, arrow, arrows, WALLS, wish_at_tip(arrow, arrows))
     return layout
 
 
@@ -192,7 +199,7 @@ class _Stage:
         are placed.
         """
         lines = (part for arrow in self.arrows for part in arrow.primitives())
-        symbols = (arrow.foresee_symbol() for arrow in self.arrows)
+        symbols = (foresee_symbol(arrow) for arrow in self.arrows)
         letters = (letter.label_at(0) for letter in self.letters)
         return (*self.drawing.primitives, *lines, *symbols, *letters)
 

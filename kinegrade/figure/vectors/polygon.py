@@ -16,7 +16,7 @@ from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.placing.place import Wish
 from kinegrade.figure.plane import length
 from kinegrade.figure.scene import Disc, Scene
-from kinegrade.figure.vectors.arrows import VectorArrow, put_around
+from kinegrade.figure.vectors.arrows import VectorArrow, put_around, spare_short
 from kinegrade.figure.vectors.chains import (
     HIGHEST,
     LARGEST,
@@ -29,15 +29,19 @@ from kinegrade.figure.vectors.chains import (
     round_scale,
 )
 from kinegrade.figure.vectors.corners import list_corners, name_corners, wish_letter
-from kinegrade.figure.vectors.leaders import NOTHING, ONE_ARROW, write_symbol
+from kinegrade.figure.vectors.leaders import NOTHING, ONE_ARROW, Crossed, write_symbol
 from kinegrade.figure.vectors.plain_mechanism import LARGE, PICTURE
+from kinegrade.figure.vectors.symbols import wish_beside
 from kinegrade.mechanics.vector import Vector
 
 _NEXT = 2.51  # times a round number, the next one is not above it
+# Millimetres: a shorter arrow is a dot, and is left out beside one so many times as long
+_VISIBLE, _LEADING = (1.0, 8.0)
 _LEAST = 10.0  # millimetres: no polygon is made smaller than this, whatever its symbols take
 _SHORT = 2.4  # millimetres, the length of a head
 HIGH = Room(80.0, 84.0)  # where symbols find no place in less
 _TRIES = 4  # orders in which the symbols are placed
+_DOT = 0.4  # millimetres, radius of the origin: a short arrow comes out from under it
 _ZERO = Vector(0.0, 0.0)
 
 
@@ -50,10 +54,11 @@ def draw_polygon(
     """The polygon of "sum of `left` = sum of `right`" from the common origin o.
 
     Known vectors are solid with a filled head, unknown ones dashed with an open head. Vectors
-    shorter than a hundredth of the longest are not drawn. The vectors of a side follow one another
-    as they are given, each from the tip of another; one that runs along shorter ones is an outline
-    around them. `vertices` are letters (LaTeX math) for the tips of vectors from the
-    origin; the other corners, between the components of a vector, are no point's and have none.
+    shorter than a hundredth of the longest, or no more than a dot, are not drawn. The vectors of a
+    side follow one another as they are given, each from the tip of another; one that runs along
+    shorter ones is an outline around them. `vertices` are letters (LaTeX math) for the tips of
+    vectors from the origin; the other corners, between the components of a vector, are no point's
+    and have none.
     The scale of the scene is millimetres per m/s (or m/s^2), a round number: `scale`, that of other
     polygons, unless this one would be too large or too small, or is hard to read at it. The figure
     is within PICTURE of `plain_mechanism`, or LARGE where it is easier to read, or HIGH.
@@ -115,14 +120,15 @@ def _fit(
     while True:
         least = NEGLIGIBLE * max((length(arrow.value) for arrow in (*left, *right)), default=0.0)
         laid = [arrow for side in (left, right) for arrow in _lay_arrows(side, scale, least)]
-        arrows = put_around(laid)
-        undrawn = least * scale * (len(left) + len(right) - len(laid))
+        arrows = put_around(spare_short(laid))
+        undrawn = max(least * scale, _VISIBLE) * (len(left) + len(right) - len(laid))
         layout = _name_arrows(arrows, name_corners(vertices, list_corners(arrows), scale, undrawn))
         scene = replace(make_scene(layout.primitives, scale), crowded=layout.crowded)
         room = limits.room
         if scale <= limits.least or (scene.width <= room.width and scene.height <= room.height):
             short = sum(length(arrow.end - arrow.start) < _SHORT for arrow in arrows)
-            faults = len(layout.crowded) + sum(map(_rate_arrow, arrows))
+            hidden = sum(length(arrow.value) > least for arrow in (*left, *right)) - len(laid)
+            faults = len(layout.crowded) + sum(map(_rate_arrow, arrows)) + hidden
             return _Drawing(scene, faults, short)
         scale = round_scale(scale * 0.99)
 
@@ -138,10 +144,10 @@ def _name_arrows(arrows: Sequence[VectorArrow], lettered: Mapping[str, Vector]) 
     """
     corners = list_corners(arrows)
     letters = [wish_letter(*one, corners) for one in lettered.items()]
-    wishes = [(arrow, arrow.wish_beside(arrows)) for arrow in arrows]
+    wishes = [(arrow, wish_beside(arrow, arrows)) for arrow in arrows]
     wishes.sort(key=lambda wished: length(wished[0].end - wished[0].start))
     parts = (part for arrow in arrows for part in arrow.primitives())
-    bare = Layout.of((*parts, Disc(_ZERO, 0.5, None, "black")))
+    bare = Layout.of((*parts, Disc(_ZERO, _DOT, None, "black")))
     found: list[Layout] = []
     for crossed, letters_first in product((NOTHING, ONE_ARROW), (False, True)):
         early, late = (letters, ()) if letters_first else ((), letters)
@@ -153,7 +159,7 @@ def _name_arrows(arrows: Sequence[VectorArrow], lettered: Mapping[str, Vector]) 
 
 
 def _write_symbols(
-    bare: Layout, wishes: Sequence[tuple[VectorArrow, Wish]], crossed: float
+    bare: Layout, wishes: Sequence[tuple[VectorArrow, Wish]], crossed: Crossed
 ) -> Layout:
     """The layout with all symbols, starting with the shortest arrow: it has the fewest places to
     choose from. Symbols that find no place of their own start the next time, and the rest have
@@ -172,12 +178,22 @@ def _write_symbols(
     return layout
 
 
+def _is_visible(chain: Sequence[Arrow], place: int, scale: float, least: float) -> bool:
+    """Whether a vector of a side is to be drawn: it is no dot, or the arrow beside it is so short
+    that it would lead elsewhere without it.
+    """
+    size = length(chain[place].value)
+    if size <= least or size * scale > _VISIBLE or len(chain) == 1:
+        return size > least
+    return length(chain[place - 1 if place else 1].value) < _LEADING * size
+
+
 def _lay_arrows(chain: Sequence[Arrow], scale: float, least: float) -> Iterator[VectorArrow]:
     """The arrows of one side tip to tail on paper, without negligible ones: the arrow before such a
     one leads to its tip, so that the chain is not torn.
     """
     *starts, end = find_corners(chain)
-    kept = [place for place, arrow in enumerate(chain) if length(arrow.value) > least]
+    kept = [place for place in range(len(chain)) if _is_visible(chain, place, scale, least)]
     corners = [_ZERO, *(starts[place] for place in kept[1:]), end]
     for place, (start, tip) in zip(kept, pairwise(corners), strict=False):
         yield VectorArrow(chain[place].symbol, start * scale, tip * scale, chain[place].known)

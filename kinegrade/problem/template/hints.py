@@ -102,7 +102,8 @@ class Rimmed:
 @dataclass(frozen=True)
 class Turning:
     """A curved arrow about the pivot of a body, or about its pin on the body `of` that it turns
-    relative to; without a sense it follows the sign of the imposed motion.
+    relative to; without a sense it follows the sign of the imposed motion. In a solution it may be
+    that of a rotation that is `sought`.
     """
 
     symbol: str
@@ -110,6 +111,7 @@ class Turning:
     sense: Sense | None = None
     level: Level = "velocity"
     of: str = GROUND
+    sought: bool = False
 
 
 @dataclass(frozen=True)

@@ -82,7 +82,8 @@ def _draw_velocities(
     rates = dict.fromkeys(
         rate for equation in equations for rate in equation.unknowns if not stage.leaves_out(rate)
     )
-    shown, turnings = tuple(arrows.values()), _find_turnings(rates, case)
+    shown = tuple(arrows.values())
+    turnings = tuple(replace(turning, sought=True) for turning in _find_turnings(rates, case))
     scene = case.drawings.find(
         (draw_with_vectors, shown, turnings),
         lambda: draw_with_vectors(_find_mechanism(case), case.template.figure, shown, turnings),
