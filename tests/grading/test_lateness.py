@@ -164,6 +164,33 @@ def test_a_try_alone_needs_no_times(exam: Path) -> None:
     assert "not known when" not in done.stderr
 
 
+@pytest.mark.parametrize(
+    ("times", "tried"),
+    [
+        (("2026-12-01 10:00", "2026-12-01 10:00"), False),
+        (("2026-12-01 10:00", "2026-12-01 10:00:00"), False),  # the same, written otherwise
+        (("", ""), False),
+        (("2026-12-01 10:00", ""), False),
+        (("2026-12-01 10:00", "2026-12-01 11:00"), True),
+    ],
+)
+@pytest.mark.parametrize("attempts", ["last", "best"])
+def test_a_row_that_stands_twice_is_no_other_submission_unless_at_another_time(
+    exam: Path, attempts: str, times: tuple[str, str], *, tried: bool
+) -> None:
+    rows = [("7", time, RIGHT) for time in times]
+    done = grade(exam, f'attempts = "{attempts}"\n[tries]\npenalty = "20 %"\n', rows)
+    costs = tried and attempts == "last"
+    assert totals(exam)["7"] == (("7.6", "1.9") if costs else ("9.5", "0"))
+    assert ("ignored, the answers are the same" in done.stderr) is not tried
+
+
+def test_the_same_answers_after_others_are_a_try_after_those_alone(exam: Path) -> None:
+    rows = [("7", "", cells) for cells in (RIGHT, WRONG, RIGHT)]
+    grade(exam, '[tries]\npenalty = "20 %"\n', rows)
+    assert totals(exam)["7"] == ("7.6", "1.9")
+
+
 def test_rows_without_a_time_are_told_of_and_cost_nothing(exam: Path) -> None:
     done = grade(exam, LATE, [("7", "", RIGHT), ("9", "2026-12-02 18:10", RIGHT)])
     assert done.exit_code == 1

@@ -29,7 +29,7 @@ class Submissions:
     def find(self, student: str, entries: Sequence[Entry], counted: Entry) -> Submission:
         """That of the entry that counts; the others before it were tries if they had answers."""
         place = next(number for number, each in enumerate(entries) if each is counted)
-        before = sum(_has_answers(each) for each in entries[:place])
+        before = _count_others(entries[:place], counted)
         late, moment = self.penalties.late, parse_moment(counted.submitted)
         if late is None or moment is None:
             return Submission(moment, None, _IN_TIME, before)
@@ -44,6 +44,17 @@ def _find_lateness(moment: datetime, due: datetime, rule: LateRule) -> timedelta
     if moment.tzinfo is None and due.tzinfo is not None:
         moment = moment.replace(tzinfo=due.tzinfo)
     return moment - due if moment > due + rule.grace else _IN_TIME
+
+
+def _count_others(entries: Sequence[Entry], counted: Entry) -> int:
+    """How many submissions there are among entries beside the one that counts; a row that stands
+    twice is one.
+    """
+    submissions = [counted]
+    for each in entries:
+        if _has_answers(each) and not any(map(each.repeats, submissions)):
+            submissions.append(each)
+    return len(submissions) - 1
 
 
 def _has_answers(entry: Entry) -> bool:

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections import Counter
 from typing import NamedTuple
 
+from kinegrade.deadlines.moment import parse_moment
 from kinegrade.files.answer_file import Sources
-from kinegrade.files.cell_text import is_answered
+from kinegrade.files.cell_text import is_answered, trim
 
 
 class Place(NamedTuple):
@@ -57,3 +58,13 @@ class Entry(NamedTuple):
         both = zip(self.responses, self.places, strict=True)
         found = Counter(place for response, place in both if is_answered(response))
         return max(dict.fromkeys([itself, *found]), key=lambda place: found[place])
+
+    def repeats(self, other: Entry) -> bool:
+        """Whether it is the same submission once more: the same answers to the same papers, and no
+        time that is another one.
+        """
+        mine, theirs = map(trim, self.responses), map(trim, other.responses)
+        if self.put != other.put or tuple(mine) != tuple(theirs):
+            return False
+        times = {parse_moment(each) or each for each in (self.submitted, other.submitted) if each}
+        return len(times) < 2

@@ -10,7 +10,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
-from kinegrade.files.cell_text import shorten, trim
+from kinegrade.files.cell_text import shorten
 from kinegrade.files.csv_writing import write_csv_text
 from kinegrade.files.tables import Complaint
 from kinegrade.grading.sheets.entry import Entry
@@ -61,14 +61,14 @@ def quote_cells(cells: Sequence[str]) -> str:
 
 def find_repeated(entries: Sequence[Entry], counted: Entry) -> Iterator[Complaint]:
     """A complaint for each entry of a student that does not count; it quotes the row."""
-    answers = list(map(trim, counted.responses))
     for entry in entries:
         if entry is counted:
             continue
         where = _name_line(entry, counted)
         problem = Message("marking.another-row", row=where)
-        same = list(map(trim, entry.responses)) == answers
-        done = Message("marking.same-answers") if same else Message("marking.row-counts", row=where)
+        done = Message("marking.row-counts", row=where)
+        if entry.repeats(counted):
+            done = Message("marking.same-answers")
         yield Complaint(entry.file, entry.line, "", _quote(entry), problem, done)
 
 
