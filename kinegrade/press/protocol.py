@@ -43,17 +43,17 @@ class Press(ABC):
         """Every paper, by its name."""
 
     def alike(
-        self, papers: Mapping[str, Paper], pages: int | None
+        self, papers: Mapping[str, Paper], pages: int | None, longest: int = 0
     ) -> tuple[dict[str, Printout], dict[str, int]]:
         """Every paper, by its name, and how many pages it has: at least so many; for None, as many
-        as the longest of them. Large print takes as many as it takes.
+        as the `longest` of others and of them. Large print takes as many as it takes.
 
         Those that have fewer are printed once more; a press may do better, to the same bytes.
         """
         printed = self.papers(papers)
         counts = {name: count_pages(each.pdf) for name, each in printed.items()}
         usual = [name for name, paper in papers.items() if not paper.large]
-        wanted = max((counts[name] for name in usual), default=0) if pages is None else pages
+        wanted = max([longest, *map(counts.__getitem__, usual)]) if pages is None else pages
         short = {
             name: replace(papers[name], pages=wanted) for name in usual if counts[name] < wanted
         }

@@ -9,10 +9,14 @@ import subprocess
 import sys
 import time
 from pathlib import Path
+from typing import Any
 
 import pytest
 
+from kinegrade.exam.printing import class_printing
 from kinegrade.exam.printing.class_printing import CHUNK, MOST, split_class
+from kinegrade.exam.printing.printing import Printed
+from kinegrade.press.binding.part import count_pages
 from tests.problem.crank import crank_text
 from tests.small_class import contents, generate, key_lines
 
@@ -58,6 +62,23 @@ def write(folder: Path) -> Path:
 @pytest.fixture
 def folder(tmp_path: Path) -> Path:
     return write(tmp_path)
+
+
+def test_later_parts_are_filled_up_to_the_longest_paper_before_them(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    known: list[int] = []
+    usual = class_printing.print_papers
+
+    def note(*given: Any) -> list[Printed]:
+        known.append(given[-1])
+        return usual(*given)
+
+    monkeypatch.setattr(class_printing, "print_papers", note)
+    monkeypatch.setattr(class_printing, "CHUNK", FEW_PAPERS)
+    assert generate(folder, "EXAM", "--jobs", "1").exit_code == 0
+    pages = count_pages(next((folder / "EXAM" / "papers").glob("*.pdf")).read_bytes())
+    assert (known[0], known[-1]) == (0, pages)
 
 
 def write_few(folder: Path) -> Path:

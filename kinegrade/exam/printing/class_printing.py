@@ -25,11 +25,14 @@ AHEAD = 2  # tasks for each process that are under way or wait for it
 
 @dataclass(frozen=True)
 class _PrintTask:
-    """A part of a class, and what holds for all parts."""
+    """A part of a class, and what holds for all parts. All papers will have as many pages as the
+    `longest` of the parts that are printed when this one is handed out.
+    """
 
     exam: Shared[Exam]
     run: Shared[PrintRun]
     papers: tuple[DealtPaper, ...]
+    longest: int
 
 
 def print_class(
@@ -39,13 +42,22 @@ def print_class(
 
     Raises TypesetError with the faults of the first part of the class that has any.
     """
-    shared = Shared(run)
+    shared, longest = Shared(run), 0
     students = dealt.roster.students
     tasks = (
-        _PrintTask(dealt.shared, shared, tuple(map(dealt.dealt, students[part.start : part.stop])))
+        _PrintTask(
+            dealt.shared,
+            shared,
+            tuple(map(dealt.dealt, students[part.start : part.stop])),
+            longest,
+        )
         for part in split_class(len(students), jobs)
     )
+    waiting = iter(students)
     for part in map_in_order(workers, _print, tasks, AHEAD * jobs):
+        for printed, student in zip(part, waiting, strict=False):
+            if not student.reads_large_print:
+                longest = max(longest, printed.pages)
         yield from part
 
 
@@ -71,7 +83,7 @@ def _print(task: _PrintTask) -> list[Printed]:
     """A part of the class set and printed."""
     run, exam = task.run.value, task.exam.value
     papers = set_papers(exam, task.papers)
-    return print_papers(run, open_press(run.press_order), papers, exam.sketcher)
+    return print_papers(run, open_press(run.press_order), papers, exam.sketcher, task.longest)
 
 
 @lru_cache(maxsize=1)

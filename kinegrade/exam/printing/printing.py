@@ -123,10 +123,14 @@ def require_tools(extras: Extras) -> None:
 
 
 def print_papers(
-    run: PrintRun, press: Press, papers: Sequence[SetPaper], sketcher: Sketcher = sketch
+    run: PrintRun,
+    press: Press,
+    papers: Sequence[SetPaper],
+    sketcher: Sketcher = sketch,
+    longest: int = 0,
 ) -> list[Printed]:
     """Each of the papers, and its worked solutions, as far as they are wanted; `sketcher` draws
-    their figures.
+    their figures. The `longest` of the papers that stay beside them has so many pages.
 
     Raises TypesetError with all faults of their texts.
     """
@@ -140,7 +144,7 @@ def print_papers(
         paper.student.file_name: lay_out_paper(run.bank, paper, run.language, sketcher)
         for paper in (papers if run.extras.papers else ())
     }
-    printouts, counts = press.alike(pages, run.pages)
+    printouts, counts = press.alike(pages, run.pages, longest)
     solutions = print_solutions(run, press, papers) if run.extras.solutions else {}
     also = _print_also(pages, run, papers) if run.extras.papers else {}
     return [

@@ -77,7 +77,7 @@ class LatexPress(Press):
         return self._print_all(papers, PAPERS, TypstPress.papers)
 
     def alike(
-        self, papers: Mapping[str, Paper], pages: int | None
+        self, papers: Mapping[str, Paper], pages: int | None, longest: int = 0
     ) -> tuple[dict[str, Printout], dict[str, int]]:
         """Every paper and how many pages it has, as `Press` says; errors are raised as by `papers`.
 
@@ -86,7 +86,7 @@ class LatexPress(Press):
         large = {name: paper for name, paper in papers.items() if paper.large}
         typst, counts = TypstPress(self._size).alike(large, None) if large else ({}, {})
         usual = {name: paper for name, paper in papers.items() if not paper.large}
-        ready = self._set_alike(usual, pages)
+        ready = self._set_alike(usual, pages, longest)
         printed = {name: self._make_printout(name, each, PAPERS) for name, each in ready.items()}
         return printed | typst, counts | {name: each.pages for name, each in ready.items()}
 
@@ -166,12 +166,14 @@ class LatexPress(Press):
             )
         return ready
 
-    def _set_alike(self, papers: Mapping[str, Paper], pages: int | None) -> dict[str, _Set[Paper]]:
+    def _set_alike(
+        self, papers: Mapping[str, Paper], pages: int | None, longest: int
+    ) -> dict[str, _Set[Paper]]:
         """The pages of every paper, as many as `alike` says; those before the longest need another
         run.
         """
-        first = self._set(papers, PAPERS, pages or 0)
-        wanted = max((each.own for each in first.values()), default=0) if pages is None else pages
+        first = self._set(papers, PAPERS, longest if pages is None else pages)
+        wanted = max([longest, *(each.own for each in first.values())]) if pages is None else pages
         short = {name: each for name, each in first.items() if each.own < wanted}
         unlike = {
             name: replace(papers[name], pages=wanted if name in short else 0)

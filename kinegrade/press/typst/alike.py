@@ -10,16 +10,18 @@ from kinegrade.press.sheet import Paper
 
 
 class AlikePapers:
-    """Prints each paper with as many pages as the longest before it, so that few are left that have
-    to be printed once more. Large print takes as many as it takes.
+    """Prints each paper with as many pages as the longest before it, or of others, so that few are
+    left that have to be printed once more. Large print takes as many as it takes.
 
     A paper that needs as many pages of its own is the same byte for byte as if it were asked for
     none.
     """
 
-    def __init__(self, pages: int | None, print_one: Callable[[Paper], bytes]) -> None:
+    def __init__(
+        self, pages: int | None, longest: int, print_one: Callable[[Paper], bytes]
+    ) -> None:
         self._rises = pages is None
-        self._most = pages or 0
+        self._most = longest if pages is None else pages
         self._print_one = print_one
         self.counts: list[int] = []
 

@@ -64,12 +64,12 @@ class TypstPress(Press):
         return _print_each(papers, self.paper)
 
     def alike(
-        self, papers: Mapping[str, Paper], pages: int | None
+        self, papers: Mapping[str, Paper], pages: int | None, longest: int = 0
     ) -> tuple[dict[str, Printout], dict[str, int]]:
         """Every paper and how many pages it has, as `Press` says. Raises TypesetError as `papers`
         does.
         """
-        filling = AlikePapers(pages, self.paper)
+        filling = AlikePapers(pages, longest, self.paper)
         printed = _print_each(papers, filling)
         short = filling.find_short(papers)
         counts = dict(zip(papers, filling.counts, strict=True))

@@ -65,12 +65,12 @@ UNEVEN = {
 }
 
 
-@pytest.mark.parametrize("pages", [None, 1, 3])
+@pytest.mark.parametrize(("pages", "longest"), [(None, 0), (None, 3), (1, 3), (3, 0)])
 def test_papers_filled_up_in_the_run_that_counts_them_are_those_that_are_printed_once_more(
-    pages: int | None,
+    pages: int | None, longest: int
 ) -> None:
     press = LatexPress()
-    assert press.alike(UNEVEN, pages) == Press.alike(press, UNEVEN, pages)
+    assert press.alike(UNEVEN, pages, longest) == Press.alike(press, UNEVEN, pages, longest)
 
 
 def test_only_those_before_the_longest_are_set_again(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -21,10 +21,12 @@ UNEVEN = {
 }
 
 
-@pytest.mark.parametrize("pages", [None, 1, 3])
-def test_papers_filled_up_at_first_are_those_that_are_printed_once_more(pages: int | None) -> None:
+@pytest.mark.parametrize(("pages", "longest"), [(None, 0), (None, 3), (1, 3), (3, 0)])
+def test_papers_filled_up_at_first_are_those_that_are_printed_once_more(
+    pages: int | None, longest: int
+) -> None:
     press = TypstPress()
-    assert press.alike(UNEVEN, pages) == Press.alike(press, UNEVEN, pages)
+    assert press.alike(UNEVEN, pages, longest) == Press.alike(press, UNEVEN, pages, longest)
 
 
 def test_only_those_before_the_longest_are_printed_once_more(
