@@ -4,6 +4,7 @@ lies on it beyond an end, where it is pivoted.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 
 from kinegrade.expressions.tree import find_names
@@ -14,6 +15,7 @@ from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.solution import Solution
 from kinegrade.problem.template.template import Template
 from kinegrade.proof.claims.nouns import Nouns
+from kinegrade.proof.claims.patterns import write_words
 from kinegrade.proof.claims.reading import DIFFERENT, find_points, read_claims
 
 _ENDS: Mapping[str, Vector] = {
@@ -61,12 +63,19 @@ def _list_claims(
                 yield claim["said"], _hold_end(name, own, toward)
     for claim in read_claims(template, "beyond"):
         names = find_points(template, claim["start"], claim["end"], claim["point"])
-        if names and names[2] in names[:2]:
+        if names and names[2] in names[:2] and not _is_leg(claim["ahead"]):
             yield claim["said"], _hold_beyond(names)
     for claim in read_claims(template, "pivoted"):
         names = find_points(template, claim["start"], claim["end"], claim["point"])
         if names:
             yield claim["said"], _hold_pivot(frozenset(names), bodies)
+
+
+def _is_leg(ahead: str) -> bool:
+    """Whether words lead up to a leg of an angle, as `the angle from the extension`: nothing need
+    lie on it.
+    """
+    return re.search(rf"(?:{write_words('leg')})\s+$", ahead, re.IGNORECASE) is not None
 
 
 def _hold_pivot(names: frozenset[str], bodies: Sequence[frozenset[str]]) -> _Holds:

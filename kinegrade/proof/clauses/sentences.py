@@ -66,6 +66,13 @@ class Sentence:
         named = [each for each in self.mentions if self.text[each.end : place].isspace()]
         return next(iter(named), None) or self.find_subject(place)
 
+    def find_apposition(self, place: int) -> Mention | None:
+        """What the words at a place stand behind with a comma alone between, as `about the pin $G$,
+        to the right of $C$`: it may be this of which they are said.
+        """
+        before = [each for each in self.mentions if self.text[each.end : place].strip() == ","]
+        return _keep_known(before[-1]) if before else None
+
     def _find_antecedent(self, place: int) -> Mention | None:
         """What a pronoun stands for: what its sentence began with, or else the one before."""
         for named in (

@@ -63,7 +63,7 @@ def find_wrong_sides(template: Template, examples: Sequence[Solution]) -> Iterat
                 continue
             subject = _find_subject(side)
             given = _find_length(template, side.given)
-            if (subject and _is_false(subject, side, examples)) or (
+            if _is_false_of_all(subject, side, examples) or (
                 given and _is_nowhere(given, side, examples)
             ):
                 within = subject and subject in sentence.mentions
@@ -134,6 +134,13 @@ def _write_upright(kind: str) -> str:
     if kind not in {"above", "below"}:
         return r"(?!)"
     return rf"(?<=[a-z]\s)(?(upright)(?:{write_words(f'side-{kind}-upright')})|(?!))"
+
+
+def _is_false_of_all(subject: Mention | None, side: Side, examples: Sequence[Solution]) -> bool:
+    """Whether nothing of which a side may be said lies there in some instance."""
+    apposed = side.sentence.find_apposition(side.start)
+    readings = [each for each in (subject, apposed) if each is not None]
+    return subject is not None and all(_is_false(each, side, examples) for each in readings)
 
 
 def _is_false(subject: Mention, side: Side, examples: Sequence[Solution]) -> bool:

@@ -38,6 +38,8 @@ def test_what_lies_otherwise_is_a_fault(right: str, wrong: tuple[str, str]) -> N
         "the upper end of the rod",
         "the end $H$",
         "$OA$ extended beyond $B$",  # no end of it
+        "the angle from the extension of $OA$ beyond $A$ to $AB$",
+        "der Winkel zwischen der Verlängerung von $OA$ über $A$ hinaus und $AB$",
         "$O$ and the rest from right to left",
         "a vertical bar",
         "it is not in a vertical guide",

@@ -24,6 +24,7 @@ LIES = ", and the points of the mechanism lie otherwise: correct the words, or t
         ("slider", "The slider lies to the right of $O$.", ("right", "left"), ""),
         ("slider", "The guide passes a distance {{ e }} below $O$.", ("below", "above"), ""),
         ("slider", "It runs at the distance {{ e }} below $O$.", ("$O$", "$A$"), "below $A$"),
+        ("slider", "It joins $A$ to the point $H$, {{ e }} below $O$.", ("below", "above"), ""),
         ("slider", "$A$ is higher than the guide.", ("higher", "lower"), ""),
         ("slider", "Der Punkt $A$ liegt höher als $O$.", ("höher", "tiefer"), ""),
         ("slider", "Eine Führung im Abstand {{ e }} lotrecht unter $O$.", ("unter", "über"), "lot"),
