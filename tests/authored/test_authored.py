@@ -14,9 +14,12 @@ from kinegrade.problem.solution import Solution
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.library.reading import read_template
 from kinegrade.problem.template.template import Template
+from kinegrade.proof.claims.claims import find_false_claims
+from kinegrade.proof.clauses.clauses import find_false_clauses
 from kinegrade.worked.document import Block
 from kinegrade.worked.solution import write_worked_solution
 from tests.problem.draws import draw_filter, drawn
+from tests.said import all_said
 from tests.worked.reader.laws import find_faults
 from tests.worked.telling import displayed, proses
 
@@ -60,6 +63,15 @@ def answer(name: str, ask: str) -> float:
 def test_its_solution_keeps_the_laws_of_print(name: str) -> None:
     faults = list(find_faults(blocks(name), dealt(name)))
     assert faults == [], "\n".join(f"{each.law}: {each.line}" for each in faults)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_what_it_says_is_true(name: str) -> None:
+    said = (
+        *find_false_claims(read(name), (dealt(name),)),
+        *find_false_clauses(read(name), (dealt(name),)),
+    )
+    assert all_said(said) == []
 
 
 def test_a_cylinder_turns_the_body_by_the_law_of_cosines() -> None:

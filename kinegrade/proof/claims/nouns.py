@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from kinegrade.expressions.tree import find_names
+from kinegrade.mechanics.ground import GROUND
 from kinegrade.problem.template.template import Template
 from kinegrade.proof.claims.patterns import LETTER, list_words, write_words
 from kinegrade.proof.claims.reading import find_points, read_texts
@@ -67,13 +68,16 @@ class Nouns:
 
     @cached_property
     def _driven(self) -> Mapping[str, Sequence[Thing]]:
-        """What the nouns of givens stand for that drive a body."""
+        """What the nouns of givens stand for that drive a body, seen from the ground or from
+        another one: the rate of a cylinder is that of its rod in it.
+        """
         found: dict[str, list[Thing]] = {}
         for sentence in self.template.scheme.drivers:
             for name in {*find_names(sentence.velocity), *find_names(sentence.acceleration)}:
                 given = self.template.parameters.get(name)
                 for claim in read_texts(given.means.texts if given else (), "of-noun"):
-                    found.setdefault(claim["noun"].lower(), []).append(Thing(sentence.body))
+                    bodies = (name for name in (sentence.body, sentence.of) if name != GROUND)
+                    found.setdefault(claim["noun"].lower(), []).extend(map(Thing, bodies))
         return found
 
     def list_points(self, body: str) -> frozenset[str]:
