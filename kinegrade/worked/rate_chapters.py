@@ -12,6 +12,8 @@ from kinegrade.language.message import Message
 from kinegrade.mechanics.plan import Step
 from kinegrade.mechanics.rates import Rate
 from kinegrade.mechanics.vector_equation import Level
+from kinegrade.problem.quantities.functions import find_motion_calls
+from kinegrade.problem.quantities.motion_functions import MOTION_FUNCTIONS
 from kinegrade.problem.template.template import Ask
 from kinegrade.worked.answers.answers import explain_answer
 from kinegrade.worked.answers.boxes import AnswerBoxes
@@ -40,16 +42,14 @@ def write_rate_chapters(
 ) -> Iterator[Block]:
     """The chapters on velocities and on accelerations, with the answers that need them."""
     velocities, accelerations = steps
+    later = [ask for ask in moving if _belongs_to_accelerations(ask, case, accelerations)]
     if velocities:
         yield Heading(case.write(Message("solution.velocities")), 1)
-        wanted = [ask for ask in moving if _find_level(ask, case) == "velocity"]
+        wanted = [ask for ask in moving if ask not in later]
         yield from _write_level_chapter(velocities, case, "velocity", _Answers(wanted, boxes))
     if accelerations:
         yield Heading(case.write(Message("solution.accelerations")), 1)
-        wanted = [ask for ask in moving if _find_level(ask, case) == "acceleration"]
-        yield from _write_level_chapter(
-            accelerations, case, "acceleration", _Answers(wanted, boxes)
-        )
+        yield from _write_level_chapter(accelerations, case, "acceleration", _Answers(later, boxes))
 
 
 @dataclass
@@ -122,10 +122,13 @@ def list_found(steps: Iterable[Step]) -> frozenset[Rate]:
     return frozenset(rate for step in steps for rate in step.unknowns)
 
 
-def _find_level(ask: Ask, case: Case) -> Level:
-    """Whether an answer needs changes of rates, or rates alone."""
-    changes = find_needs(ask.quantity, case.reader).changes
-    return "acceleration" if changes else "velocity"
+def _belongs_to_accelerations(ask: Ask, case: Case, steps: Sequence[Step]) -> bool:
+    """Whether an answer needs changes of rates, or is a Coriolis acceleration, which follows from
+    velocities, and steps of accelerations say by which theorem there is one.
+    """
+    calls = find_motion_calls(ask.quantity)
+    turned = any(MOTION_FUNCTIONS[call.function].derivation == "coriolis" for call in calls)
+    return bool(find_needs(ask.quantity, case.reader).changes) or (turned and bool(steps))
 
 
 def _write_step(

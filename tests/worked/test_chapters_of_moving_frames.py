@@ -138,10 +138,10 @@ def test_a_composition_of_velocities_in_a_translating_frame() -> None:
             point of block which is at $C$) plus the relative one (seen from block).
             Here $OC = \sqrt{x_{C}^{2} + y_{C}^{2}} = \sqrt{(3\,\unit{m})^{2} +
             (4\,\unit{m})^{2}} = 5\,\unit{m}$.
+        Here $\boldsymbol{v}_{\mathrm{e}} = \boldsymbol{v}_{D}$.
         [ ] \boldsymbol{v}_{\mathrm{a}} | $OC \cdot \omega_{OC} = 10\,\unit{m/s}$ | $\perp OC,\curvearrowleft$
         [=] \boldsymbol{v}_{D} | ? | $+x$
         [+] \boldsymbol{v}_{\mathrm{r}} | ? | $+y$
-        Here $\boldsymbol{v}_{\mathrm{e}} = \boldsymbol{v}_{D}$.
         Block translates: all its points have the same velocity.
         In the polygon, $c'$ denotes the point of block that coincides with $C$.
         $OC$ makes the acute angle $\psi_{OC}$ with the $x$ axis:
@@ -170,11 +170,11 @@ def test_a_composition_of_accelerations_without_coriolis() -> None:
             $\boldsymbol{a}_{\mathrm{r}}$ that seen from block,
             $\boldsymbol{a}_{\mathrm{Cor}}$ the Coriolis acceleration. The
             indices n and t mark normal and tangential parts.
+        Here $\boldsymbol{a}_{\mathrm{e}} = \boldsymbol{a}_{D}$.
         [ ] \boldsymbol{a}_{\mathrm{a}}^{\mathrm{n}} | $OC \cdot \omega_{OC}^{2} = 20\,\unit{m/s^2}$
             | $C \to O$
         [=] \boldsymbol{a}_{D} | ? | $+x$
         [+] \boldsymbol{a}_{\mathrm{r}} | ? | $+y$
-        Here $\boldsymbol{a}_{\mathrm{e}} = \boldsymbol{a}_{D}$.
         Block translates: all its points have the same acceleration, and there is no Coriolis
             acceleration.
         Here $a_{\mathrm{a}}^{\mathrm{t}} = 0$.

@@ -221,10 +221,10 @@ def test_gears_with_fixed_axes() -> None:
             absolute velocity of $C$ (of the pinion) is its transport velocity (that of the point of the
             gear which is at $C$) plus the relative one (seen from the gear).
             Here $OC = x_{C} = 4\,\unit{m}$.
+        Here $\boldsymbol{v}_{\mathrm{a}} = 0$.
         [ ] 0 | |
         [=] \boldsymbol{v}_{\mathrm{e}} | $OC \cdot \omega_{O} = 8\,\unit{m/s}$ | $\perp OC,\curvearrowleft$
         [+] \boldsymbol{v}_{\mathrm{r}} | ? | $\perp OC,\curvearrowleft$
-        Here $\boldsymbol{v}_{\mathrm{a}} = 0$.
         Projecting on the $y$ axis:
         0 &= v_{\mathrm{e}} + v_{\mathrm{r}}
         v_{\mathrm{r}} &= -v_{\mathrm{e}} = -8\,\unit{m/s}\quad\text{(downwards)}

@@ -150,8 +150,7 @@ def test_an_acceleration_that_counts_against_the_velocity_says_so() -> None:
     # v_B was positive to the left, a_B to the right, for one point
     values = {"v_B": "-0.6", "a_B": "2"}
     said = list(proses(stated("slotted-rocker-and-slider-two-drivers", **values)))
-    against = "Given: the acceleration of $B$, here positive against the positive sense of its"
-    assert any(text.startswith(against) for text in said)
+    assert "Given: the acceleration of $B$, taken positive to the right." in said
     values = {"v_B": "0.6", "a_B": "2"}
     said = list(proses(stated("slotted-rocker-and-slider-two-drivers", **values)))
     assert "Given: the acceleration of $B$." in said

@@ -8,7 +8,7 @@ import pytest
 
 from kinegrade.language import Language
 from tests.worked.draws import kept
-from tests.worked.telling import displayed, proses
+from tests.worked.telling import displayed, lines, proses
 
 
 def _read(name: str, language: Language = "en") -> str:
@@ -103,3 +103,29 @@ def test_a_check_along_the_radius_of_a_moving_circle_is_named_by_the_composition
     told = _read("eccentric-cam-offset-follower")
     assert "constant length" not in told
     assert "Counted as asked for (positive clockwise about $C$):" in told
+
+
+@pytest.mark.parametrize("name", ["slotted-bar-between-two-rods", "slotted-link-on-cylinder"])
+def test_a_given_velocity_is_said_to_be_the_absolute_one_before_a_table_calls_it_so(
+    name: str,
+) -> None:
+    page = list(lines(kept(name)))
+    called = r"Here $\boldsymbol{v}_{\mathrm{a}} = \boldsymbol{v}_{B}$"
+    (said,) = (place for place, line in enumerate(page) if line.startswith(called))
+    (table,) = (
+        place
+        for place, line in enumerate(page)
+        if line.startswith(r"    [ ] \boldsymbol{v}_{\mathrm{a}} |")
+    )
+    assert said < table
+
+
+@pytest.mark.parametrize(
+    "name", ["crank-bar-through-sleeve-with-arm", "slotted-rocker-and-slider-two-drivers"]
+)
+def test_a_coriolis_acceleration_is_found_after_its_theorem(name: str) -> None:
+    page = list(lines(kept(name)))
+    chapter = page.index("# Accelerations")
+    found = [place for place, line in enumerate(page) if r"a_{\mathrm{Cor}} &=" in line]
+    assert found
+    assert min(found) > chapter

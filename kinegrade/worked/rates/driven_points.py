@@ -80,7 +80,8 @@ def say_driven(
     point, carrier = case.naming.point(law.point), find_translating_body(law.point, case)
     if against:
         sign = find_given_sign(law, relation, case, level)
-        sense = describe_direction(law.direction if sign > 0 else -law.direction, case)
+        sense = find_axis_sense(law.direction if sign > 0 else -law.direction)
+        sense = sense or Message("solution.way-against-velocity")
         if carrier is not None:
             body = case.naming.body(carrier)
             return Message("solution.counter-translation", body=body, way=sense)

@@ -103,15 +103,22 @@ def _index_absolute(equation: VectorEquation, number: Row) -> Row:
     return () if alone or equation.among == 1 else number
 
 
-def _find_rolling_centre(equation: VectorEquation, case: Case) -> Part | None:
-    """The absolute motion of a composition that is the centre's of a body which rolls on a track:
-    the relation of this one calls it by the letter of the point.
+def _find_called(equation: VectorEquation, case: Case) -> Part | None:
+    """The absolute motion of a composition that has been called by the letter of its point: a given
+    one, or the centre's of a body which rolls on a track, whose relation calls it so.
     """
     rolls = (find_rolling(relation.source) for relation in case.motion.frames.relations)
     centres = {roll.circle.centre for roll in rolls if roll and roll.of == GROUND}
-    absolute = [part for part in equation.parts if part.role == "absolute" and not part.part]
-    known = len(absolute) == 1 and absolute[0].point in centres
-    return absolute[0] if known and is_composed(equation, absolute[0]) else None
+    absolute = [
+        part
+        for part in equation.parts
+        if part.role == "absolute" and not part.part and is_composed(equation, part)
+    ]
+    if len(absolute) != 1 or vanishes(absolute[0]):
+        return None
+    called = name_point_vector(absolute[0].point, equation.level, case)
+    given = any(one.left.looks_like(called) for one in case.findings.printed)
+    return absolute[0] if given or absolute[0].point in centres else None
 
 
 def describe_meanings(equation: VectorEquation, case: Case) -> Iterator[Text]:
@@ -120,10 +127,10 @@ def describe_meanings(equation: VectorEquation, case: Case) -> Iterator[Text]:
     """
     if len(equation.compositions) != 1:
         return
-    centre = _find_rolling_centre(equation, case)
-    if centre is not None:
-        symbol = name_part(equation, centre, case, bold=True)
-        called = replace(name_point_vector(centre.point, equation.level, case), bold=True)
+    absolute = _find_called(equation, case)
+    if absolute is not None:
+        symbol = name_part(equation, absolute, case, bold=True)
+        called = replace(name_point_vector(absolute.point, equation.level, case), bold=True)
         yield case.tell(Equation(symbol, equate(called)))
     relative = equation.compositions[0]
     side, other = (

@@ -87,6 +87,7 @@ def explain_step(step: Step, stage: Stage) -> Iterator[Block]:
         yield from explain_flat_face(equation, case)
         yield case.say(introduce_with_lengths(equation, stage))
         yield from _explain_mark(equation, case)
+        yield from _say_meanings(equation, case)
         yield make_term_table(equation, case)
         yield from explain_remarks(equation, case)
         yield from _explain_corner(equation, case)
@@ -205,11 +206,15 @@ def _make_term(equation: VectorEquation, part: Part, case: Case) -> Term:
     return Term("", symbol, magnitude, describe_direction(equation, part, case))
 
 
-def explain_remarks(equation: VectorEquation, case: Case) -> Iterator[Block]:
-    """What a composition's vectors consist of, and which parts vanish."""
+def _say_meanings(equation: VectorEquation, case: Case) -> Iterator[Block]:
+    """What a composition's vectors consist of, and what they have been called before."""
     listed = tuple(describe_meanings(equation, case))
     if listed:
         yield case.say(Message("solution.here", equations=_list_equations(listed)))
+
+
+def explain_remarks(equation: VectorEquation, case: Case) -> Iterator[Block]:
+    """Which parts of an equation vanish, and why."""
     shifted = _find_shifted(equation, case)
     for name in sorted(shifted):
         yield from _say_translation(name, equation.level, case)
