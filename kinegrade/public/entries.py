@@ -18,8 +18,8 @@ from kinegrade.files.cell_text import make_header_key, trim
 from kinegrade.files.tables import Table, drop_headers
 from kinegrade.grading.sheets.part import read_part
 from kinegrade.language.message import Fault, Message
-from kinegrade.lms.responses import long
 from kinegrade.lms.responses.answer_table import DETECTED
+from kinegrade.lms.responses.below import long
 from kinegrade.lms.responses.class_files import read_class, refuse_one_file_twice
 from kinegrade.lms.responses.sheet import part_times, read_answer_file
 from kinegrade.public.opened import expect_opened

@@ -4,6 +4,7 @@ asks.
 
 from __future__ import annotations
 
+from fractions import Fraction
 from pathlib import Path
 
 import pytest
@@ -101,3 +102,69 @@ def test_headers_of_other_languages_are_known(folder: Path, tmp_path: Path) -> N
         grade(folder, place, f"{header}\n007;1a;{value}\n")
         totals = {row["student"]: row["total"] for row in table(place / "MARKS" / "grades.csv")}
         assert totals["007"] == "3"
+
+
+@pytest.mark.parametrize("header", ["unit", "Einheit", "单位"])
+def test_a_unit_beside_the_answer_is_read_with_it(
+    folder: Path, tmp_path: Path, header: str
+) -> None:
+    value = Fraction(right(folder, "007", "q1.v_B")) * 100
+    done = grade(
+        folder,
+        tmp_path,
+        f"student,ask,answer,{header}\n007,1a,{float(value):.6g},cm/s\n0012,1a,5 m/s,m/s\n",
+    )
+    answers = {
+        (row["student"], row["ask"]): row
+        for row in table(tmp_path / "MARKS" / "marks.csv")
+        if row["response"]
+    }
+    assert answers["007", "v_B"]["verdict"] == "right"
+    assert answers["007", "v_B"]["response"] == f"{float(value):.6g} cm/s"
+    assert answers["0012", "v_B"]["response"] == "5 m/s"
+    assert "not an answer column" not in done.stderr
+
+
+@pytest.mark.parametrize(
+    ("answer", "unit", "response"),
+    [
+        ("5", "", "5"),
+        ("5", "-", "5"),
+        ("", "m/s", ""),
+        ("5π/3", "cm/s", "5π/3 cm/s"),
+        ("25 mm/s", "m/s", "25 mm/s m/s"),
+        ("2", "kg", "2 kg"),
+    ],
+)
+def test_unit_and_answer_are_joined_as_if_typed_so(
+    folder: Path, tmp_path: Path, answer: str, unit: str, response: str
+) -> None:
+    grade(folder, tmp_path, f"student,ask,answer,unit\n007,1a,{answer},{unit}\n0012,1a,1,\n")
+    (line,) = [
+        row
+        for row in table(tmp_path / "MARKS" / "marks.csv")
+        if (row["student"], row["question"], row["ask"]) == ("007", "q1", "v_B")
+    ]
+    assert line["response"] == response
+    refused = line["verdict"] in ("wrong unit", "unreadable")
+    assert refused is (response in ("25 mm/s m/s", "2 kg"))
+
+
+def test_what_is_no_unit_beside_an_answer_is_told_of(folder: Path, tmp_path: Path) -> None:
+    done = grade(folder, tmp_path, "student,ask,answer,unit\n007,1a,2500,12\n")
+    assert 'long.csv:2: unit: "12" is no unit' in done.stderr
+    (line,) = [row for row in table(tmp_path / "MARKS" / "marks.csv") if row["response"]]
+    assert line["response"] == "2500"
+
+
+def test_columns_that_are_not_known_are_told_of_as_in_wide_sheets(
+    folder: Path, tmp_path: Path
+) -> None:
+    text = "student,name,ask,answer,Dimension,,sure\n007,Bond,1a,1,cm,,\n0012,,1a,2,m,,\n"
+    done = grade(folder, tmp_path, text)
+    assert (
+        "long.csv: Dimension: not an answer column of the exam, or its second one - "
+        "ignored; its cells are kept here only"
+    ) in done.stderr
+    assert "long.csv: sure: not an answer column" in done.stderr
+    assert done.stderr.count("not an answer column") == 2

@@ -112,6 +112,14 @@ def list_code_columns() -> tuple[str, ...]:
 
 
 @cache
+def list_columns_of_people() -> tuple[str, ...]:
+    """The names of columns that say in a sheet of answers whose they are, or what they are called:
+    nobody takes them for answers.
+    """
+    return (*list_column_names("name"), *list_column_names("email"), *list_key_columns())
+
+
+@cache
 def list_logins() -> tuple[str, ...]:
     """The names of columns that identify a student where no column holds an id: of logins, then
     addresses.

@@ -13,7 +13,7 @@ from kinegrade.errors import TableError
 from kinegrade.exam.folder.keys import Ask
 from kinegrade.exam.roster.known_columns import (
     list_code_columns,
-    list_column_names,
+    list_columns_of_people,
     list_key_columns,
 )
 from kinegrade.files.answer_file import AnswerFile, Sources
@@ -94,7 +94,7 @@ def find_columns(table: Table, asks: Sequence[Ask]) -> Columns:
         faults.append(_explain(table, Message("marking.another-exam", columns=first)))
     if student is None or faults:
         raise TableError(*faults)
-    needless = {*list_column_names("name"), *list_column_names("email"), *list_key_columns()}
+    needless = {*list_columns_of_people()}
     unused = (index for index in range(len(header)) if index not in {student, *found})
     return Columns(
         student,

@@ -11,7 +11,8 @@ from kinegrade.files.header_line import HeaderSign
 from kinegrade.files.tables import Table
 from kinegrade.language.lines import show_in_one_line
 from kinegrade.language.message import Fault, Message, list_plainly
-from kinegrade.lms.responses import canvas, long, moodle, sheet
+from kinegrade.lms.responses import canvas, moodle, sheet
+from kinegrade.lms.responses.below import long
 from kinegrade.lms.responses.forms import google_forms, ms_forms, wjx
 from kinegrade.lms.responses.typed_rows import Attempts, TypedRows
 

@@ -4,56 +4,40 @@ code of the paper. What one student handed in at one time becomes one row.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Sequence
 
 from kinegrade.ask_names import AskNames
 from kinegrade.errors import TableError
 from kinegrade.exam.folder.records import ExamHead
-from kinegrade.exam.roster.known_columns import (
-    list_code_columns,
-    list_column_names,
-    list_key_columns,
-)
 from kinegrade.exam.roster.student_ids import StudentIds
-from kinegrade.files.cell_text import is_answered, make_header_key, shorten, trim
+from kinegrade.files.cell_text import is_answered, shorten, trim
 from kinegrade.files.rows.row import Row
 from kinegrade.files.tables import Complaint, Table
 from kinegrade.language.message import Fault, Message, Quoted
-from kinegrade.language.spellings import list_preferred_spellings
-from kinegrade.lms.responses.long_attempts import LongAttempt, settle_attempts
-from kinegrade.lms.responses.people import Kind
-from kinegrade.lms.responses.sheet import SUBMITTED
+from kinegrade.lms.responses.below.attempts import LongAttempt, settle_attempts
+from kinegrade.lms.responses.below.columns import (
+    LongColumns,
+    find_long_columns,
+    find_unknown_columns,
+)
+from kinegrade.lms.responses.below.units import find_unit, is_no_unit, join_unit
 from kinegrade.lms.responses.typed_rows import Attempts, TypedRow, TypedRows, whole
 
 TITLE = Message("responses.long")
-_QUESTION = Message("marking.columns-question")
-_ASK = Message("marking.columns-ask")
-_ANSWER = Message("marking.columns-answer")
-
-
-@dataclass(frozen=True, slots=True)
-class _Columns:
-    """The places of the columns; `parts` are those that name the ask, the question first."""
-
-    people: Mapping[Kind, Sequence[int]]
-    parts: tuple[int, ...]
-    answer: int
-    time: tuple[int, ...]
 
 
 def recognises(header: Sequence[str]) -> bool:
     """Whether there is a column of asks and one of answers beside one that identifies the
     student.
     """
-    return _find_columns(header) is not None
+    return find_long_columns(header) is not None
 
 
 def read(table: Table, head: ExamHead, attempts: Attempts) -> TypedRows:
     """A row for each student. Raises TableError where it is no such table; lines that name no ask,
     and different answers to the same one, are complained of.
     """
-    columns = _find_columns(table.header)
+    columns = find_long_columns(table.header)
     if columns is None:
         raise TableError(
             Fault(
@@ -69,41 +53,23 @@ def read(table: Table, head: ExamHead, attempts: Attempts) -> TypedRows:
     return gathered.typed_rows()
 
 
-def _find_columns(header: Sequence[str]) -> _Columns | None:
-    keys = [make_header_key(name) for name in header]
-
-    def find(names: Sequence[str]) -> list[int]:
-        return [keys.index(name) for name in names if name in keys][:1]
-
-    named_by = find(list_key_columns())
-    codes = [place for place in find(list_code_columns()) if place not in named_by]
-    people: dict[Kind, Sequence[int]] = {
-        "id": named_by,
-        "email": find(list_column_names("email")),
-        "code": codes,
-    }
-    named = (find(list_preferred_spellings(each)) for each in (_QUESTION, _ASK))
-    parts = tuple(dict.fromkeys(place for found in named for place in found))
-    answer = find(list_preferred_spellings(_ANSWER))
-    if not any(people.values()) or not parts or not answer:
-        return None
-    return _Columns(people, parts, answer[0], tuple(find([SUBMITTED])))
-
-
 class _Gathered:
     """The rows of a table by student, and what is wrong with some of them."""
 
-    def __init__(self, table: Table, columns: _Columns, head: ExamHead) -> None:
+    def __init__(self, table: Table, columns: LongColumns, head: ExamHead) -> None:
         self.table, self.columns, self.head = table, columns, head
         self.ids = StudentIds((each.student for each in head.students), head.owners)
         self.named = AskNames(head.columns, shuffled=True)
         self.numbered = AskNames(head.columns)
         self.by_number = False
         self.students: dict[str, dict[str, LongAttempt]] = {}
-        self.complaints: list[Complaint] = []
+        self.complaints = [*find_unknown_columns(table, columns)]
 
     def take(self, row: Row) -> None:
-        """One line of the table."""
+        """One line of the table, with the unit that stands beside its answer."""
+        if is_no_unit(row, self.columns):
+            self._complain_of_unit(row)
+        row = join_unit(row, self.columns)
         written = ".".join(filter(None, (trim(row.cell(place)) for place in self.columns.parts)))
         column = self._find_ask(written)
         if column is None:
@@ -144,6 +110,13 @@ class _Gathered:
     def _complain(self, row: Row, problem: Message, done: Message) -> None:
         self.complaints.append(Complaint(self.table.file, row.line, "", whole(row), problem, done))
 
+    def _complain_of_unit(self, row: Row) -> None:
+        stated, title = find_unit(row, self.columns), self.table.header[self.columns.unit[0]]
+        problem = Message("marking.no-unit", stated=Quoted(shorten(stated)))
+        done = Message("marking.number-in-own-unit")
+        where = self.table.file, row.line, title, shorten(stated)
+        self.complaints.append(Complaint(*where, problem, done))
+
     def _settle(self) -> Iterator[LongAttempt]:
         """The attempts of all students; times that differ within one are complained of."""
         for attempts in self.students.values():
@@ -176,7 +149,7 @@ class _Gathered:
             lines[first] = tuple(first if row is None else row.line for row in found)
         return TypedRows(
             columns,
-            frozenset({answer}),
+            frozenset({answer, *self.columns.unit}),
             tuple(rows),
             (),
             self.columns.people,
