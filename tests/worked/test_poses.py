@@ -49,6 +49,12 @@ def test_a_point_on_a_line_and_a_circle_is_checked_by_the_law_of_cosines() -> No
     assert check.right == r"r^{2} = (0.4\,\unit{m})^{2} = 0.16\,\unit{m^2}"
 
 
+def test_the_law_of_cosines_has_no_negative_angle() -> None:
+    given = {"r": "0.66", "e": "0.3", "psi": "325"}
+    (check,) = find_checks(write(solve_template(load_template("pose-cam-tappet"), given)).blocks)
+    assert check.left.startswith(r"e^{2} + y_{A}^{2} + 2e\,y_{A}\sin\psi = ")
+
+
 @pytest.mark.parametrize("language", ["en", "de", "zh"])
 @pytest.mark.parametrize("name", POSES)
 def test_an_angle_that_is_counted_or_lies_somewhere_is_named(name: str, language: Language) -> None:

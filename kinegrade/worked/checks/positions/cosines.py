@@ -16,7 +16,7 @@ from kinegrade.worked.checks.sides import Side
 from kinegrade.worked.formulas.atoms import AXES, AxisName
 from kinegrade.worked.formulas.measures import double
 from kinegrade.worked.formulas.symbols import name_coordinate
-from kinegrade.worked.positions.algebra import TWO, ZERO
+from kinegrade.worked.positions.algebra import TWO, ZERO, is_negated
 from kinegrade.worked.positions.axes import choose_axes
 from kinegrade.worked.positions.instance import make_instance
 from kinegrade.worked.vectors.summands import PLACES
@@ -89,10 +89,11 @@ def _check(
     name = whole.free("h")
     letters = name_coordinate(axis, case.naming.letter(point))
     instance = whole.named(name, letters, case.motion.points[point][PLACES[axis]])
-    turned = Operation("*", Name(name), Call(_RATIOS[axis], (angle,)))
+    size, turns_back = (angle.right, axis == "y") if is_negated(angle) else (angle, False)
+    turned = Operation("*", Name(name), Call(_RATIOS[axis], (size,)))
     mixed = Operation("*", Operation("*", TWO, arm), turned)
     squares = Operation("+", _square(arm), _square(Name(name)))
-    trees = Operation("-", squares, mixed), _square(meeting.radius)
+    trees = Operation("+" if turns_back else "-", squares, mixed), _square(meeting.radius)
     triangle = "".join(map(case.naming.point, (meeting.base, meeting.centre, point)))
     left, right = (
         Side(instance.numbers(tree), instance.value(tree), instance.formula(tree)) for tree in trees
