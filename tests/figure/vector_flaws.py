@@ -20,6 +20,7 @@ NEARER = 0.2  # millimetres by which a symbol has to be nearer to its own arrow
 AT_LABEL, AT_ARROW = 1.2, 0.5  # millimetres from the ends of a leader to what it joins
 SAME = 0.02  # millimetres between starts, and sine between directions, of arrows on one line
 CORNERS_OF_OUTLINE, CORNERS_OF_HEAD = 7, 3
+LONGEST_HEAD = 3.0  # millimetres from the end of a shaft to the tip
 
 
 @dataclass(frozen=True)
@@ -56,8 +57,9 @@ def list_arrows(primitives: Sequence[Primitive]) -> Iterator[Drawn]:
             if part.fill == "none":
                 yield _read_outline(part)
         elif _is_shaft(part) and _is_head(head):
-            (start, end) = part.lines[0]
-            tip = head.corners[0]
+            (start, end), tip = part.lines[0], head.corners[0]
+            if length(end - tip) > LONGEST_HEAD:
+                continue
             yield Drawn(start, tip, LineString([start, end]).union(Polygon(head.corners)))
 
 

@@ -33,3 +33,19 @@ def check_primed_letters(name: str) -> None:
     told = " ".join(proses(blocks))
     for letter in (one for one in symbols if re.fullmatch(r"[a-z]'+", one)):
         assert f"${letter}$ denotes" in told or f"${letter.upper()}$ is the point" in told, letter
+
+
+@pytest.mark.sampled(12, first=5)
+@pytest.mark.parametrize("name", find_template_names())
+def test_the_letters_of_polygons_are_explained_once(name: str) -> None:
+    """The polygon had its o, a and b, and no line said what they mark."""
+    blocks = kept(name)
+    pictures = [one for block in blocks if isinstance(block, Pictures) for one in block.pictures]
+    polygons = [one for one in pictures if one.kind == "polygon"]
+    lettered = any(
+        sum(bool(re.fullmatch(r"[a-z](_.*)?'*", label.symbol)) for label in one.scene.labels) > 1
+        for one in polygons
+    )
+    told = " ".join(proses(blocks))
+    said = [told.count(f"laid off from ${origin}$") for origin in "op"]
+    assert (max(said) == 1, max(said) > 1) == (lettered, False)

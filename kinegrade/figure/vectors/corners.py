@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Container, Iterable, Mapping, Sequence
 
 import numpy as np
 
@@ -39,14 +39,18 @@ def _is_among(place: Vector, places: Iterable[Vector]) -> bool:
     return any(length(place - other) < _SAME for other in places)
 
 
+def name_origin(letters: Container[str]) -> str:
+    """The letter of the origin beside those of other corners."""
+    return next(letter for letter in _ORIGINS if letter not in letters)
+
+
 def name_corners(
     vertices: Mapping[str, Vector], corners: Sequence[Vector], scale: float, undrawn: float
 ) -> dict[str, Vector]:
     """The letters of the origin and of those vertices that the polygon has, but for vectors that
     are not drawn, `undrawn` millimetres together: the arrow before them leads past its vertex.
     """
-    origin = next(letter for letter in _ORIGINS if letter not in vertices)
-    named = {origin: _ZERO}
+    named = {name_origin(vertices): _ZERO}
     for letter, vertex in vertices.items():
         off, place = min(
             (length(corner - vertex * scale), place) for place, corner in enumerate(corners)

@@ -19,12 +19,13 @@ from kinegrade.mechanics.rates import Rate, make_turning
 from kinegrade.mechanics.vector_equation import Part, VectorEquation
 from kinegrade.problem.template.hints import Turning
 from kinegrade.worked.case import Case
-from kinegrade.worked.document import Picture, Pictures
+from kinegrade.worked.document import Picture, Pictures, Prose
 from kinegrade.worked.steps.couplers import choose_method, find_coupler
 from kinegrade.worked.steps.poles import name_pole
 from kinegrade.worked.steps.polygons import (
     describe,
     draw_equation,
+    explain_corners,
     is_seen,
     spans_polygon,
 )
@@ -38,11 +39,11 @@ _LONGER = 1.5
 
 def draw_stage(
     stage: Stage, scale: float | None = None, asked: Sequence[PointArrow] = ()
-) -> Iterator[Pictures]:
+) -> Iterator[Pictures | Prose]:
     """The pictures of a step: the mechanism with its velocities, those `asked` among them, and the
     polygon to that scale, the polygon alone of accelerations, whose table and polygon leave a
-    sketch nothing to say, or the construction of a pole unless it is at infinity; none where no
-    vectors are added.
+    sketch nothing to say, with what its letters mark, or the construction of a pole unless it is at
+    infinity; none where no vectors are added.
     """
     coupler = find_coupler(stage)
     if coupler is not None and choose_method(coupler, stage.case) == "pole":
@@ -60,6 +61,8 @@ def draw_stage(
                 yield Pictures(tuple(polygons))
             case _:
                 assert_never(stage.level)
+        for equation in added:
+            yield from explain_corners(equation, stage.case)
 
 
 def _draw_velocities(

@@ -2,19 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from decimal import Decimal
 
 from kinegrade.figure.scene import Outline, Scene
 from kinegrade.figure.vectors.chains import Arrow, find_order, find_scale
+from kinegrade.figure.vectors.corners import name_origin
 from kinegrade.figure.vectors.polygon import draw_polygon
 from kinegrade.language.message import Message, list_all
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Part, VectorEquation, is_whole
 from kinegrade.numbers.units import read_unit
 from kinegrade.worked.case import Case
-from kinegrade.worked.document import Picture
+from kinegrade.worked.document import Picture, Prose
 from kinegrade.worked.formulas.atoms import Symbol
 from kinegrade.worked.formulas.measures import NEGLIGIBLE
 from kinegrade.worked.formulas.symbols import prime
@@ -144,6 +145,15 @@ def name_shared_corner(relative: Part, equation: VectorEquation, case: Case) -> 
     for _ in range(frames.index(relative.frame) + 1):
         letter = prime(letter)
     return _write_small(letter, case)
+
+
+def explain_corners(equation: VectorEquation, case: Case) -> Iterator[Prose]:
+    """What the letters of points in a polygon mark, said once for each letter of its origin."""
+    vertices = _name_vertices(equation, case)
+    origin = name_origin(vertices)
+    if vertices and origin not in case.findings.corners:
+        case.findings.corners.add(origin)
+        yield replace(case.say(Message("solution.corners", origin=origin)), on_polygon=True)
 
 
 def has_corner(letter: str, equation: VectorEquation, case: Case) -> bool:
