@@ -123,8 +123,8 @@ def test_complaints_end_with_status_1_and_are_told(small_class: Path, tmp_path: 
     assert result.stdout == ""
     told = [line for line in result.stderr.splitlines() if line.startswith("complaint: ")]
     assert f"MARKS: 4 students marked, {len(told)} complaints" in result.stderr
-    assert any('no student "stranger" in the exam' in line for line in told)
-    assert any('"three" is not a number' in line for line in told)
+    assert any('no student "stranger" in the exam' in line for line in told), told
+    assert any('"three" is not a number' in line for line in told), told
 
 
 @pytest.mark.parametrize(

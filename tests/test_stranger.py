@@ -40,7 +40,9 @@ def test_a_program_in_a_statement_is_never_run(program: str, command: str, tmp_p
     assert (result.exit_code, result.stdout) == (2, "")
     assert not (tmp_path / "page.pdf").exists()
     assert result.stderr.count("only {{ name }}, {{ name.value }}, {{ name.size }}, ") >= 1
-    assert all("crank.toml:10: statement.en: {" in line for line in result.stderr.splitlines())
+    assert [
+        line for line in result.stderr.splitlines() if "crank.toml:10: statement.en: {" not in line
+    ] == []
 
 
 @pytest.mark.parametrize("program", PROGRAMS)
@@ -53,7 +55,9 @@ def test_a_program_in_a_template_of_an_exam_folder_is_never_run(
     )
     result = kinegrade("quiz", folder, "--to", "moodle-xml", "-o", tmp_path / "quiz")
     assert (result.exit_code, result.stdout) == (2, "")
-    assert all("crank.toml:10: statement.en: {" in line for line in result.stderr.splitlines())
+    assert [
+        line for line in result.stderr.splitlines() if "crank.toml:10: statement.en: {" not in line
+    ] == []
     assert not (tmp_path / "quiz").exists()
 
 
@@ -123,7 +127,7 @@ def test_a_damaged_key_line_is_one_line_and_no_endless_work(
     for command in commands(folder, marks, tmp_path)[1:]:
         result = kinegrade(*command)
         assert result.exit_code in (0, 2), command
-        assert all(len(line) < 600 for line in result.stderr.splitlines())
+        assert [line for line in result.stderr.splitlines() if len(line) >= 600] == []
     quiz = kinegrade(*commands(folder, marks, tmp_path)[-1])
     assert quiz.exit_code == 2
     assert "key.jsonl" in quiz.stderr
@@ -223,7 +227,9 @@ def test_a_number_of_15_000_digits_is_no_traceback(change: tuple[str, str], tmp_
         assert kinegrade(*command).exit_code in (0, 1, 2)
     result = kinegrade("solve", template, "-o", tmp_path / "page.pdf")
     assert result.exit_code in (0, 2)
-    assert all(line.startswith("error: crank") for line in result.stderr.splitlines())
+    assert [
+        line for line in result.stderr.splitlines() if not line.startswith("error: crank")
+    ] == []
 
 
 def test_a_name_that_is_too_long_is_one_line(exam: Path, marks: Path, tmp_path: Path) -> None:

@@ -38,7 +38,7 @@ def test_the_graphs_are_one_picture_with_a_curve_and_a_mark_each(language: Langu
     assert len(list(tree.iter(f"{kind}circle"))) == 4
     texts = ["".join(each.itertext()) for each in tree.iter(f"{kind}text")]
     assert "aAB(rad/s²)" not in texts
-    assert any(text.endswith("(rad/s²)") for text in texts)
+    assert any(text.endswith("(rad/s²)") for text in texts), texts
     assert ("0,5" in texts) == (language == Language("de"))
 
 

@@ -65,9 +65,9 @@ def test_a_screen_reader_has_the_formulas_of_labels_and_the_figure_in_a_sentence
     with open_page() as page:
         open_sheet(page, write_sheet("bent-rod-two-sleeves", "en", folder))
         names = [name for _, name in list_names(page.tree())]
-    assert any("of the velocity of point M along AE" in name for name in names)
+    assert any("of the velocity of point M along AE" in name for name in names), names
     assert "Figure of the mechanism" not in names
-    assert any("drawn to scale: points A, E, M" in name for name in names)
+    assert any("drawn to scale: points A, E, M" in name for name in names), names
 
 
 def test_a_mechanism_is_shown_in_still_pictures_to_those_who_want_less_motion(

@@ -69,7 +69,7 @@ def compare(bank: str, folder: Path, draws: int) -> list[Pair]:
 def require_told(pairs: list[Pair]) -> None:
     """That something follows on the page too, and what does not is said not to be told."""
     assert [pair for pair in pairs if not pair.agrees] == []
-    assert any(pair.marked == pair.shown == "follow-through" for pair in pairs)
+    assert any(pair.marked == pair.shown == "follow-through" for pair in pairs), pairs
 
 
 def test_what_follows_in_steps_is_told(tmp_path: Path) -> None:

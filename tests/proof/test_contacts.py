@@ -98,7 +98,7 @@ def test_check_remarks_it() -> None:
     remarks = all_said(
         check(read_template("flank", FLANK.replace("-20, 20, ", "")), sample=1).remarks
     )
-    assert any("roller touches cam beyond the ends of MT" in each for each in remarks)
+    assert any("roller touches cam beyond the ends of MT" in each for each in remarks), remarks
 
 
 @pytest.mark.parametrize("name", find_template_names())
