@@ -1,5 +1,5 @@
 """Contacts where nothing is any more: of a circle with a flank beyond its end, and of the pin of a
-crank with a Geneva wheel whose slot it has left.
+crank with a Geneva wheel whose slot it has left; and points that are now on a wheel, now beyond it.
 """
 
 from __future__ import annotations
@@ -18,11 +18,14 @@ from kinegrade.problem.template.template import Template
 
 _NEAR = 1e-9  # m: less is what doubles leave
 _GOING_ON: frozenset[Shape] = frozenset({"rope", "load", "rack", "through"})  # drawn further
+_OFF_WHEEL = "point-off-wheel"
 _Lost = tuple[str, dict[str, str]]  # what is told of a contact, and its parts
 
 
 def note_lost_contacts(template: Template, examples: Sequence[Solution]) -> Iterator[Message]:
-    """A remark for each contact that some instances have beyond the end of what is touched."""
+    """A remark for each contact that some instances have beyond the end of what is touched, and for
+    each point that only some have outside its wheel: one that all have there is an arm.
+    """
     mechanisms = [each.assembly.mechanism.map(float) for each in examples]
     found = [
         lost
@@ -35,7 +38,9 @@ def note_lost_contacts(template: Template, examples: Sequence[Solution]) -> Iter
     ]
     found.sort(key=str)
     for (kind, parts), those in groupby(found):
-        yield Message(f"template.{kind}", **parts, number=len([*those]), examined=len(examples))
+        number = len([*those])
+        if kind != _OFF_WHEEL or number < len(examples):
+            yield Message(f"template.{kind}", **parts, number=number, examined=len(examples))
 
 
 def _find_past_flanks(mechanism: Mechanism, shapes: Mapping[str, Shape]) -> Iterator[_Lost]:
@@ -76,8 +81,8 @@ def _find_past_slots(mechanism: Mechanism, template: Template) -> Iterator[_Lost
 
 
 def _find_off_wheels(mechanism: Mechanism, template: Template) -> Iterator[_Lost]:
-    """The points of wheels that are outside the largest circle about the one centre: no joint has
-    them, so that nothing else of the wheel can be drawn there.
+    """The points of wheels that are outside the largest circle about the one centre and that no
+    joint has: a bar leads to them.
     """
     at = mechanism.points
     drawn = {name for rim in template.figure.circles for name in (rim.centre, rim.through)}
@@ -97,4 +102,4 @@ def _find_off_wheels(mechanism: Mechanism, template: Template) -> Iterator[_Lost
         radii += [length(at[rim.through] - at[rim.centre]) for rim in rims]
         for name in body.points:
             if name not in drawn and length(at[name] - at[centre]) > max(radii) + _NEAR:
-                yield "point-off-wheel", {"point": name, "body": body.name, "centre": centre}
+                yield _OFF_WHEEL, {"point": name, "body": body.name, "centre": centre}

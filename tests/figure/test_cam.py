@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from kinegrade.figure.mechanism.layers import draw
 from kinegrade.figure.mechanism.paper import scale_to_paper
-from kinegrade.figure.mechanism.round.cam import trace_cam_profile
+from kinegrade.figure.mechanism.wheels.cam import trace_cam_profile
 from kinegrade.figure.plane import angle_of, length, polar
 from kinegrade.figure.scene import PITCH, Disc, Outline, Primitive, Strokes
 from kinegrade.mechanics.vector import Vector

@@ -80,15 +80,26 @@ def test_a_pin_outside_its_geneva_wheel_is_noted() -> None:
     ]
 
 
-@pytest.mark.parametrize(("place", "noted"), [("(s, 3*q)", True), ("(s, 3/2*q)", False)])
-def test_a_point_of_a_wheel_beyond_its_rim_is_noted(place: str, noted: bool) -> None:
+@pytest.mark.parametrize(
+    ("place", "draws", "noted"),
+    [
+        ("(s, 3*q)", ("20",), False),  # an arm
+        ("(s, 3/2*q)", ("20",), False),
+        ("(s, 2*q + s)", ("-20", "20"), True),
+    ],
+)
+def test_a_point_that_is_now_on_its_wheel_now_beyond_the_rim_is_noted(
+    place: str, draws: tuple[str, ...], noted: bool
+) -> None:
     text = FLANK.replace("[bodies]", f'Q = "{place}"\n[bodies]').replace('er = "C"', 'er = "C Q"')
     text = text.replace('follower = "C Q"', 'follower = "C"')
+    said = [each for each in note(text, *({"s": each} for each in draws)) if "rim" in each]
     assert (
-        note(text, {"s": "20"})
+        said
         == [
-            "Q lies outside the rim of roller in 1 of 1 instances, on nothing that is drawn: a "
-            "condition on distance(C, Q) or other domains keep it on the wheel"
+            "Q lies outside the rim of roller in 1 of 2 instances, where a bar leads to it, and on "
+            "the wheel in the others: a condition on distance(C, Q) or other domains make the "
+            "figures alike"
         ]
         * noted
     )

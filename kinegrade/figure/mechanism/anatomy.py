@@ -14,6 +14,7 @@ from kinegrade.figure.mechanism.rims import find_rims, order_rims
 from kinegrade.figure.mechanism.straight.broad_links import broaden_links
 from kinegrade.figure.mechanism.straight.gussets import Corner, find_corners
 from kinegrade.figure.mechanism.straight_parts import Bar, Part, Rod, find_guided_rack
+from kinegrade.figure.mechanism.wheels.arms import Neck, find_necks, find_wheels
 from kinegrade.figure.plane import unit
 from kinegrade.mechanics.joints import Line
 from kinegrade.mechanics.mechanism import Mechanism
@@ -35,6 +36,7 @@ class Anatomy(Struct, frozen=True):
     parts: tuple[Part, ...]
     knife_edges: Mapping[str, Vector]
     corners: tuple[Corner, ...]
+    necks: tuple[Neck, ...]
 
     @staticmethod
     def of(mechanism: Mechanism, hints: FigureHints) -> Anatomy:
@@ -44,8 +46,10 @@ class Anatomy(Struct, frozen=True):
         parts = find_straight_parts(mechanism, hints.shapes, symbols, rims)
         parts = broaden_links(parts, mechanism.points, hints.frames)
         pins = find_pins(mechanism, symbols)
+        wheels = tuple(find_wheels(mechanism, hints.shapes, symbols, rims))
+        necks = tuple(find_necks(wheels, parts))
         edges, corners = _find_knife_edges(symbols, parts), find_corners(parts, symbols, pins)
-        return Anatomy(mechanism, hints, symbols, rims, parts, edges, corners)
+        return Anatomy(mechanism, hints, symbols, rims, parts, edges, corners, necks)
 
     @property
     def sleeves(self) -> tuple[Line, ...]:

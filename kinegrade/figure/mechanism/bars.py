@@ -20,10 +20,12 @@ from kinegrade.figure.mechanism.straight.rods import find_rods
 from kinegrade.figure.mechanism.straight.welded_rods import weld_rods
 from kinegrade.figure.mechanism.straight_parts import (
     Bar,
+    GenevaWheel,
     Part,
     SlottedDisc,
     find_guided_rack,
 )
+from kinegrade.figure.mechanism.wheels.arms import find_arms
 from kinegrade.figure.plane import NEAR, collinear, length, mean, on_line, same_line, unit
 from kinegrade.mechanics.mechanism import Body, Mechanism
 from kinegrade.mechanics.vector import Vector
@@ -37,12 +39,17 @@ def find_straight_parts(
     symbols: Sequence[Symbol],
     found: Sequence[Rim],
 ) -> tuple[Part, ...]:
-    """The straight parts of every body that is not a disc, wheel or gear."""
+    """The straight parts of every body; those of a disc, wheel or gear lead to what is outside
+    it.
+    """
     round_ones = {rim.body for rim in found}
     ropes = {symbol.hanging.body for symbol in symbols if symbol.hanging}
     features = [feature for symbol in symbols for feature in symbol.features]
-    parts: list[Part] = list(find_geneva_wheels(mechanism, symbols, shapes))
-    wheels = {part.body for part in parts}
+    parts: list[Part] = [
+        *find_geneva_wheels(mechanism, symbols, shapes),
+        *find_arms(mechanism, shapes, symbols, found),
+    ]
+    wheels = {part.body for part in parts if isinstance(part, GenevaWheel)}
     for body in mechanism.bodies:
         if body.name not in round_ones | ropes | wheels and not body.particle:
             lines = [feature for feature in features if feature.body == body.name]

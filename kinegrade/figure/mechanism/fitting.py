@@ -13,7 +13,7 @@ from msgspec.structs import replace
 from kinegrade.figure.joints.table import find_symbols
 from kinegrade.figure.mechanism.geneva_wheels import find_geneva_wheels
 from kinegrade.figure.mechanism.rims import find_rims
-from kinegrade.figure.mechanism.round.round_bodies import trace_cam_outline
+from kinegrade.figure.mechanism.wheels.outlines import trace_cam_outline
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.scene import FIRM, Bow, Box, Primitive, Scene, find_common_box, move
 from kinegrade.mechanics.mechanism import Mechanism

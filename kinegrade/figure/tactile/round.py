@@ -9,7 +9,7 @@ from typing import assert_never
 from kinegrade.figure.joints.symbol import Foot, Rim
 from kinegrade.figure.mechanism.anatomy import Anatomy
 from kinegrade.figure.mechanism.belts import draw_ropes
-from kinegrade.figure.mechanism.round.round_bodies import trace_around, trace_cam_outline
+from kinegrade.figure.mechanism.wheels.outlines import trace_around, trace_cam_outline
 from kinegrade.figure.plane import angle_of, mean
 from kinegrade.figure.scene import Bow, Disc, Outline, Pen, Primitive, Strokes
 from kinegrade.figure.tactile.sizes import (

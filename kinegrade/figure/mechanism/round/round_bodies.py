@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from math import pi
+from collections.abc import Iterator
 from typing import assert_never
 
 from kinegrade.figure import symbols
-from kinegrade.figure.joints.symbol import Rim, Symbol, find_fixed_pin
+from kinegrade.figure.joints.symbol import Rim, find_fixed_pin
 from kinegrade.figure.mechanism.anatomy import Anatomy
-from kinegrade.figure.mechanism.round.cam import trace_cam_profile
-from kinegrade.figure.plane import NEAR, angle_of, hull, length, polar
+from kinegrade.figure.mechanism.wheels.outlines import (
+    RING,
+    find_pivot,
+    trace_around,
+    trace_cam_outline,
+)
+from kinegrade.figure.plane import NEAR, angle_of, length
 from kinegrade.figure.scene import (
     FIRM,
     PITCH,
@@ -24,20 +28,22 @@ from kinegrade.figure.scene import (
 )
 from kinegrade.figure.teeth import TOOTH_ROOT, trace_gear
 from kinegrade.mechanics.joints import GROUND
-from kinegrade.mechanics.mechanism import Mechanism
-from kinegrade.mechanics.vector import Vector
 
 _BAND = 0.6  # millimetres of material behind the teeth of a fixed gear
-_STEPS = 180  # corners of a circle within an outline, two degrees apart
-_RING = 2.4  # millimetres of material around a circle that encloses others
 
 
 def draw_round_bodies(anatomy: Anatomy) -> Iterator[Primitive]:
     """The circles of the ground, then those of the bodies, the larger ones below; of rings with
-    slots the earlier one lies in front of those that it crosses.
+    slots the earlier one lies in front of those that it crosses. Each lies above the necks of its
+    bars, so that its rim or its teeth are whole.
     """
     slotted = [rim for rim in anatomy.rims if _is_slotted(rim)]
+    seen: set[str] = set()
     for rim in anatomy.rims:
+        if rim.body not in seen:
+            necks = (neck for neck in anatomy.necks if neck.body == rim.body)
+            yield from (Outline(neck.corners, FIRM, "grey") for neck in necks)
+            seen.add(rim.body)
         if rim not in slotted:
             yield from _draw_rim(anatomy, rim)
     for rim in reversed(slotted):
@@ -54,18 +60,6 @@ def _draw_slotted(anatomy: Anatomy, rim: Rim) -> tuple[Primitive, ...]:
     pivot = anatomy.mechanism.points[pin] if pin else None
     on_ring = pivot and abs(length(pivot - rim.at) - rim.radius) < NEAR
     return symbols.draw_round_slot(rim.at, rim.radius, pivot if on_ring else None)
-
-
-def trace_cam_outline(
-    mechanism: Mechanism, joints: Sequence[Symbol], rim: Rim
-) -> tuple[Vector, ...]:
-    """The profile of a cam about its fixed pin, in the unit of the mechanism."""
-    return trace_cam_profile(_find_pivot(mechanism, joints, rim), rim.touch, rim.at, rim.radius)
-
-
-def _find_pivot(mechanism: Mechanism, joints: Sequence[Symbol], rim: Rim) -> Vector:
-    pin = find_fixed_pin(joints, rim.body)
-    return rim.at if pin is None else mechanism.points[pin]
 
 
 def _draw_rim(anatomy: Anatomy, rim: Rim) -> tuple[Primitive, ...]:
@@ -95,12 +89,6 @@ def _draw_edge(anatomy: Anatomy, rim: Rim) -> tuple[Primitive, ...]:
     is_base = rim.centre == find_fixed_pin(anatomy.symbols, rim.body)
     base = Disc(rim.at, rim.radius, PITCH) if is_base else None
     return tuple(drawn for drawn in (outline, base) if drawn)
-
-
-def trace_around(rims: Sequence[Rim]) -> tuple[Vector, ...]:
-    """The outline around circles, as a taut belt would lie about them."""
-    turns = [2 * pi * number / _STEPS for number in range(_STEPS)]
-    return hull(rim.at + polar(turn, rim.radius) for rim in rims for turn in turns)
 
 
 def _draw_fixed_rim(anatomy: Anatomy, rim: Rim) -> tuple[Primitive, ...]:
@@ -133,7 +121,7 @@ def _draw_fixed_gear(anatomy: Anatomy, rim: Rim) -> tuple[Primitive, ...]:
 
 def _draw_ring(rim: Rim) -> tuple[Primitive, ...]:
     """A rim around others: the body lies outside."""
-    outer = Disc(rim.at, rim.radius + _RING, FIRM, "grey")
+    outer = Disc(rim.at, rim.radius + RING, FIRM, "grey")
     match rim.kind:
         case "gear":
             return (outer, *_draw_gear(rim, "white"))
@@ -165,7 +153,7 @@ def _draw_cam(anatomy: Anatomy, rim: Rim) -> tuple[Primitive, ...]:
     contact.
     """
     profile = trace_cam_outline(anatomy.mechanism, anatomy.symbols, rim)
-    pivot = _find_pivot(anatomy.mechanism, anatomy.symbols, rim)
+    pivot = find_pivot(anatomy.mechanism, anatomy.symbols, rim)
     base = min(length(corner - pivot) for corner in profile)
     return (
         Outline(profile, FIRM, "grey"),
