@@ -94,7 +94,7 @@ def test_each_answer_decided_alone_says_the_same() -> None:
         (each.student, each.ask.column, each.verdict.kind, said(each.verdict.reason), each.points)
         for each in alone
     ]
-    assert any(each.verdict.kind == "another paper" for each in together)
+    assert any(each.verdict.kind == "another paper" for each in together), together
 
 
 def test_a_person_is_told_in_words_that_accuse_nobody() -> None:

@@ -181,7 +181,9 @@ def test_blocks_say_what_deciding_one_by_one_says(seed: int, policy: str, follow
             assert written(mark(one, sheet, terms).marks) == expected
         write_columns(folder / KEY_COLUMNS, folder / KEY, exam.head)
         by_columns = open_exam(folder)
-        assert all(isinstance(paper.keys, PartKeys) for paper in by_columns.papers())
+        assert [
+            paper for paper in by_columns.papers() if not isinstance(paper.keys, PartKeys)
+        ] == []
         assert written(mark(by_columns, sheet, terms).marks) == expected
 
 
@@ -260,7 +262,7 @@ def test_follow_through_is_asked_about_only_after_two_errors(tmp_path: Path) -> 
     assert asked == []
     assert kinds(off, right[1], carried_on)[1:] == ["right", "follow-through"]
     assert asked
-    assert all(each == ("000", "q1", {"v_A"}, "omega") for each in asked)
+    assert [each for each in asked if each != ("000", "q1", {"v_A"}, "omega")] == []
 
 
 def test_nothing_is_asked_about_a_question_in_which_nothing_follows(tmp_path: Path) -> None:

@@ -207,7 +207,7 @@ def test_nothing_from_a_file_becomes_a_tag(tmp_path: Path, language: Literal["en
     page = Page(report(tmp_path, answers, language))
     assert page.tags.isdisjoint({"script", "img", "b"})
     assert not [name for name, _ in page.attributes if name.startswith("on")]
-    assert all(typed in page.text for typed in hostile)
+    assert [typed for typed in hostile if typed not in page.text] == []
 
 
 def test_complaints_are_listed_up_to_a_limit(tmp_path: Path) -> None:

@@ -196,7 +196,11 @@ CHANGES: list[tuple[Change, str]] = [
 def test_each_fault_is_named(tmp_path: Path, change: Change, fault: str) -> None:
     found = faults(tmp_path, change)
     assert any(fault in each for each in found), found
-    assert all(each.endswith(" - restore the exam folder as it was generated") for each in found)
+    assert [
+        each
+        for each in found
+        if not each.endswith(" - restore the exam folder as it was generated")
+    ] == []
 
 
 def test_all_faults_are_reported_at_once(tmp_path: Path) -> None:

@@ -96,7 +96,7 @@ def test_what_a_hand_gave_is_told_beside_the_machine_and_may_be_asked_for(car: P
     assert said[place + 2] == "bonus 2 on top of everything"
     alone = explain(car, "1002", "bonus", marks="HANDS")
     assert "bonus 2 on top of everything" in alone
-    assert not any("q1.v" in line for line in alone)
+    assert [line for line in alone if "q1.v" in line] == []
 
 
 def test_the_code_of_a_paper_stands_for_its_student(car: Path) -> None:

@@ -25,7 +25,7 @@ def test_the_folder_holds_a_sheet_for_everybody_and_a_list(tmp_path: Path) -> No
     assert (written.sheets, written.notes) == (2, ())
     listed = list(csv.DictReader((tmp_path / "OUT" / "feedback.csv").open(encoding="utf-8-sig")))
     assert [row["file"] for row in listed] == ["sheets/a%2Fb.md", "sheets/007.md"]
-    assert all((tmp_path / "OUT" / row["file"]).is_file() for row in listed)
+    assert [row for row in listed if not (tmp_path / "OUT" / row["file"]).is_file()] == []
     with pytest.raises(OutputError, match="already exists - expected a new folder"):
         write_feedback(
             open_exam(exam),
@@ -89,10 +89,11 @@ def test_the_same_marks_give_the_same_bytes(tmp_path: Path) -> None:
         )
     files = [path.relative_to(tmp_path / "A") for path in (tmp_path / "A").rglob("*.*")]
     assert len(files) == 3
-    assert all(
-        (tmp_path / "A" / file).read_bytes() == (tmp_path / "B" / file).read_bytes()
+    assert [
+        file
         for file in files
-    )
+        if (tmp_path / "A" / file).read_bytes() != (tmp_path / "B" / file).read_bytes()
+    ] == []
 
 
 def test_marks_of_another_exam_are_refused(tmp_path: Path) -> None:

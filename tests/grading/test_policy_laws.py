@@ -81,7 +81,9 @@ def test_a_wider_tolerance_lowers_nobody(
         marked(text_of(rows), policy_of(f"{rest}\ntolerance.{kind} = {size}", tmp_path))
         for size in sizes
     )
-    assert all(old <= new for old, new in zip(totals(narrow), totals(wide), strict=True))
+    assert [
+        (old, new) for old, new in zip(totals(narrow), totals(wide), strict=True) if old > new
+    ] == []
 
 
 @QUICK
@@ -93,7 +95,9 @@ def test_a_void_ask_gives_everybody_at_least_as_much(
     after = marked(
         text_of(rows), policy_of(f"{rest}\n[questions.{place}]\nvoid = 'full'", tmp_path)
     )
-    assert all(old <= new for old, new in zip(totals(before), totals(after), strict=True))
+    assert [
+        (old, new) for old, new in zip(totals(before), totals(after), strict=True) if old > new
+    ] == []
 
 
 @QUICK

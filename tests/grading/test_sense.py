@@ -52,7 +52,7 @@ def test_every_word_is_taken_off_before_and_behind(sense: Sense) -> None:
 def test_no_word_for_a_sense_has_a_digit() -> None:
     """Whether an answer may hold one is looked up without its digits."""
     spelled = "".join(chain.from_iterable(map(list_spellings, SENSE_WORDS.values())))
-    assert not any(letter.isdigit() for letter in spelled)
+    assert [letter for letter in spelled if letter.isdigit()] == []
 
 
 @pytest.mark.parametrize(

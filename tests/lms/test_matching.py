@@ -136,4 +136,4 @@ def test_nobody_at_all_is_refused_with_the_reasons(tmp_path: Path) -> None:
     assert first.startswith(
         "download.csv: no grade can be filled in - expected rows of the students who were marked"
     )
-    assert any("probably the same" in problem for problem in others)
+    assert any("probably the same" in problem for problem in others), others

@@ -76,7 +76,7 @@ def test_an_angle_is_asked_for_within_half_a_turn(tmp_path: Path) -> None:
     fields, complaints = one_ask(angle, tmp_path)
     assert fields[2:] == ["-10", "1"]
     assert fields[1].endswith("φ = ?° Give the angle within half a turn of zero (−180° to 180°).")
-    assert any(line.startswith("blackboard: q1.phi is an angle") for line in complaints)
+    assert any(line.startswith("blackboard: q1.phi is an angle") for line in complaints), complaints
 
 
 def test_a_number_without_tolerance_has_no_field_for_it(tmp_path: Path) -> None:

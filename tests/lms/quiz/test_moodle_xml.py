@@ -91,7 +91,7 @@ def holds(found: tuple[Answer, ...], ask: QuizAsk) -> None:
         and same(low, ask.low, size)
         and same(high, ask.high, size)
         for low, high in all_points
-    )
+    ), all_points
     if ask.period is None:
         assert all(
             low >= ask.low - NEAR * size and high <= ask.high + NEAR * size
@@ -255,7 +255,7 @@ def test_marks_are_whole_and_in_the_ratio_of_the_points(target: Path) -> None:
         "the maximum grade of the quiz corrects that"
     ]
     remarks = all_said(write(of_asks(*asks), target, form="numerical", force=True))
-    assert not any("times the points" in remark for remark in remarks)
+    assert [remark for remark in remarks if "times the points" in remark] == []
     numerical = read(target.read_text(encoding="utf-8"))
     assert [question.boxes[0][0] for question in numerical] == [
         Fraction("2.5"),
@@ -297,14 +297,18 @@ def test_names_are_kept_whole_and_levels_of_categories_are_not_torn(target: Path
 def test_figures_and_solutions_travel(small_class: Path, target: Path) -> None:
     put = read_quiz(open_exam(small_class / "EXAM"), variants=1, wishes=QuizWishes(solutions=True))
     questions = read(written(put, target))
-    assert all(question.files["figure.svg"].startswith(b"<svg") for question in questions)
-    assert all(r"\begin{aligned}" in question.feedback for question in questions)
+    assert [
+        question for question in questions if not question.files["figure.svg"].startswith(b"<svg")
+    ] == []
+    assert [question for question in questions if r"\begin{aligned}" not in question.feedback] == []
     for question in questions:
         shown = re.findall(r'src="@@PLUGINFILE@@/([^"]*)"', question.feedback)
         assert shown == [f"solution-{number}.svg" for number in range(1, len(shown) + 1)]
         assert {*shown} == {*question.feedback_files}
-    assert any(question.feedback_files for question in questions)
-    assert all(", drawn to scale: points " in question.text for question in questions)
+    assert any(question.feedback_files for question in questions), questions
+    assert [
+        question for question in questions if ", drawn to scale: points " not in question.text
+    ] == []
 
 
 def test_our_shares_are_moodles() -> None:

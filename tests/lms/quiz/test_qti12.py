@@ -397,7 +397,7 @@ def test_pooled_questions_are_drawn_one_variant_for_every_ask(tmp_path: Path) ->
         assert worth == {group.findtext(".//points_per_item")}
     assert any(
         line.startswith("qti12: Canvas draws every question by itself") for line in complaints
-    )
+    ), complaints
 
 
 def test_variants_of_different_worth_are_refused(tmp_path: Path) -> None:

@@ -165,10 +165,11 @@ def test_identifiers_are_xml_names_and_stand_once(package: Path) -> None:
     for name in (FIRST, SECOND):
         root = item(package, name)
         declared = [node.get("identifier", "") for node in root if "Declaration" in node.tag]
-        assert all(
-            re.fullmatch(r"[A-Za-z_][\w.-]*", one)
+        assert [
+            one
             for one in (*declared, root.get("identifier", ""))
-        )
+            if not re.fullmatch(r"[A-Za-z_][\w.-]*", one)
+        ] == []
         assert len(set(declared)) == len(declared)
         boxes = [node.get("responseIdentifier") for node in root.iter("textEntryInteraction")]
         assert boxes == [one for one in declared if one.startswith("RESPONSE_")]
