@@ -68,7 +68,9 @@ def term(
     require_different_exams(folders.values())
     exams = {name: folder.totals for name, folder in folders.items()}
     if plan is not None:
-        require_excusable(plan, chosen.excused, chosen.set_aside, exams)
+        former_ids = {name: folder.former_ids for name, folder in folders.items()}
+        chosen = chosen.by_present_ids(exams, former_ids)
+        require_excusable(plan, chosen.excused, chosen.set_aside, exams, former_ids)
     words = open_catalogue(language)
     scale = None if chosen.scale is None else make_scale(chosen.scale, words)
     results = work_out_results(exams, chosen, scale)

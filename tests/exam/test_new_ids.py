@@ -116,6 +116,37 @@ def test_a_term_tells_marks_that_have_the_old_id(exam: Path) -> None:
     assert "0012" not in said.stderr
 
 
+PLAN = """parts.QUIZ.weight = "50 %"
+parts.FINAL.weight = "50 %"
+set-aside.QUIZ = ["0012"]
+"""
+
+
+def test_a_plan_of_a_term_may_have_the_old_id(exam: Path) -> None:
+    sheet, first, second = (exam.with_name(name) for name in ("typed.csv", "QUIZ", "FINAL"))
+    sheet.write_text("student,q1.v_B\n0012,1\n", encoding="utf-8")
+    assert generate(exam.parent, "OTHER", "--reproducible", "another").exit_code == 0
+    for each, marks in ((exam, first), (exam.with_name("OTHER"), second)):
+        kinegrade("exchange", each, "0012", "N1", "--new-id")
+        kinegrade("exchange", each, "N1", "4711", "--new-id")
+        kinegrade("grade", each, sheet, "-o", marks)
+    plan, term = exam.with_name("plan.toml"), exam.with_name("term.csv")
+    for old in ("0012", "N1", "4711"):
+        plan.write_text(PLAN.replace("0012", old), encoding="utf-8")
+        done = kinegrade("term", first, second, "-o", term, "--plan", plan, "--force")
+        assert done.exit_code == 0, done.stderr
+        (row,) = [row for row in table(term) if row["student"] == "4711"]
+        assert row["QUIZ"] == "excused"
+
+
+def test_the_paper_is_found_by_the_old_id(exam: Path) -> None:
+    kinegrade("exchange", exam, "0012", "N1", "--new-id")
+    kinegrade("exchange", exam, "N1", "4711", "--new-id")
+    printed = (exam / "papers" / "4711.pdf").read_bytes()
+    for old in ("0012", "N1"):
+        assert kinegrade("paper", exam, old).stdout_bytes == printed
+
+
 def test_marks_before_and_after_a_new_id_are_not_merged(exam: Path) -> None:
     sheet, first, second = (exam.with_name(name) for name in ("typed.csv", "MARKS", "AGAIN"))
     sheet.write_text("student,q1.v_B\n0012,1\n", encoding="utf-8")

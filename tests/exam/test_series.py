@@ -150,6 +150,19 @@ def test_a_series_continued_with_another_class_says_who_has_no_paper_and_who_lef
     assert has == f'{sheet}: has a paper for "s0", not in roster.csv'
 
 
+def test_a_series_continued_with_an_old_id_says_whose_it_is(tmp_path: Path) -> None:
+    write(tmp_path, students=2)
+    assert series(tmp_path, 1).exit_code == 0
+    sheet = tmp_path / "HW" / "homework-1"
+    assert kinegrade("exchange", sheet, "s0", "n0", "--new-id").exit_code == 0
+    done = series(tmp_path, 1)
+    assert done.exit_code == 0, done.stderr
+    assert done.stderr.splitlines()[-2:] == [
+        f"{sheet}: exists and stays as it is",
+        f'{sheet}: "s0" is "n0" now - write that id in roster.csv',
+    ]
+
+
 def test_a_series_continued_with_other_points_says_which_sheet_has_which(tmp_path: Path) -> None:
     bank = write(tmp_path) / "bank.toml"
     assert series(tmp_path, 1).exit_code == 0

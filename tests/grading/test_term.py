@@ -14,8 +14,10 @@ import pytest
 from click.testing import Result
 from openpyxl import load_workbook
 
+from kinegrade.errors import PolicyError
 from kinegrade.grade_scale.scale import Scale, Step
 from kinegrade.marks_folder.rows import ClassTotals, StudentTotal
+from kinegrade.reports.term.excuses import find_present_ids, require_excusable
 from kinegrade.reports.term.plan import Part, Plan, plan_evenly
 from kinegrade.reports.term.results import TermResult, work_out_results
 from kinegrade.reports.term.split_students import find_split_students
@@ -221,6 +223,18 @@ def test_a_plan_says_who_is_excused_from_what(marked: Path, tmp_path: Path) -> N
         "FINAL: 3 students were there, 1 absent, 0 not listed",
         "4 students: 2 sat all, 1 some, 1 none",
     ]
+
+
+def test_an_old_id_in_a_plan_is_that_of_the_student_whom_the_marks_know(tmp_path: Path) -> None:
+    now = {"A": {"old": "mid"}, "B": {"old": "new", "mid": "new", "x": "p"}, "C": {"x": "q"}}
+    exams = {name: ClassTotals((), ()) for name in "ABCD"}
+    assert find_present_ids({"A": frozenset({"old"})}, exams, now) == {"A": frozenset({"mid"})}
+    assert find_present_ids({"D": frozenset({"mid"})}, exams, now) == {"D": frozenset({"new"})}
+    either = find_present_ids({"D": frozenset({"x"})}, exams, now)
+    assert either == {"D": frozenset({"x"})}
+    with pytest.raises(PolicyError) as refused:
+        require_excusable(tmp_path / "plan.toml", either, {}, exams, now)
+    assert '"x" is "p" or "q" now' in str(refused.value)
 
 
 def test_a_part_from_which_a_student_is_excused_is_empty(marked: Path, tmp_path: Path) -> None:

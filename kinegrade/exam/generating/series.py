@@ -77,9 +77,16 @@ def describe_kept(sheet: SeriesSheet, roster: Roster) -> Iterator[Problem]:
 
 
 def _compare_students(folder: str, head: ExamHead, roster: Roster) -> Iterator[Fault]:
-    """Who of the roster has no paper of a sheet, and who has one and is not in the roster."""
+    """Who of the roster has no paper of a sheet, and who has one and is not in the roster; whoever
+    has another id since is neither.
+    """
     there = {make_student_key(each.student): Quoted(each.student) for each in head.students}
     here = {make_student_key(each.student): Quoted(each.student) for each in roster.students}
+    for before, student in head.former_ids.items():
+        if here.pop(make_student_key(before), None):
+            here[make_student_key(student)] = Quoted(student)
+            what = Message("terminal.sheet-renamed", before=Quoted(before), now=Quoted(student))
+            yield Fault(folder, what, do=Message("terminal.rename-in", roster=roster.file))
     if new := [student for key, student in here.items() if key not in there]:
         who, do = list_first(new, _MOST_NAMED), Message("terminal.add-to-sheet", folder=folder)
         yield Fault(folder, Message("terminal.sheet-lacks", students=who), do=do)

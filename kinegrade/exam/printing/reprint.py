@@ -146,11 +146,15 @@ def find_kinds(exam: ExamFolder) -> tuple[str, ...]:
 
 
 def find_candidates(exam: ExamFolder, students: Sequence[str]) -> tuple[Candidate, ...]:
-    """The students of these ids, each once, in the order of the roster. Raises ExamError with every
-    id that nobody has.
+    """The students of these ids, or who had them before, each once, in the order of the roster.
+    Raises ExamError with every id that nobody has.
     """
     known = {make_student_key(each.student): each for each in exam.head.students}
-    asked = {make_student_key(each): each for each in students}
+    now = {
+        make_student_key(before): make_student_key(each) for before, each in exam.former_ids.items()
+    }
+    stated = {make_student_key(each): each for each in students}
+    asked = {now.get(key, key): each for key, each in stated.items()}
     faults = [_explain_stranger(exam, asked[key]) for key in asked if key not in known]
     if faults:
         raise ExamError(*faults)

@@ -21,8 +21,8 @@ kind = "german"
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from pathlib import Path
 
@@ -32,8 +32,9 @@ from kinegrade.files.fields.table import Table
 from kinegrade.files.fields.values import share, text, whole
 from kinegrade.grade_scale.stated import StatedScale, read_scale
 from kinegrade.language.message import Fault, Message, Quoted, list_plainly
+from kinegrade.marks_folder.rows import ClassTotals
 from kinegrade.numbers.amounts import write_amount
-from kinegrade.reports.term.excuses import Excuses, read_excuses
+from kinegrade.reports.term.excuses import Excuses, FormerIds, find_present_ids, read_excuses
 
 PLAN = (
     #: What counts: a table `[parts.NAME]` for each part, of a name of your own.
@@ -83,6 +84,12 @@ class Plan:
     scale: StatedScale | None = None
     excused: Excuses = field(default_factory=dict)
     set_aside: Excuses = field(default_factory=dict)
+
+    def by_present_ids(self, exams: Mapping[str, ClassTotals], former_ids: FormerIds) -> Plan:
+        """The same plan, in which students may be named by ids that they had before."""
+        excused = find_present_ids(self.excused, exams, former_ids)
+        set_aside = find_present_ids(self.set_aside, exams, former_ids)
+        return replace(self, excused=excused, set_aside=set_aside)
 
     def find_uncounted(self, student: str) -> frozenset[str]:
         """The names of the marks that do not count for a student."""
