@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Collection
+from pathlib import Path
 
+import pytest
 from msgspec.structs import replace
 
 from kinegrade.problem.template.given_marks import mark_givens
 from kinegrade.problem.template.hints import Angle, Axes, FigureHints, Length, Moving, Turning
+from kinegrade.problem.template.library.reading import read_template
 from kinegrade.problem.template.translated import Translated
 from tests.problem.crank import crank
 
@@ -25,7 +28,7 @@ def test_each_rate_that_is_a_parameter_has_one_arrow_with_its_symbol() -> None:
 
 def test_a_driven_point_has_its_arrow_at_the_point() -> None:
     moved = crank(("OA turns", "A of OA moves along +x"), kept=True)
-    assert mark_givens(moved).arrows == (Moving(r"\omega", "A"),)
+    assert mark_givens(moved).arrows == (Moving(r"\omega", "A", driver=0),)
 
 
 def test_what_turns_relative_to_a_body_is_marked_so() -> None:
@@ -58,6 +61,29 @@ def test_a_rate_of_several_factors_without_a_hint_has_no_arrow() -> None:
 def test_a_hint_for_what_no_input_moves_stands_as_it_is() -> None:
     free = Moving("u", "A", "left")
     assert hinted(free) == (Turning(r"\omega", "OA"), free)
+
+
+def led(*arrows: Turning | Moving) -> list[tuple[str, int | None]]:
+    """The symbols of the arrows of a point that is led along x at v and along y at w, and the
+    inputs whose motion they show, with an author's hints.
+    """
+    path = Path(__file__).parents[1] / "authored" / "led-arm.toml"
+    template = read_template("led-arm", path.read_text(encoding="utf-8"))
+    figure = dataclasses.replace(template.figure, arrows=arrows)
+    marked = replace(template, figure=figure)
+    shown = mark_givens(marked).arrows
+    return [(each.symbol, each.driver) for each in shown if isinstance(each, Moving)]
+
+
+@pytest.mark.parametrize("symbol", ["u", "w"])
+def test_a_hint_for_one_of_two_motions_of_a_point_is_that_of_its_symbol(symbol: str) -> None:
+    """The first arrow took the hint of the second: both were labelled w."""
+    assert led(Moving(symbol, "P", "up")) == [("u", 0), ("w", 1)]
+
+
+def test_hints_for_two_motions_of_a_point_have_one_input_each() -> None:
+    assert led(Moving("w", "P"), Moving("u", "P")) == [("u", 0), ("w", 1)]
+    assert led(Moving("w", "P"), Moving("u_x", "P")) == [("u_x", 0), ("w", 1)]
 
 
 def axes_for(*changes: tuple[str, str], asked: Collection[str] | None = None) -> Axes | None:

@@ -4,7 +4,7 @@ the author's marks those whose letters are printed.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping, Set
+from collections.abc import Collection, Iterator, Mapping, Sequence, Set
 from dataclasses import replace
 from math import radians
 from typing import assert_never
@@ -118,15 +118,42 @@ def _list_arrows(template: Template) -> Iterator[Turning | Moving]:
     """The arrows of the inputs, each with the symbol of the author's hint where there is one, then
     the author's other arrows.
     """
-    told = {_identify(arrow): arrow for arrow in template.figure.arrows}
-    for number, sentence in enumerate(template.scheme.drivers):
-        for level, rate in _list_rates(sentence):
-            symbol = _name_rate(rate, template.parameters)
-            imposed = _make_arrow(symbol, sentence, level, number)
-            hint = told.pop(_identify(imposed), imposed)
-            if hint.symbol:
-                yield replace(imposed, symbol=hint.symbol)
-    yield from told.values()
+    imposed = [
+        _make_arrow(_name_rate(rate, template.parameters), sentence, level, number)
+        for number, sentence in enumerate(template.scheme.drivers)
+        for level, rate in _list_rates(sentence)
+    ]
+    hints, others = _match_hints(imposed, template.figure.arrows)
+    for number, arrow in enumerate(imposed):
+        symbol = hints.get(number, arrow).symbol
+        if symbol:
+            yield replace(arrow, symbol=symbol)
+    yield from others
+
+
+def _match_hints(
+    imposed: Sequence[Turning | Moving], hints: Sequence[Turning | Moving]
+) -> tuple[dict[int, Turning | Moving], list[Turning | Moving]]:
+    """The hint for each arrow of an input by its number, and the hints for none: of several inputs
+    that move one point a hint belongs to that whose symbol it has, any other to the first without.
+    """
+    found: dict[int, Turning | Moving] = {}
+    left = list(hints)
+    for by_symbol in (True, False):
+        for number, arrow in enumerate(imposed):
+            if number in found:
+                continue
+            fitting = (
+                hint
+                for hint in left
+                if _identify(hint) == _identify(arrow)
+                and (not by_symbol or _read(hint.symbol) == _read(arrow.symbol))
+            )
+            hint = next(fitting, None)
+            if hint is not None:
+                found[number] = hint
+                left.remove(hint)
+    return found, left
 
 
 def _identify(arrow: Turning | Moving) -> tuple[str, Level]:
