@@ -34,7 +34,8 @@ class AskNames:
     """The names of the asks that have these columns in an answer sheet, and of the questions
     `by_hand`, which have none.
 
-    Where papers are `shuffled`, a question's number says nothing: on each paper it is another's.
+    Where papers are `shuffled`, the number of a question with asks says nothing: on each paper it
+    is another's. Those by hand keep theirs.
 
     >>> crank = AskNames(["q1.v_B", "q1.v_b"], ["q2"])
     >>> [named.column for name in ("1b", "q1.v_B", "1", "Q2") if (named := crank.find(name))]
@@ -87,7 +88,8 @@ class AskNames:
     def _list_question(self, question: str, asks: Sequence[str]) -> Iterator[tuple[str, Named]]:
         number = find_bank_number(question)
         lettered = any(len(ask) == 1 for ask in asks)
-        for name in (question,) if self.shuffled else dict.fromkeys((question, number)):
+        moves = self.shuffled and asks
+        for name in (question,) if moves else dict.fromkeys((question, number)):
             yield name, Named(question)
             for letter, ask in zip(ascii_lowercase, asks, strict=False):
                 for written in (f"{name}.{ask}", f"{name}{letter}", f"{name}({letter})"):

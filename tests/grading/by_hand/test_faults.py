@@ -8,7 +8,7 @@ from openpyxl import Workbook
 
 from tests.exam.test_by_hand import CRANK, SLEEVE, THEORY, WHEEL, mark_right, set_exam
 from tests.grading.by_hand.hand_marking import ADA, SOFYA, faults, give, grade, open_exam_students
-from tests.small_class import kinegrade
+from tests.small_class import kinegrade, table
 
 
 def test_a_decimal_comma_without_quotes_is_no_comment(folder: Path) -> None:
@@ -120,3 +120,12 @@ def test_on_shuffled_papers_a_number_alone_names_no_question(tmp_path: Path) -> 
         "question on each"
     ]
     assert give(tmp_path, f"{ADA},q1,1,\n{ADA},q2,1,\n{SOFYA},q2,1,\n").exit_code == 0
+
+
+def test_a_question_for_hands_keeps_its_number_on_shuffled_papers(tmp_path: Path) -> None:
+    bank = "shuffle = true\n" + CRANK + THEORY + SLEEVE + WHEEL
+    assert set_exam(tmp_path, bank, "--reproducible", "any order").exit_code == 0
+    mark_right(tmp_path)
+    assert give(tmp_path, f"{ADA},2,1,\n{SOFYA},2,2,\n").exit_code == 0
+    given = table(tmp_path / "MARKS" / "manual.csv")
+    assert [(row["question"], row["points"]) for row in given] == [("q2", "1"), ("q2", "2")]
