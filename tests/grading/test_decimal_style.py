@@ -47,6 +47,8 @@ def reading(
                                                       "elsewhere"),
     ("1,234", ["12"], [["0.5"], ["2.5"]], None, 1234,
      "the point is the decimal mark in the answers of 2 students, and the comma in no student's"),
+    ("1,234", [], [["1,234,567"], ["12"]], None, 1.234,
+     "a comma is the decimal mark, as the papers say; but it groups digits in the answers of 1 student"),
     # One of four tells: too little to group others' digits
     ("1,234", [], [["0.5"], ["12"], ["13"]], None, 1.234,
      "a comma is the decimal mark, as the papers say; so it is in the answers of 0 students, "
