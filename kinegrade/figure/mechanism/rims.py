@@ -83,6 +83,19 @@ def _find_edge(mechanism: Mechanism, circle: Rimmed) -> Rim:
 
 def order_rims(found: tuple[Rim, ...]) -> tuple[Rim, ...]:
     """Rims from the largest to the smallest, so that none hides another; those of the ground
-    first.
+    first, but for those that a larger wheel about their centre would cover.
     """
-    return tuple(sorted(found, key=lambda rim: (rim.body != GROUND, -rim.radius)))
+    above = {_make_key(rim) for rim in found if rim.body != GROUND or _is_covered(rim, found)}
+    return tuple(sorted(found, key=lambda rim: (_make_key(rim) in above, -rim.radius)))
+
+
+def _is_covered(rim: Rim, found: Iterable[Rim]) -> bool:
+    """Whether a larger disc of a moving body is about the centre of a wheel."""
+    return not rim.ring and any(
+        other.body != GROUND
+        and not other.ring
+        and other.kind != "slot"
+        and other.radius > rim.radius
+        and length(other.at - rim.at) < NEAR
+        for other in found
+    )
