@@ -295,7 +295,7 @@ def test_late_students_and_spare_papers_have_one_and_nobody_elses_changes(tmp_pa
     assert {name: after[name] for name in before if "spare" not in name} == {
         name: paper for name, paper in before.items() if "spare" not in name
     }
-    assert all(len(questions) == 2 for questions in find_held(exam).values())
+    assert [questions for questions in find_held(exam).values() if len(questions) != 2] == []
     assert {*find_held(exam)} == {*STUDENTS, "1009", "1010"}
 
 

@@ -197,7 +197,7 @@ def test_shuffled_papers_keep_its_number(tmp_path: Path) -> None:
         tuple(json.loads(line)["printed"])
         for line in (tmp_path / "EXAM" / "key.jsonl").read_text(encoding="utf-8").splitlines()
     ]
-    assert any(order != ("q1", "q3", "q4") for order in orders)
+    assert any(order != ("q1", "q3", "q4") for order in orders), orders
     marks = mark_right(tmp_path)
     moodle = tmp_path / "moodle.csv"
     kinegrade("export", marks, "--to", "moodle", "-o", moodle)

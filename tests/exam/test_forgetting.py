@@ -132,5 +132,5 @@ def test_templates_that_share_a_mechanism_stay_with_it(tmp_path: Path) -> None:
     done = kinegrade("forget", exam, "--yes")
     assert done.exit_code == 0, done.stderr
     assert {each for each in contents(exam) if "templates/" in each} == before
-    assert any("mechanisms/" in each for each in before)
+    assert any("mechanisms/" in each for each in before), before
     assert kinegrade("verify", exam, "--all").exit_code == 0

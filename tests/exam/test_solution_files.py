@@ -92,7 +92,7 @@ def test_the_notice_says_who_may_see_solutions(solved_class: Path) -> None:
 
 
 def test_without_solutions_there_are_none(small_class: Path) -> None:
-    assert not any(name.startswith("solutions") for name in contents(small_class / "EXAM"))
+    assert [name for name in contents(small_class / "EXAM") if name.startswith("solutions")] == []
     refused = generate(small_class, "OTHER", "--no-solutions")
     assert (refused.exit_code, (small_class / "OTHER").exists()) == (2, False)
     assert "No such option '--no-solutions'" in refused.stderr

@@ -107,7 +107,7 @@ def test_how_far_a_proof_is_is_said_while_it_runs(
     main(["--seed", "10", "--jobs", "1"], (Proof("invented", invented.hold, 3, 3, 0),))
     table, said = capsys.readouterr()
     lines = said.splitlines()
-    assert any(re.fullmatch(r"invented: 0 of 3 done, \d+ s", line) for line in lines)
+    assert any(re.fullmatch(r"invented: 0 of 3 done, \d+ s", line) for line in lines), lines
     assert [line for line in lines if line.startswith(" ")] == table.splitlines()[2:]
     assert "11 ends in 1" in said
 

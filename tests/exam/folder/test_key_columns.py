@@ -70,7 +70,7 @@ def test_so_do_blocks_of_several_parts(
     write_class(tmp_path, STUDENTS, 0.0)
     blocks = list(open_exam(tmp_path / "EXAM").blocks(size))
     listed = list(without_columns(tmp_path / "EXAM").blocks(size))
-    assert all(len(block) <= size for block in blocks)
+    assert [block for block in blocks if len(block) > size] == []
     assert state([*chain(*blocks)]) == state([*chain(*listed)])
     for each in (blocks, listed):
         assert [*chain(*(block.students for block in each))] == [f"{n:06}" for n in range(STUDENTS)]
