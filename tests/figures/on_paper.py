@@ -35,14 +35,24 @@ def find_points_on_paper(
     """The marked points on paper by their letters, as they are printed.
 
     Where the figure stands on its paper is found by laying the mechanism over the small circles of
-    its pins: the shift at which most of them fit. Nothing where the figure has no pin.
+    its pins: the shift at which most of them fit, and of equal ones that at which most points are
+    marked, as a pin on a through bar is no circle. Nothing where the figure has no pin.
     """
     at = {name: (x * scale, -y * scale) for name, (x, y) in mechanism.points.items()}
     if not picture.pins:
         return {}
     shifts = [(pin.x - x, pin.y - y) for pin in picture.pins for x, y in at.values()]
-    across, down = max(shifts, key=lambda shift: _count_fitting(shift, at, picture))
-    moved = {name: Point(x + across, y + down) for name, (x, y) in at.items()}
+    fitting = [_count_fitting(shift, at, picture) for shift in shifts]
+    likely = [each for each, fit in zip(shifts, fitting, strict=True) if fit == max(fitting)]
+    placed = [_find_marked(shift, at, picture) for shift in dict.fromkeys(likely)]
+    return max(placed, key=len)
+
+
+def _find_marked(
+    shift: tuple[float, float], at: Mapping[str, tuple[float, float]], picture: Picture
+) -> Mapping[str, Point]:
+    """The points of the shifted mechanism at which something is drawn."""
+    moved = {name: Point(x + shift[0], y + shift[1]) for name, (x, y) in at.items()}
     return {name: point for name, point in moved.items() if _is_marked(point, picture)}
 
 

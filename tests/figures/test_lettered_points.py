@@ -59,6 +59,7 @@ def test_a_letter_at_its_point_or_at_a_leader_has_no_flaw(elements: tuple[str, .
         ("crank-slider-in-floating-link", "p1"),
         ("epicyclic-train-by-tooth-counts", "n1"),
         ("extended-rod-driving-rocker", "p2"),
+        ("pole-sleeve-slider-rod", "p1"),
         ("rod-sliding-on-driven-wheel", "y3"),
         ("two-rods-driven-ends", "y1"),
     ],

@@ -14,6 +14,8 @@ FAILED = {
     ("damaged files", 888567026): "key: a crash where a given quantity has another name",
     ("damaged files", 700576): "quiz: a crash where the tolerance of an ask is missing in the key",
     ("printed figures", 666913698): "a letter at the beginning of an extension line",
+    ("printed figures", 391559532): "the one pin that is a circle was taken for another point",
+    ("printed figures", 391559534): "the one pin that is a circle was taken for another point",
     ("printed mathematics", 411014085): "a coordinate was left out of which the square is used",
     ("tactile sheets", 80): "scotch-yoke-driven-by-guide: a slot ran into the number of the sheet",
     ("described figures", 907070209): "an answer that equals a given by chance was taken as told",
