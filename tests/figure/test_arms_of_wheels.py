@@ -13,6 +13,7 @@ from shapely.geometry.base import BaseGeometry
 
 from kinegrade.errors import MechanismError
 from kinegrade.figure.mechanism.anatomy import Anatomy
+from kinegrade.figure.mechanism.paper import scale_to_paper
 from kinegrade.figure.mechanism.plates import Plate
 from kinegrade.figure.mechanism.straight_parts import Bar, GenevaWheel, Rod, SlottedDisc
 from kinegrade.figure.mechanism.wheels.outlines import trace_outlines
@@ -176,6 +177,22 @@ def test_a_bent_rod_on_a_wheel_leads_through_its_points_in_order() -> None:
         (ORIGIN, UP * 30.0),
         (UP * 30.0, UP * 30.0 + RIGHT * 20.0),
     ]
+
+
+@pytest.mark.parametrize(("shape", "use"), [("bar", "bar"), ("bare", "slot")])
+def test_what_slides_on_a_wheel_outside_its_rim_has_a_bar_to_slide_on(shape: str, use: str) -> None:
+    """A block on the lever of a rolling wheel hung in the air."""
+    mechanism, _ = wheel_with(UP * 0.4)
+    points = {**mechanism.points, "P": UP * 0.3, "Q": UP * 0.3 + RIGHT * 0.3}
+    slide = Slide("P", "PQ", Line(ORIGIN, UP), "wheel")
+    joints = (*mechanism.joints, slide, Pin("Q", ("PQ", GROUND)))
+    bodies = (*mechanism.bodies, Body("PQ", ("P", "Q")))
+    case = hinted(Mechanism(points, bodies, joints, ()), shapes={"wheel": shape})
+    anatomy = Anatomy.of(scale_to_paper(case[0], 100.0), case[1])
+    assert len(anatomy.necks) == (use == "bar")  # one would be seen through a slot
+    (bar,) = [part for part in anatomy.parts if part.body == "wheel"]
+    assert isinstance(bar, Bar)
+    assert (bar.use, bar.start, bar.end) == (use, ORIGIN, UP * 40.0)
 
 
 @pytest.mark.parametrize("share", [0.3, 0.99, 1.0])

@@ -6,7 +6,7 @@ All of this follows from the points of the body and from the lines on which othe
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
+from collections.abc import Iterator, Mapping, Sequence, Set
 from itertools import pairwise
 
 from msgspec.structs import replace
@@ -15,6 +15,7 @@ from kinegrade.figure.joints.symbol import Feature, Rim, Symbol, find_fixed_pin,
 from kinegrade.figure.mechanism.geneva_wheels import find_geneva_wheels
 from kinegrade.figure.mechanism.plates import Plate, find_outward_direction, find_plate
 from kinegrade.figure.mechanism.slotted_discs import find_slotted_disc
+from kinegrade.figure.mechanism.straight.laid_bars import group_by_line, lay_bar
 from kinegrade.figure.mechanism.straight.racks import find_racks
 from kinegrade.figure.mechanism.straight.rods import find_rods
 from kinegrade.figure.mechanism.straight.welded_rods import weld_rods
@@ -26,11 +27,9 @@ from kinegrade.figure.mechanism.straight_parts import (
     find_guided_rack,
 )
 from kinegrade.figure.mechanism.wheels.arms import find_arms
-from kinegrade.figure.plane import NEAR, collinear, length, mean, on_line, same_line, unit
+from kinegrade.figure.plane import NEAR, collinear, length, mean, on_line, unit
 from kinegrade.mechanics.mechanism import Body, Mechanism
 from kinegrade.mechanics.vector import Vector
-
-_OVERHANG = 8.0  # millimetres a bar continues beyond whatever slides on it
 
 
 def find_straight_parts(
@@ -73,13 +72,13 @@ def _find_parts(
     points = [mechanism.points[name] for name in body.points]
     plate = find_plate(body, points, shapes)
     on_axis: list[set[Vector]] = []
-    for group in _group_by_line(feature for feature in features if not _is_edge(feature, plate)):
+    for group in group_by_line(feature for feature in features if not _is_edge(feature, plate)):
         disc = find_slotted_disc(body.name, points, group, shapes)
         if disc:
             yield disc
             continue
         on_axis.append({point for point in points if on_line(point, group[0].line)})
-        yield _lay_bar(body.name, points, group)
+        yield lay_bar(body.name, points, group)
     if not any(set(points) <= covered for covered in on_axis):
         yield from [plate] if plate else _find_links(body.name, points, shapes)
 
@@ -124,31 +123,6 @@ def _is_edge(feature: Feature, plate: Plate | None) -> bool:
         and feature.use in ("bar", "face")
         and find_outward_direction(plate, feature.line) is not None
     )
-
-
-def _group_by_line(features: Iterable[Feature]) -> list[list[Feature]]:
-    groups: list[list[Feature]] = []
-    for feature in features:
-        home = next((group for group in groups if same_line(group[0].line, feature.line)), None)
-        if home is None:
-            groups.append([feature])
-        else:
-            home.append(feature)
-    return groups
-
-
-def _lay_bar(body: str, points: list[Vector], group: list[Feature]) -> Bar:
-    """From the outermost point to the outermost action on the line, and beyond the latter."""
-    along = unit(group[0].line.direction)
-    actions = tuple(feature.action for feature in group)
-    stations = [*actions, *(point for point in points if on_line(point, group[0].line))]
-    ends = []
-    for side in (-1.0, 1.0):
-        last = max(stations, key=lambda station: side * station.dot(along))
-        acted = any(length(last - action) < 1e-6 for action in actions)
-        ends.append(last + along * (side * _OVERHANG) if acted else last)
-    free = tuple(end for end in ends if all(length(end - station) > 1e-6 for station in stations))
-    return Bar(body, ends[0], ends[1], group[0].use, free, actions, group[0].back)
 
 
 def _find_links(body: str, points: list[Vector], shapes: Mapping[str, str]) -> Iterator[Bar]:

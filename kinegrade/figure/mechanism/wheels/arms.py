@@ -9,8 +9,9 @@ from itertools import pairwise
 
 from msgspec import Struct
 
-from kinegrade.figure.joints.symbol import Rim, Symbol, find_fixed_pin
-from kinegrade.figure.mechanism.straight_parts import Bar, Part
+from kinegrade.figure.joints.symbol import Feature, Rim, Symbol, find_fixed_pin
+from kinegrade.figure.mechanism.straight.laid_bars import group_by_line, lay_bar
+from kinegrade.figure.mechanism.straight_parts import Bar, Part, is_slender
 from kinegrade.figure.mechanism.wheels.outlines import find_outer_radius, trace_outlines
 from kinegrade.figure.plane import length, nearest_of, on_line, unit
 from kinegrade.mechanics.joints import GROUND, Line
@@ -54,7 +55,8 @@ def find_wheels(
     for body in dict.fromkeys(rim.body for rim in rims if rim.body != GROUND):
         own = sorted((rim for rim in rims if rim.body == body), key=lambda rim: -rim.radius)
         points = [mechanism.points[name] for name in mechanism.body(body).points]
-        if _reaches_out(own, points):
+        actions = [each.action for each in _list_features(body, shapes, symbols)]
+        if _reaches_out(own, [*points, *actions]):
             outlines = tuple(trace_outlines(mechanism, shapes, symbols, own))
             largest, pin = own[0], find_fixed_pin(symbols, body)
             if largest.ring or largest.kind == "slot":
@@ -89,16 +91,43 @@ def find_arms(
                 if not (wheel.covers(start) and wheel.covers(end))
             )
         else:
+            laid = list(_lay_bars(wheel, points, _list_features(wheel.body, shapes, symbols)))
+            yield from laid
             centres = [rim.at for rim in rims if rim.body == wheel.body]
             apart = [at for at in centres if not _holds(wheel.outlines[0], at)]
-            yield from _reach_out(wheel, [*(at for at in points if not wheel.covers(at)), *apart])
+            outside = [*(at for at in points if not wheel.covers(at)), *apart]
+            axes = [Line(bar.start, bar.end - bar.start) for bar in laid]
+            reached = [axis for axis in axes if on_line(wheel.hub, axis)]
+            yield from _reach_out(
+                wheel, [at for at in outside if not any(on_line(at, axis) for axis in reached)]
+            )
+
+
+def _list_features(
+    body: str, shapes: Mapping[str, str], symbols: Sequence[Symbol]
+) -> list[Feature]:
+    """The lines of a body on which others act, but for the flanks of a cam."""
+    if shapes.get(body) == "cam":
+        return []
+    features = (feature for symbol in symbols for feature in symbol.features)
+    return [feature for feature in features if feature.body == body]
+
+
+def _lay_bars(wheel: Wheel, points: Sequence[Vector], features: Sequence[Feature]) -> Iterator[Bar]:
+    """The bars on which others slide or rest outside the wheel, from its hub where they lead to
+    it.
+    """
+    ends = points if wheel.hollow else [wheel.hub, *points]
+    for group in group_by_line(features):
+        if not all(wheel.covers(feature.action) for feature in group):
+            yield lay_bar(wheel.body, ends, group)
 
 
 def find_necks(wheels: Sequence[Wheel], parts: Sequence[Part]) -> Iterator[Neck]:
-    """The necks of the bars that leave wheels."""
+    """The necks of the slender bars that leave wheels; through a slot one would be seen."""
     for wheel in wheels:
         for bar in parts:
-            if isinstance(bar, Bar) and bar.body == wheel.body:
+            if is_slender(bar) and bar.body == wheel.body:
                 inner = nearest_of(wheel.hub, bar.start, bar.end)
                 for end in (bar.start, bar.end):
                     if wheel.covers(inner) and not wheel.covers(end):
