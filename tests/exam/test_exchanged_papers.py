@@ -157,7 +157,7 @@ def test_what_was_marked_for_a_mistyped_id_goes_on_with_its_paper(exam: Path) ->
     assert kinegrade("exchange", exam, code, "0099").exit_code == 0
     done = kinegrade(*again)
     assert done.exit_code == 1, done.stderr
-    said = 'typed.csv: 1 student id is not as in the exam: "0990" for "0099"'
+    said = 'typed.csv: 1 student id is an earlier one: "0990" for "0099"'
     assert said in done.stderr
     assert "1 mark by hand carried over" in done.stderr
     assert {row["student"]: row["total"] for row in table(marks / "grades.csv")}["0099"] == "5"

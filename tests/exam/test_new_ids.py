@@ -59,7 +59,7 @@ def test_what_was_typed_and_marked_under_the_old_id_goes_on(exam: Path) -> None:
     kinegrade(*again, "--manual", hands)
     kinegrade("exchange", exam, "0012", "4711", *NEW)
     done = kinegrade(*again, "--since", marks, "--reason", "new id")
-    said = '1 student id is not as in the exam: "0012" for "4711"'
+    said = '1 student id is an earlier one: "0012" for "4711" - taken for this student'
     assert f"{sheet.name}: {said}" in done.stderr
     assert f"manual.csv: {said}" in done.stderr
     totals = {row["student"]: row["total"] for row in table(marks / "grades.csv")}
@@ -137,6 +137,14 @@ def test_a_plan_of_a_term_may_have_the_old_id(exam: Path) -> None:
         assert done.exit_code == 0, done.stderr
         (row,) = [row for row in table(term) if row["student"] == "4711"]
         assert row["QUIZ"] == "excused"
+
+
+def test_a_new_id_is_that_of_another_person_or_of_the_same_under_another_name(exam: Path) -> None:
+    before = contents(exam)
+    done = kinegrade("exchange", exam, "0012", "0012", "--new-id")
+    assert done.exit_code == 2
+    assert '"0012" has that id, and no other name, address or group is given' in done.stderr
+    assert contents(exam) == before
 
 
 def test_the_paper_is_found_by_the_old_id(exam: Path) -> None:

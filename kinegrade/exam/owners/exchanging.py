@@ -185,6 +185,9 @@ def _rename(exam: ExamFolder, code: str, student: Student) -> _Change:
         email=student.email or person.email,
         group=student.group or person.group,
     )
+    if same == person:
+        what = Message("exam.same-id", student=Quoted(before.student))
+        raise _refuse(exam, what, Message("exam.give-another-id"))
     owner = structs.replace(_hand_over(exam, before, same), was_spare=before.was_spare)
     whose, who = Quoted(before.student), Quoted(owner.student)
     done = Message("exam.has-new-id", before=whose, student=who, code=owner.paper)

@@ -121,6 +121,26 @@ class StudentIds:
                 found |= dict.fromkeys(sorted(spellings), student)
         return found
 
+    def describe_restored(self, restored: Mapping[str, str]) -> Iterator[tuple[Message, Message]]:
+        """What is said of a file whose ids were restored, and what was done: of those that students
+        had before, and of those that a spreadsheet or a person changed.
+        """
+        before = {(_strip(make_student_key(each)), now) for each, now in self._former.items()}
+        before -= {(_strip(make_student_key(each)), each) for each in self._students}
+        renamed = {
+            cell: student
+            for cell, student in restored.items()
+            if (_strip(_unwrap(cell)), student) in before
+        }
+        changed = {cell: restored[cell] for cell in restored if cell not in renamed}
+        if renamed:
+            cell, student = next(iter(renamed.items()))
+            count, shown = len(renamed), Quoted(shorten(trim(cell)))
+            what = Message("roster.ids-before", count=count, cell=shown, student=Quoted(student))
+            yield what, Message("roster.ids-before-done", count=count)
+        if changed:
+            yield describe_restoration(changed)
+
 
 def find_zero_twins(students: Iterable[str]) -> Iterator[tuple[str, ...]]:
     """Ids that differ by zeros in front alone, as where a spreadsheet dropped them in one place.

@@ -11,7 +11,7 @@ from itertools import chain
 from pathlib import Path
 
 from kinegrade.errors import Problem, TableError
-from kinegrade.exam.roster.student_ids import describe_restoration
+from kinegrade.exam.roster.student_ids import StudentIds
 from kinegrade.files.tables import read_table
 from kinegrade.grading.by_hand.contradictions import find_contradictions
 from kinegrade.grading.by_hand.hand_file import HandFile, HandRow, Newer
@@ -105,7 +105,7 @@ def gather_hand_marks(sources: HandSources, markable: Markable, staying: Staying
         raise TableError(*faults)
     notes = (
         *_say(sources.given, given, markable),
-        *_say_carried(sources.carried, carried),
+        *_say_carried(sources.carried, carried, markable),
         *staying.describe((*sources.given, *sources.carried), (*given, *carried)),
     )
     return Gathered(
@@ -156,25 +156,26 @@ def _say(paths: Sequence[Path], files: Sequence[HandFile], markable: Markable) -
             yield Fault(str(path), each, do=Message("marking.points-count-as-they-stand"))
         if file.unmarked:
             yield Message("marking.unmarked-rows", file=str(path), count=file.unmarked)
-        yield from _say_kept(path, file)
+        yield from _say_kept(path, file, markable.ids)
 
 
-def _say_carried(paths: Sequence[Path], files: Sequence[HandFile]) -> Iterator[Problem]:
+def _say_carried(
+    paths: Sequence[Path], files: Sequence[HandFile], markable: Markable
+) -> Iterator[Problem]:
     """What was carried over and replaced, and what does not count."""
     for path, file in zip(paths, files, strict=True):
         if file.rows:
             yield Message("marking.carried-over", file=str(path), count=len(file.rows))
         if file.replaced:
             yield Message("marking.replaced-by-hand", file=str(path), count=file.replaced)
-        yield from _say_kept(path, file)
+        yield from _say_kept(path, file, markable.ids)
 
 
-def _say_kept(path: Path, file: HandFile) -> Iterator[Problem]:
+def _say_kept(path: Path, file: HandFile, ids: StudentIds) -> Iterator[Problem]:
     """Which ids were repaired, which marks went with a paper, and which are kept and do not
     count.
     """
-    if file.restored:
-        what, done = describe_restoration(file.restored)
+    for what, done in ids.describe_restored(file.restored):
         yield Fault(str(path), what, do=done)
     if file.followed:
         yield Message("marking.followed-paper", file=str(path), count=file.followed)

@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from kinegrade.exam.folder.keys import Sitting
-from kinegrade.exam.roster.student_ids import StudentIds, describe_restoration
+from kinegrade.exam.roster.student_ids import StudentIds
 from kinegrade.exam.roster.student_names import StudentNames, find_name_columns
 from kinegrade.exam.roster.students import make_student_key
 from kinegrade.files.answer_file import AnswerFile
@@ -110,7 +110,7 @@ def _group_rows(
     taken = {student for _, student in found if student is not None} if strange else set()
     restored = ids.restored(strange, taken)
     rows: dict[str, list[Row]] = defaultdict(list)
-    complaints = [_complain_of_restored(table, columns, restored)] if restored else []
+    complaints = [*_complain_of_restored(table, columns, ids, restored)]
     for row, exact in found:
         student = exact or restored.get(row.cell(columns.student))
         if student is None:
@@ -182,9 +182,11 @@ def _list_unlike(
                 yield student, each
 
 
-def _complain_of_restored(table: Table, columns: Columns, restored: Mapping[str, str]) -> Complaint:
-    problem, done = describe_restoration(restored)
-    return Complaint(table.file, None, table.header[columns.student], "", problem, done)
+def _complain_of_restored(
+    table: Table, columns: Columns, ids: StudentIds, restored: Mapping[str, str]
+) -> Iterator[Complaint]:
+    for problem, done in ids.describe_restored(restored):
+        yield Complaint(table.file, None, table.header[columns.student], "", problem, done)
 
 
 def _complain_of_unknown(table: Table, row: Row, columns: Columns, papers: _Papers) -> Complaint:

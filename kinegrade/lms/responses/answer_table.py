@@ -15,7 +15,6 @@ from typing import TYPE_CHECKING, TypeAlias
 from kinegrade.errors import TableError
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.records import Candidate
-from kinegrade.exam.roster.student_ids import describe_restoration
 from kinegrade.files.answer_file import AnswerFile, LeftOut, Sources
 from kinegrade.files.cell_text import shorten, trim
 from kinegrade.files.rows.cell_grid import pack_grid
@@ -100,7 +99,7 @@ def read_responses(
     variants = None if wishes.own_papers or system not in _POOLED else pool_of(exam)
     answers, orders = _answers(_Read(table, typed, columns, found), variants, exam)
     assumed = list_assumptions(table, system, wishes.source, typed, columns)
-    return Responses(answers, system, (*assumed, *orders, *_restored(table.file, found)))
+    return Responses(answers, system, (*assumed, *orders, *_restored(table.file, found, people)))
 
 
 def _refuse_shuffled(file: str, exam: ExamFolder) -> None:
@@ -216,10 +215,9 @@ def _left_out(table: Table, typed: TypedRows, found: Sequence[Found]) -> Iterato
         yield LeftOut(who.student or "", complaint, each.attempted)
 
 
-def _restored(file: str, found: Sequence[Found]) -> Iterator[Fault]:
+def _restored(file: str, found: Sequence[Found], people: People) -> Iterator[Fault]:
     restored = {each.restored: each.student for each in found if each.student and each.restored}
-    if restored:
-        problem, done = describe_restoration(restored)
+    for problem, done in people.describe_restored(restored):
         yield Fault(file, problem, do=done)
 
 

@@ -5,7 +5,7 @@ guessed.
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Literal
 
@@ -74,6 +74,10 @@ class People:
     def by_email(self, cell: str) -> str | None:
         """The student with that e-mail address, regardless of case."""
         return _only(self._by_email.get(make_header_key(cell))) if "@" in cell else None
+
+    def describe_restored(self, restored: Mapping[str, str]) -> Iterator[tuple[Message, Message]]:
+        """What is said of ids that are not those of the exam, and of what was done."""
+        return self._ids.describe_restored(restored)
 
     def _likely(self, cell: str) -> str | None:
         """The one student whose id differs from a cell, or from the login in its address, by zeros
