@@ -98,6 +98,14 @@ def test_a_problem_of_positions_names_its_way() -> None:
     )
 
 
+def test_coordinates_alone_lead_to_nothing_else() -> None:
+    """What else was asked followed from them, where nothing was."""
+    solution = solve_template(load_template("pose-cam-tappet"), {}, ["y_A"])
+    blocks = write_worked_solution(solution, ["y_A"], "en").blocks
+    idea = next(text for text in proses(blocks) if "Sought: " in text)
+    assert idea.endswith("point by point, from the distances and lines that place each.")
+
+
 @pytest.mark.sampled(12, first=1)
 @pytest.mark.parametrize("name", find_template_names())
 def test_a_method_asked_for_changes_the_solution_or_it_says_why_not(name: str) -> None:

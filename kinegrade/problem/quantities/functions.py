@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterator, Mapping
 from functools import partial
-from typing import Any
+from typing import Any, Literal, assert_never
 
-from kinegrade.expressions.tree import Call, Expression, walk
+from kinegrade.expressions.tree import Call, Expression, Name, Number, Operation, walk
 from kinegrade.mechanics.motion import Motion
 from kinegrade.numbers.number import Arithmetic
 from kinegrade.problem.kinds.signatures import CONSTRUCTIONS, Signature
@@ -49,3 +49,14 @@ def find_motion_calls(tree: Expression) -> Iterator[Call]:
     return (
         part for part in walk(tree) if isinstance(part, Call) and part.function in MOTION_FUNCTIONS
     )
+
+
+def find_coordinate(tree: Expression) -> tuple[Literal["x", "y"], str] | None:
+    """The axis and the point of a coordinate, `x(B)`; None for anything else."""
+    match tree:
+        case Call("x" | "y" as axis, (Name(point),)):
+            return axis, point
+        case Call() | Name() | Number() | Operation():
+            return None
+        case _:
+            assert_never(tree)

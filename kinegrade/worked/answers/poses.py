@@ -13,7 +13,7 @@ from typing import assert_never
 from kinegrade.expressions.tree import Call, Expression, Name, Number, Operation
 from kinegrade.language.math.tree import Row
 from kinegrade.language.message import Message
-from kinegrade.problem.quantities.functions import find_motion_calls
+from kinegrade.problem.quantities.functions import find_coordinate, find_motion_calls
 from kinegrade.problem.quantity import Quantity
 from kinegrade.problem.template.template import Ask
 from kinegrade.worked.answers.pose_angles import find_angle, find_angle_between
@@ -71,14 +71,11 @@ def _has_been_placed(ask: Ask, case: Case) -> bool:
     lengths = (case.symbols[name] for name in case.template.scheme.lengths)
     if any(length.looks_like(read_symbol(ask.symbol)) for length in lengths):
         return True
-    match ask.quantity:
-        case Call(function="x" | "y" as axis, arguments=(Name(point),)):
-            letter = case.naming.letter(point)
-            return name_coordinate(axis, letter).looks_like(read_symbol(ask.symbol))
-        case Call() | Name() | Number() | Operation():
-            return False
-        case _:
-            assert_never(ask.quantity)
+    coordinate = find_coordinate(ask.quantity)
+    if coordinate is None:
+        return False
+    axis, point = coordinate
+    return name_coordinate(axis, case.naming.letter(point)).looks_like(read_symbol(ask.symbol))
 
 
 def _explain_one_answer(

@@ -27,7 +27,7 @@ from kinegrade.mechanics.laws import (
 )
 from kinegrade.mechanics.plan import Step
 from kinegrade.mechanics.vector_equation import Part, VectorEquation
-from kinegrade.problem.quantities.functions import find_motion_calls
+from kinegrade.problem.quantities.functions import find_coordinate, find_motion_calls
 from kinegrade.problem.template.template import Ask
 from kinegrade.worked.case import Case
 from kinegrade.worked.document import Block, Heading
@@ -57,8 +57,15 @@ def find_reasons(
     by_normals = {find_pole_body(stage) for _, stage in stages}
     reasons |= dict.fromkeys(_explain_poles(by_normals, case))
     if not any(any(find_motion_calls(ask.quantity)) for ask in asked):
-        reasons |= dict.fromkeys((Message("solution.idea-pose"),))
+        reasons |= dict.fromkeys((_explain_pose(asked),))
     return tuple(reasons)
+
+
+def _explain_pose(asked: Sequence[Ask]) -> Message:
+    """How a pose is found: coordinates, and from them what else is asked."""
+    if all(find_coordinate(ask.quantity) for ask in asked):
+        return Message("solution.idea-places")
+    return Message("solution.idea-pose")
 
 
 def say_idea(task: Message, reasons: Sequence[Message], case: Case) -> Iterator[Block]:
