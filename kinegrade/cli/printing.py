@@ -147,7 +147,10 @@ def reprint_exam(exam: Path, *, template: Path, accept_changes: bool, jobs: int)
     folder = kinegrade.open_exam(exam)
     wishes = CorrectionWishes(accept_changes, jobs, show_progress)
     corrected = correct_template(folder, template, wishes)
-    say(Message("terminal.reprinted", exam=str(exam), count=corrected.papers))
+    if folder.head.unprinted:
+        say(Message("terminal.corrected-unprinted", exam=str(exam)))
+    else:
+        say(Message("terminal.reprinted", exam=str(exam), count=corrected.papers))
     finish_with_complaints(corrected.changes)
 
 

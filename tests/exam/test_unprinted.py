@@ -129,6 +129,9 @@ def test_solutions_late_students_and_corrections_leave_it_unprinted(tmp_path: Pa
     (folder / "crank.toml").write_bytes(template.read_bytes())
     again = kinegrade("reprint", exam, "--template", folder / "crank.toml", "--jobs", "1")
     assert again.exit_code == 0, again.stderr
+    assert again.stderr == (
+        f"{exam}: has the corrected template; its papers are not printed, and are fetched with it\n"
+    )
     assert [name for name in (*PRINTED, "papers") if (exam / name).exists()] == []
     for student in ("late", "new"):
         assert kinegrade("paper", exam, student).stdout_bytes.startswith(b"%PDF")

@@ -20,9 +20,9 @@ from kinegrade.grading.by_hand.reading import read_hand_file
 from kinegrade.grading.by_hand.sorted_points import describe_sorted
 from kinegrade.grading.by_hand.staying import StayingMarks
 from kinegrade.language.message import Fault, Message, Quoted, list_first
-from kinegrade.marks_folder.hand_marks import ByHand, group_by_student
+from kinegrade.marks_folder.hand_marks import EXTRA, ByHand, group_by_student
 from kinegrade.marks_folder.layout import FILLED_IN, LEFT_OUT, MANUAL, MARKER, OPEN
-from kinegrade.numbers.amounts import PLACES
+from kinegrade.numbers.amounts import PLACES, add_amounts, write_amount
 
 _NAMED = 5  # marks that a message names
 
@@ -154,9 +154,20 @@ def _say(paths: Sequence[Path], files: Sequence[HandFile], markable: Markable) -
     for path, file in zip(paths, files, strict=True):
         for each in describe_sorted(file.rows, markable.students):
             yield Fault(str(path), each, do=Message("marking.points-count-as-they-stand"))
+        yield from _find_high_bonuses(file, markable)
         if file.unmarked:
             yield Message("marking.unmarked-rows", file=str(path), count=file.unmarked)
         yield from _say_kept(path, file, markable.ids)
+
+
+def _find_high_bonuses(file: HandFile, markable: Markable) -> Iterator[Fault]:
+    """Each bonus of more points than the whole exam has: it may be a slip of the hand."""
+    whole = add_amounts(markable.maxima[question] for question in markable.questions)
+    for row in file.rows:
+        if row.mark.question == EXTRA and row.mark.points > whole:
+            points, maximum = write_amount(row.mark.points), write_amount(whole)
+            what = Message("marking.high-bonus", points=points, maximum=maximum)
+            yield Fault(row.where, what, do=Message("marking.check-bonus"))
 
 
 def _say_carried(

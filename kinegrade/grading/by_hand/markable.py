@@ -46,6 +46,11 @@ class Markable:
     by_hand: tuple[str, ...]
     dropped: Set[str]
 
+    @property
+    def questions(self) -> Sequence[str]:
+        """All questions that have points."""
+        return [column for column in self.maxima if "." not in column]
+
     def is_held(self, student: str, question: str) -> bool:
         """Whether a student's paper holds a question."""
         if question in (*self.by_hand, EXTRA) or student not in self.orders:

@@ -277,3 +277,13 @@ def test_an_id_without_its_zeros_is_repaired_and_said_and_comments_stay_as_they_
     rows = table(tmp_path / "MARKS" / "manual.csv")
     assert [(row["student"], row["comment"]) for row in rows] == [("007", "'=fine"), ("008", "")]
     assert open_marks(tmp_path / "MARKS").by_hand["007"]["q2"].comment == "=fine"
+
+
+def test_a_bonus_of_more_points_than_the_exam_has_is_told_of(folder: Path) -> None:
+    done = give(folder, f"{ADA},bonus,1000,\n{SOFYA},bonus,9.5,\n")
+    assert done.exit_code == 0, done.stderr
+    assert (
+        "by-hand.csv:2: the bonus is 1000 points, more than the 9.5 of the whole exam - it counts as "
+        "it stands; check it\n"
+    ) in done.stderr
+    assert "by-hand.csv:3" not in done.stderr
