@@ -35,8 +35,9 @@ from kinegrade.figure.vectors.symbols import wish_beside
 from kinegrade.mechanics.vector import Vector
 
 _NEXT = 2.51  # times a round number, the next one is not above it
-# Millimetres: a shorter arrow is a dot, and is left out beside one so many times as long
-_VISIBLE, _LEADING = (1.0, 8.0)
+# Millimetres, a line's width: a shorter arrow is a dot, and is left out beside one so many times
+# as long, which leads to its tip without being seen to point elsewhere
+_VISIBLE, _LEADING = (0.4, 16.0)
 _LEAST = 10.0  # millimetres: no polygon is made smaller than this, whatever its symbols take
 _SHORT = 2.4  # millimetres, the length of a head
 HIGH = Room(80.0, 84.0)  # where symbols find no place in less
