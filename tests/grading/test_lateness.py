@@ -191,6 +191,19 @@ def test_the_same_answers_after_others_are_a_try_after_those_alone(exam: Path) -
     assert totals(exam)["7"] == ("7.6", "1.9")
 
 
+def test_tries_may_take_shares_of_the_total_without_a_date(exam: Path) -> None:
+    rows = [("7", "", ("1.732", "0", "9")), ("7", "", ("1.732", "0", "8"))]
+    stated = 'penalty = "20 %"\nof = "total"\n'
+    done = grade(exam, f"[tries]\n{stated}", rows)
+    assert done.exit_code < 2, done.stderr
+    assert totals(exam)["7"] == ("5.6", "1.4")
+    grade(exam, f"{LATE}[tries]\n{stated}", rows, "BOTH")
+    assert totals(exam, "BOTH")["7"] == ("5.6", "1.4")
+    other = grade(exam, f'{LATE}of = "maximum"\n[tries]\n{stated}', rows, "OTHER")
+    assert other.exit_code == 2
+    assert 'tries.of: is "total", that of [late] "maximum" - leave one of the two' in other.stderr
+
+
 def test_rows_without_a_time_are_told_of_and_cost_nothing(exam: Path) -> None:
     done = grade(exam, LATE, [("7", "", RIGHT), ("9", "2026-12-02 18:10", RIGHT)])
     assert done.exit_code == 1

@@ -42,7 +42,7 @@ LATE = (
     #: What being late costs at most, a share of the points; all of them where it is not stated.
     "at-most",
     #: What the shares are of: `"maximum"`, the points that could be had, where it is not stated, or
-    #: `"total"`, those that were reached; for `[tries]`, too.
+    #: `"total"`, those that were reached; the same for `[tries]`.
     "of",
     #: Students who have more time, by id: `{ 1002 = "2 days", 1003 = "2026-12-05 18:00" }`.
     "extensions",
@@ -52,6 +52,8 @@ TRIES = (
     "penalty",
     #: What they cost at most.
     "at-most",
+    #: What the shares are of, as under `[late]`, where it may stand instead: it is one for both.
+    "of",
 )
 _PER: tuple[Per, ...] = get_args(Per)
 _BASES: tuple[Base, ...] = get_args(Base)
@@ -64,9 +66,19 @@ _NO_TIME = timedelta(0)
 def read_penalties(table: Table, exam: ExamFolder) -> Penalties:
     """What a policy subtracts for being late and for trying again; nothing after a fault."""
     stated = table.table("late", _LIKE_LATE).only(*LATE)
+    tried = table.table("tries", _LIKE_TRIES).only(*TRIES)
     late = _read_late(stated, exam) if "late" in table else None
-    tries = _read_tries(table) if "tries" in table else None
-    return Penalties(late, tries, stated.with_default("of", choice(_BASES), "maximum"))
+    tries = _read_tries(tried) if "tries" in table else None
+    return Penalties(late, tries, _read_base(stated, tried))
+
+
+def _read_base(late: Table, tries: Table) -> Base:
+    """What the shares of both are of; notes that they differ."""
+    one, other = (each.optional("of", choice(_BASES)) for each in (late, tries))
+    if one and other and one != other:
+        what = Message("deadline.other-base", tries=Quoted(other), late=Quoted(one))
+        tries.fault("of", what, do=Message("deadline.one-entry"))
+    return one or other or "maximum"
 
 
 def _read_late(stated: Table, exam: ExamFolder) -> LateRule | None:
@@ -122,8 +134,7 @@ def _read_more_time(value: object) -> timedelta:
         raise FieldError(error.what, Message("deadline.an-extension")) from error
 
 
-def _read_tries(table: Table) -> TryRule | None:
-    stated = table.table("tries", _LIKE_TRIES).only(*TRIES)
+def _read_tries(stated: Table) -> TryRule | None:
     penalty = stated.required("penalty", share)
     most = stated.with_default("at-most", share, _WHOLE)
     return None if penalty is None else TryRule(penalty, most)
