@@ -7,7 +7,7 @@
 # make picture   the page that README shows, printed again (poppler)
 # make costs   the picture of what papers and answers cost by the size of the class, measured anew (an hour)
 # make measure   how large and how dense the code is, beside what its rebuilding aims at
-# make prove   every proof in full, at new seeds (less than an hour on two cores)
+# make prove   every proof at new seeds, as many as its share of an hour allows on two cores
 # make catalogue LANGUAGE=de   the words of a language brought up to the English ones, or begun
 # make tools  what tests and benchmarks need besides Python: LaTeX with siunitx, poppler (Debian and Ubuntu;
 #             elsewhere it says what to install)

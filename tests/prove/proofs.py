@@ -1,7 +1,8 @@
 """All proofs: how much of each `make prove` and `make test` run.
 
-In full they take about 8,000 seconds of processor time, an hour on two free cores. "fair marks"
-looks at 160 papers of every template; `make fairness` at 1,000.
+In full they take many hours. `make prove` takes one: each proof has an equal share of what is left
+of it, and tries as many of its cases as that allows, from a seed that is new every time. "fair
+marks" looks at 160 papers of every template; `make fairness` at 1,000.
 """
 
 from __future__ import annotations
