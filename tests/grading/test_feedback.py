@@ -293,12 +293,32 @@ def test_a_void_answer_is_told_what_became_of_its_points(
     )
 
 
-def row_marked_as(marked: str, folder: Path, language: Literal["en", "zh"]) -> FeedbackRow:
+@pytest.mark.parametrize(
+    ("typed", "verdict", "reason", "note"),
+    [
+        ("2 kg", "unreadable", '""kg"" stands after the number; the unit ""m/s"" was expected',
+         "数后写有 \"kg\"；应为单位 \"m/s\""),
+        ("2 s", "wrong unit", "something else", "something else"),
+    ],
+)  # fmt: skip
+def test_the_note_on_an_answer_is_in_the_language_of_the_sheet(
+    tmp_path: Path, typed: str, verdict: str, reason: str, note: str
+) -> None:
+    marked = f'{verdict},0,4,"{reason}"'
+    row = row_marked_as(marked, tmp_path, "zh", typed)
+    assert row.reason == note
+    english = reason.replace('""', '"')
+    assert row_marked_as(marked, tmp_path / "en", "en", typed).reason == english
+
+
+def row_marked_as(
+    marked: str, folder: Path, language: Literal["en", "zh"], typed: str = "1"
+) -> FeedbackRow:
     """The first row of a sheet whose line in marks.csv ends so: verdict, points, out of, reason."""
     exam, marks = mark_class(folder, {"7": ("1", "2", "3")})
     file = marks / "marks.csv"
     lines = file.read_text(encoding="utf-8").splitlines()
-    lines[1] = f"7,q1,v_B,1,1,m/s,{marked},,"
+    lines[1] = f"7,q1,v_B,{typed},1,m/s,{marked},,"
     file.write_text("\n".join(lines) + "\n", encoding="utf-8")
     ((_, sheet),) = make_feedback_sheets(MarksFolder(marks), open_exam(exam), WORDING, language)
     return sheet.questions[0].rows[0]

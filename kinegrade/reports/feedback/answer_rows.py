@@ -63,7 +63,7 @@ def make_feedback_row(
         write_share(answer.points, answer.out_of, catalogue),
         prose,
         remark.guess,
-        remark.note,
+        catalogue.write(remark.note),
     )
 
 

@@ -20,6 +20,7 @@ from kinegrade.marks_folder.hand_marks import BY_HAND
 from kinegrade.marks_folder.rows import MarkedAnswer
 from kinegrade.numbers.written import read_number
 from kinegrade.reports.classes.tally import hint_of
+from kinegrade.reports.feedback.reading_notes import find_note
 from kinegrade.reports.paper_record import PaperRecord, RightAnswer
 
 _VERDICTS: Mapping[str, Message] = {
@@ -54,7 +55,7 @@ class Remark:
     """
 
     prose: Text = ""
-    note: str = ""
+    note: Text = ""
     guess: bool = False
 
 
@@ -77,7 +78,7 @@ def make_remark(answer: MarkedAnswer, paper: PaperRecord, wording: Wording) -> R
         case "void" if answer.out_of:
             return Remark(Message("feedback.void-full"))
         case verdict if verdict in _EXPLAINED:
-            note = answer.reason if verdict in _WITH_NOTE else ""
+            note = find_note(answer) if verdict in _WITH_NOTE else ""
             return Remark(_EXPLAINED[verdict], note)
         case _:
             return Remark(note=answer.reason)
