@@ -5,6 +5,7 @@ points.
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Mapping, Sequence, Set
 from dataclasses import dataclass
 from fractions import Fraction
@@ -13,6 +14,7 @@ from kinegrade.ask_names import AskNames
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.roster.student_ids import StudentIds
 from kinegrade.exam.roster.student_names import StudentNames
+from kinegrade.files.cell_text import make_header_key
 from kinegrade.grading.policy.policy import Policy
 from kinegrade.grading.same_key import identify_exam
 from kinegrade.language.message import Message, Quoted, Text, list_plainly
@@ -30,7 +32,7 @@ class Markable:
     of each paper that has others than the exam, or in another order; the policy `dropped` some
     questions and asks. The exam is known by its `identity`; its `students` are as in the roster,
     `codes` those of their papers, `had` those that they had before an exchange, and `spares` papers
-    of nobody.
+    of nobody; `addresses` are those of e-mail that one student has, with the student.
     """
 
     identity: str
@@ -45,11 +47,16 @@ class Markable:
     orders: Mapping[str, tuple[str, ...]]
     by_hand: tuple[str, ...]
     dropped: Set[str]
+    addresses: Mapping[str, str]
 
     @property
     def questions(self) -> Sequence[str]:
         """All questions that have points."""
         return [column for column in self.maxima if "." not in column]
+
+    def find_student(self, cell: str) -> str | None:
+        """The student with that id, code of a paper or address."""
+        return self.ids.exact(cell) or self.addresses.get(make_header_key(cell))
 
     def is_held(self, student: str, question: str) -> bool:
         """Whether a student's paper holds a question."""
@@ -107,7 +114,16 @@ def find_markable(
     now = exam.former_ids
     had = {(now.get(student, student), code) for student, code in exam.codes_before}
     students = exam.students, ids, codes, had, spares, people
-    return Markable(identify_exam(head), *students, names, maxima, orders, by_hand, dropped)
+    addresses = _list_addresses(exam)
+    rules = names, maxima, orders, by_hand, dropped, addresses
+    return Markable(identify_exam(head), *students, *rules)
+
+
+def _list_addresses(exam: ExamFolder) -> Mapping[str, str]:
+    """The students by their addresses, without those that several have."""
+    listed = [(make_header_key(each.email), each.student) for each in exam.head.students]
+    counted = Counter(address for address, _ in listed)
+    return {address: each for address, each in listed if address and counted[address] == 1}
 
 
 def _is_dropped(column: str, exam: ExamFolder, policy: Policy) -> bool:

@@ -74,10 +74,10 @@ class _Reader:
         return any(is_of_another_exam(cell, self.markable.identity) for cell in said)
 
     def _find_students(self, rows: Sequence[Row]) -> Mapping[str, str]:
-        """The students by the cells that name them: ids exactly, or as a spreadsheet left them."""
-        ids = self.markable.ids
+        """The students by the cells that name them: exactly, or as spreadsheets left ids."""
+        ids, find = self.markable.ids, self.markable.find_student
         cells = dict.fromkeys(self.columns.cell(row, self.columns.student) for row in rows)
-        exact = {cell: student for cell in cells if (student := ids.exact(cell))}
+        exact = {cell: student for cell in cells if (student := find(cell))}
         unknown = [cell for cell in cells if cell and cell not in exact]
         self.found.restored = ids.restored(unknown, set(exact.values()))
         return {**exact, **self.found.restored}

@@ -287,3 +287,14 @@ def test_a_bonus_of_more_points_than_the_exam_has_is_told_of(folder: Path) -> No
         "it stands; check it\n"
     ) in done.stderr
     assert "by-hand.csv:3" not in done.stderr
+
+
+def test_a_student_may_be_named_by_the_address(folder: Path) -> None:
+    for student in (ADA, SOFYA):
+        new = "--new-id", "--email", f"{student}@Example.org"
+        assert kinegrade("exchange", folder / "EXAM", student, student, *new).exit_code == 0
+    give(folder, f"{ADA}@example.org,q2,2,\n")
+    (row,) = table(folder / "MARKS" / "manual.csv")
+    assert (row["student"], row["points"]) == (ADA, "2")
+    (unknown,) = faults(give(folder, "nobody@example.org,q2,2,\n"), folder)
+    assert 'no student "nobody@example.org" in the exam' in unknown
