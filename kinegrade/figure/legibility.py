@@ -1,5 +1,5 @@
-"""Whether a figure can be read as it is printed: everything on paper, no symbol crowded,
-no part too small to be seen.
+"""Whether a figure can be read as it is printed: everything on paper, no symbol crowded or nearer
+to something else than to its own line, no part too small to be seen.
 """
 
 from __future__ import annotations
@@ -44,8 +44,8 @@ def find_illegible(
         return Message("figure.too-large", width=f"{WIDTH:g}", height=f"{HEIGHT:g}")
     if smallest and smallest.size * scene.scale < SMALLEST:
         return smallest.refusal
-    if scene.crowded:
-        return Message("figure.symbol-crowded", symbol=scene.crowded[0])
+    for symbol in (*scene.crowded, *scene.claimed):
+        return Message("figure.symbol-crowded", symbol=symbol)
     return None
 
 

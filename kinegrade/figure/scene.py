@@ -116,8 +116,9 @@ class Box(Struct, frozen=True):
 
 class Scene(Struct, frozen=True):
     """A finished drawing; `scale` is millimetres on paper per metre, and `crowded` are the symbols
-    that found no good place, `astray` those that stand off from their points behind a wall;
-    `strain` is what marks cost that cross something firm.
+    that found no good place, `astray` those that stand off from their points behind a wall,
+    `claimed` those of lengths that are nearer to something else than to their own lines; `strain`
+    is what marks cost that cross something firm.
     """
 
     width: float
@@ -127,6 +128,7 @@ class Scene(Struct, frozen=True):
     crowded: tuple[str, ...] = ()
     strain: float = 0.0
     astray: tuple[str, ...] = ()
+    claimed: tuple[str, ...] = ()
 
     @property
     def labels(self) -> tuple[Label, ...]:

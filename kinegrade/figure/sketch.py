@@ -23,6 +23,7 @@ from kinegrade.figure.marks.angles import (
 from kinegrade.figure.marks.body_names import add_body_names
 from kinegrade.figure.marks.frames import add_axes_aside, add_frames
 from kinegrade.figure.marks.imposed import drop_still
+from kinegrade.figure.marks.lengths.claims import find_claimed
 from kinegrade.figure.marks.lengths.dimensions import add_length
 from kinegrade.figure.marks.lengths.extension_gaps import Around
 from kinegrade.figure.marks.names import find_named_points, keep_from_marks, label_points
@@ -118,14 +119,17 @@ def draw_unit_figure(shown: Subject) -> Scene:
         if best.crowded and not begin(first * share).layout.crowded:
             other = fit_scene(partial(_compose, begin, order), first * share, span)
             best = min(best, other, key=_rate_scene)
+    if best.claimed:
+        other = fit_scene(partial(_compose, begin, _LENGTHS_FIRST), best.scale, span)
+        best = min(best, other, key=_rate_scene)
     return best
 
 
-def _rate_scene(scene: Scene) -> tuple[int, int, float]:
-    """How bad a figure is: first by symbols without a good place, then by letters behind walls, at
-    last by what marks cross.
+def _rate_scene(scene: Scene) -> tuple[int, int, float, int]:
+    """How bad a figure is: first by symbols without a good place, then by letters behind walls, by
+    what marks cross, at last by letters of lengths that something else could own.
     """
-    return len(scene.crowded), len(scene.astray), round(scene.strain, 6)
+    return len(scene.crowded), len(scene.astray), round(scene.strain, 6), len(scene.claimed)
 
 
 class _Begun(Struct, frozen=True):
@@ -181,7 +185,8 @@ def _compose(begin: Callable[[float], _Begun], order: tuple[_Stage, ...], scale:
                 assert_never(stage)
     layout = add_radii(layout, paper.points, drawing.rims, hints.radii)
     layout = add_axes_aside(layout, hints)
-    return add_body_names(layout, paper, hints, drawing)
+    layout = add_body_names(layout, paper, hints, drawing)
+    return replace(layout, claimed=find_claimed(layout))
 
 
 def _place_lengths(layout: Layout, paper: Mechanism, hints: FigureHints, around: Around) -> Layout:

@@ -35,7 +35,11 @@ def test_a_letter_at_its_own_line_or_at_a_leader_or_dimension_has_no_flaw() -> N
 
 @pytest.mark.parametrize(
     ("template", "seed"),
-    [("elliptic-trammel-crank-driven", "k2"), ("two-wheels-on-cylinder", "k1")],
+    [
+        ("elliptic-trammel-crank-driven", "k2"),
+        ("extended-rod-driving-rocker", "t1"),
+        ("two-wheels-on-cylinder", "k1"),
+    ],
 )
 def test_the_letter_of_a_bar_is_clearly_that_bars(template: str, seed: str) -> None:
     printed = read_printed(deal(template, seed))

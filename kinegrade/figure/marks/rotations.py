@@ -10,6 +10,7 @@ from msgspec.structs import replace
 
 from kinegrade.figure.joints.symbol import find_fixed_pin
 from kinegrade.figure.marks.imposed import find_imposed_sense
+from kinegrade.figure.marks.lengths.claims import widen_written
 from kinegrade.figure.marks.lengths.dimensions import find_extension_angles
 from kinegrade.figure.marks.tied_arrows import list_tied_arrows, turns_among_bodies
 from kinegrade.figure.marks.turning_arrow import Company, TurningArrow
@@ -78,6 +79,7 @@ def add_rotations(
         lines = find_extension_angles(mechanism.points, lengths, centre, layout.obstacles)
         pins = [at for at in mechanism.points.values() if length(at - centre) < _ABOUT]
         company = replace(_find_company(layout, hint, drawing, centre, lines), pins=tuple(pins))
+        company = replace(company, letters=widen_written(layout, lengths))
         around = _find_claims(layout, pins, drawing, hint.body, centre)
         followed = any(later.body == hint.body for later in hints[number + 1 :])
         ways = _list_arrows(mechanism, hint, centre, drawing, followed=followed)

@@ -10,8 +10,8 @@ from msgspec.structs import replace
 
 from kinegrade.figure.joints.symbol import Rim
 from kinegrade.figure.placing.mark import chords
-from kinegrade.figure.placing.obstacles import Segment
-from kinegrade.figure.placing.ownership import UNCLAIMED, Claims
+from kinegrade.figure.placing.obstacles import NOTHING, Obstacles, Segment
+from kinegrade.figure.placing.ownership import CLAIMING, UNCLAIMED, Claims
 from kinegrade.figure.placing.place import Wish, list_spots_along_arc, rate_nearness, widen
 from kinegrade.figure.plane import length, nearest_of, parts, polar, shorter_way
 from kinegrade.figure.scene import Bow, Primitive
@@ -58,7 +58,7 @@ class Company(Struct, frozen=True):
     """What else there is about the pivot of an arrow: the arcs of angles, other arrows, the radii
     of other bodies' rims (millimetres), the directions (radians) in which dimension lines may
     need a line from the pivot, the other bodies' discs that do not lie over the pivot, and bars
-    that do not lead to it; the other pins there.
+    that do not lead to it; the other pins there, and letters of lengths with what is about them.
     """
 
     arcs: tuple[Bow, ...]
@@ -68,6 +68,7 @@ class Company(Struct, frozen=True):
     discs: tuple[Rim, ...] = ()
     bars: tuple[Segment, ...] = ()
     pins: tuple[Vector, ...] = ()
+    letters: Obstacles = NOTHING
 
     def rate(self, bow: Bow) -> float:
         """The demerit of an arrow in this company."""
@@ -81,6 +82,7 @@ class Company(Struct, frozen=True):
             + sum(_BEYOND_BAR for bar in self.bars if parts(*bar, bow.centre, middle))
             + _AT_BAR * any(_stands_at(bow, middle, bar) for bar in self.bars)
             + (_AT_OTHER if self.pins and _stands_at_any(bow, middle, self.pins) else 0.0)
+            + CLAIMING * (self.letters.along(chords(bow, _COARSE), shared=False) > 0)
         )
 
 

@@ -59,7 +59,13 @@ def fit_scene(
             break
         scale = _shrink(scale, box, span, room)
     scene = _move_to_corner(layout.primitives, box, scale)
-    return replace(scene, crowded=layout.crowded, astray=layout.astray, strain=layout.strain)
+    return replace(
+        scene,
+        crowded=layout.crowded,
+        astray=layout.astray,
+        claimed=layout.claimed,
+        strain=layout.strain,
+    )
 
 
 def find_fitting_scale(

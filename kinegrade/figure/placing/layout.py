@@ -48,7 +48,8 @@ class Layout(Struct, frozen=True):
 
     `marks` are those chosen so far, with what each costs in `costs`; `crowded` are the symbols
     that found no good place, `astray` those that stand off from their points behind a wall;
-    `strain` is set by who places marks: what too dear ones cost.
+    `strain` is set by who places marks: what too dear ones cost; so is `claimed`: the symbols of
+    lengths that are nearer to something else than to their own lines.
     """
 
     lines: tuple[Primitive, ...]
@@ -59,6 +60,7 @@ class Layout(Struct, frozen=True):
     costs: tuple[float, ...] = ()
     strain: float = 0.0
     astray: tuple[str, ...] = ()
+    claimed: tuple[str, ...] = ()
 
     @staticmethod
     def of(primitives: Iterable[Primitive]) -> Layout:
@@ -227,7 +229,11 @@ class Layout(Struct, frozen=True):
         return self._labelled(replace(placed, faulty=faulty))
 
     def _strikes_label(self, mark: Mark) -> bool:
-        return self.obstacles.along(mark.path(), mark.shared) >= COST_LABEL
+        """Whether a mark is drawn through a letter, with its path or with what is rated in its
+        demerit alone, as the beginnings of extension lines are.
+        """
+        on_path = self.obstacles.along(mark.path(), mark.shared)
+        return max(mark.demerit, on_path) >= COST_LABEL
 
     def _labelled(self, placed: Placed) -> Layout:
         label = placed.label

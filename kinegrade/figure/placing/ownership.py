@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from functools import lru_cache
-from math import ceil, pi
+from math import ceil, inf, pi
 
 import numpy as np
 from msgspec import Struct
@@ -15,7 +15,7 @@ from kinegrade.figure.placing.obstacles import COST_LABEL, Obstacles, Segment
 from kinegrade.figure.placing.place import Floats
 from kinegrade.figure.placing.wedge import rate_cut_off
 from kinegrade.figure.plane import length
-from kinegrade.figure.scene import Disc, Label
+from kinegrade.figure.scene import BOLD, Disc, Label
 from kinegrade.mechanics.vector import Vector
 
 # Demerits of a symbol on the other side of a circle or a bar, and of one nearer to a pin, or to a
@@ -104,16 +104,34 @@ def rate_beside_line(
     from being clearly nearer to that than to anything else that is drawn: 0 where it is, 1 where
     something else is as near.
     """
+    lead = _measure_lead(symbol, spots, own, half, drawn)
+    return np.asarray(np.clip(1.0 - lead / _CLEARLY, 0.0, 1.0).round(6))
+
+
+def is_claimed(label: Label, own: Segment, half: float, drawn: Obstacles) -> bool:
+    """Whether a symbol beside a line, or a link of `half` a width about it, is nearer to something
+    else that is drawn than to that, or to the edge of the pen of a bar.
+    """
+    lead = _measure_lead(label.symbol, np.array([label.centre]), own, half, drawn)
+    return bool(lead[0] < -BOLD.width / 2)
+
+
+def _measure_lead(
+    symbol: str, spots: Floats, own: Segment, half: float, drawn: Obstacles
+) -> Floats:
+    """For each spot of a symbol the millimetres by which it is nearer to its own line than to
+    anything else; negative where something else is nearer.
+    """
     box = np.array(measure_symbol(symbol)) / 2
     low, high = spots.min(axis=0) - box - _LOOKED, spots.max(axis=0) + box + _LOOKED
     places, pens = _sample(drawn.near((*low.tolist(), *high.tolist())))
     foreign = _measure_off(places, own) > half + _ITS_OWN
     if not foreign.any():
-        return np.zeros(len(spots))
+        return np.full(len(spots), inf)
     theirs = (_measure_gaps(spots, box, places[foreign]) - pens[foreign]).min(axis=1)
     start, end = (np.array(at) for at in own)
     mine = _measure_gaps(spots, box, start + _SHARES * (end - start)).min(axis=1) - half
-    return np.asarray(np.clip(1.0 - (theirs - mine) / _CLEARLY, 0.0, 1.0).round(6))
+    return np.asarray(theirs - mine)
 
 
 def _sample(drawn: Obstacles) -> tuple[Floats, Floats]:
