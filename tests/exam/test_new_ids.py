@@ -4,6 +4,8 @@ through the command line.
 
 from __future__ import annotations
 
+import errno
+import os
 import shutil
 from pathlib import Path
 
@@ -144,6 +146,23 @@ def test_a_new_id_is_that_of_another_person_or_of_the_same_under_another_name(ex
     done = kinegrade("exchange", exam, "0012", "0012", "--new-id")
     assert done.exit_code == 2
     assert '"0012" has that id, and no other name, address or group is given' in done.stderr
+    assert contents(exam) == before
+
+
+def test_a_disk_that_is_full_is_told_of_in_one_line(
+    exam: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def refuse(here: object, there: object) -> None:
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC), str(there))
+
+    before = contents(exam)
+    with monkeypatch.context() as patched:
+        patched.setattr(shutil, "copy2", refuse)
+        done = kinegrade("exchange", exam, "0012", "4711", "--new-id")
+    assert done.exit_code == 2
+    assert "No space left on device" in done.stderr
+    assert "[(" not in done.stderr
+    assert len(done.stderr.splitlines()) == 1
     assert contents(exam) == before
 
 

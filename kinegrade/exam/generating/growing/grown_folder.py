@@ -4,7 +4,6 @@ copy takes the folder's place whole.
 
 from __future__ import annotations
 
-import shutil
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path, PurePosixPath
@@ -15,6 +14,7 @@ from kinegrade.exam.folder.head import read_head
 from kinegrade.exam.generating.hand_work import digest_editable
 from kinegrade.exam.generating.options import PRIVATE, SHARED_WITH_GROUP
 from kinegrade.files.output import Access, output_folder
+from kinegrade.files.placing.copying import copy_tree
 from kinegrade.files.placing.standing import refuse_changed
 
 _GROUP_READS = 0o040
@@ -37,7 +37,7 @@ def open_grown_folder(exam: ExamFolder) -> Iterator[Path]:
 
 def copy_exam(exam: ExamFolder, folder: Path) -> None:
     """All that stands in the exam folder."""
-    shutil.copytree(exam.path, folder, symlinks=True, dirs_exist_ok=True)
+    copy_tree(exam.path, folder)
 
 
 def digest_grown(exam: ExamFolder, folder: Path) -> Mapping[str, str] | None:

@@ -31,6 +31,7 @@ from kinegrade.exam.generating.replacing.paper_digests import paper_digests
 from kinegrade.exam.roster.roster import Roster
 from kinegrade.exam.roster.students import read_place
 from kinegrade.exam.roster.taken_ids import list_former_owners
+from kinegrade.files.placing.copying import copy_tree
 from kinegrade.language.message import Fault, Message, Quoted
 
 _UNKNOWN = Message("exam.unknown-before")
@@ -199,7 +200,7 @@ def _keep(names: Iterable[str], old: Path, new: Path) -> Iterator[Message]:
     for name in names:
         source = old / name
         if source.is_dir():
-            shutil.copytree(source, new / name)
+            copy_tree(source, new / name)
         elif source.is_file():
             shutil.copy2(source, new / name)
         else:
