@@ -17,6 +17,7 @@ from kinegrade.figure.mechanism.plates import Plate, find_outward_direction, fin
 from kinegrade.figure.mechanism.slotted_discs import find_slotted_disc
 from kinegrade.figure.mechanism.straight.laid_bars import group_by_line, lay_bar
 from kinegrade.figure.mechanism.straight.racks import find_racks
+from kinegrade.figure.mechanism.straight.resting_faces import rest_faces
 from kinegrade.figure.mechanism.straight.rods import find_rods
 from kinegrade.figure.mechanism.straight.welded_rods import weld_rods
 from kinegrade.figure.mechanism.straight_parts import (
@@ -63,7 +64,8 @@ def find_straight_parts(
     ]
     parts = [*_tell_apart(parts, symbols), *find_racks(mechanism, shapes, symbols)]
     bars = [part for part in parts if isinstance(part, Bar)]
-    return weld_rods(parts, tuple(find_rods(mechanism, shapes, symbols, found, bars)))
+    rods = tuple(find_rods(mechanism, shapes, symbols, found, bars))
+    return rest_faces(weld_rods(parts, rods))
 
 
 def _find_parts(
