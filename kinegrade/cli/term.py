@@ -85,6 +85,7 @@ def _list_complaints(folders: Mapping[str, MarksFolder]) -> list[Problem]:
     """Who is not marked to the end, which marks are by an earlier key, and who has two lines."""
     from kinegrade.grading.exams_beside import find_later_keys
     from kinegrade.marks_folder.open_questions import describe_unmarked
+    from kinegrade.reports.term.forgotten_marks import find_forgotten_marks
     from kinegrade.reports.term.split_students import find_renamed_students, find_split_students
     from kinegrade.reports.unlike_names import find_unlike_names
 
@@ -96,6 +97,7 @@ def _list_complaints(folders: Mapping[str, MarksFolder]) -> list[Problem]:
     exams = {name: folder.totals for name, folder in folders.items()}
     former_ids = {name: folder.former_ids for name, folder in folders.items()}
     people = [
+        *find_forgotten_marks(exams),
         *find_split_students(exams),
         *find_renamed_students(exams, former_ids),
         *find_unlike_names(exams),

@@ -134,3 +134,14 @@ def test_templates_that_share_a_mechanism_stay_with_it(tmp_path: Path) -> None:
     assert {each for each in contents(exam) if "templates/" in each} == before
     assert any("mechanisms/" in each for each in before), before
     assert kinegrade("verify", exam, "--all").exit_code == 0
+
+
+def test_a_term_says_which_marks_have_nobody_left(forgotten: Path, tmp_path: Path) -> None:
+    known = tmp_path / "KNOWN"
+    generated = "generate", forgotten / "bank.toml", forgotten / "roster.csv", "-o", tmp_path / "E"
+    assert kinegrade(*generated).exit_code == 0
+    kinegrade("grade", tmp_path / "E", forgotten / "answers.csv", "-o", known, "--own-papers")
+    done = kinegrade("term", forgotten / "MARKS", known, "-o", tmp_path / "term.csv")
+    assert done.exit_code == 1
+    assert "MARKS: the people of these marks were forgotten (p1)" in done.stderr
+    assert "KNOWN: the people" not in done.stderr
