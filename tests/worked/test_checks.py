@@ -200,21 +200,6 @@ def test_a_train_about_fixed_axes_is_checked_in_one_step() -> None:
     )
 
 
-def test_a_train_that_ends_in_a_rim_is_checked_from_its_first_wheel() -> None:
-    """Belt and rolling wheel, and mesh and drum, were left without a check."""
-    values = {"r1": "120", "r2": "180", "r3": "90", "n": "120", "alpha": "3"}
-    _, check = find_checks(stated("hoist-with-gears", **values))
-    assert check == Check(
-        "the transmission from the pinion to the motion of $C$ in one step",
-        r"a_{C} = 0.18\,\unit{m/s^2}",
-        r"-\frac{r_{3}\,r_{1}}{r_{2}}\,\alpha_{A} = -\frac{0.09\,\unit{m} \cdot 0.12\,\unit{m}}"
-        r"{0.18\,\unit{m}} \cdot (-3\,\unit{rad/s^2}) = 0.18\,\unit{m/s^2}",
-    )
-    check = read_checks("belt-driven-bicycle")[0]
-    assert check.way == "the transmission from the pulley to the motion of $A$ in one step"
-    assert check.right.startswith(r"-\frac{R\,r_{1}}{r_{2}}\,\omega_{\text{pulley}} = ")
-
-
 def test_a_slot_that_turns_is_checked_by_a_coordinate_of_the_point_in_it() -> None:
     """Not by Pythagoras, which any angle of the triangle of velocities obeys."""
     template = load_template("slotted-link-on-cylinder")

@@ -71,8 +71,7 @@ def _list_rate_checks(
     for step, stage in last_first:
         yield from list_track_checks(step, stage)
     yield from list_carrier_checks(level, case)
-    found = {rate for step in stages for rate in step.unknowns}
-    yield from list_train_checks(found, level, case)
+    yield from list_train_checks(level, case)
     for _, stage in last_first:
         yield from list_constraint_checks(stage, told)
     yield from list_new_body_checks(level, case)

@@ -37,11 +37,11 @@ from kinegrade.worked.vectors.vectors import UNITS
 
 def state_rolling(roll: NoSlip, relation: Relation, case: Case, level: Level) -> Statement:
     """No slip: the centre's speed along the track is the radius times the relative rotation."""
-    term = find_linked_term(roll, relation, case)
+    term = _find_linked_term(roll, relation, case)
     body, other = case.naming.body(roll.body), describe_track(roll, case)
     rotation = name_relative_rotation(roll.body, roll.of, case, level)
     right = (state_rolled_radius(roll, case) * rotation).signed(
-        find_slip_sign(roll, relation, case, level)
+        _find_slip_sign(roll, relation, case, level)
     )
     equation = Equation(name_speed(term, case, level), equate(right))
     if roll.joint in case.findings.rim_tracks:
@@ -159,7 +159,7 @@ def _describe_positive_sense(term: Term, case: Case, level: Level) -> Message:
             assert_never(term.kind)
 
 
-def find_linked_term(roll: NoSlip, relation: Relation, case: Case) -> Term:
+def _find_linked_term(roll: NoSlip, relation: Relation, case: Case) -> Term:
     """The motion that goes with a rotation: of a track with the speed of the rim, else of the
     centre.
     """
@@ -167,11 +167,11 @@ def find_linked_term(roll: NoSlip, relation: Relation, case: Case) -> Term:
     return track or find_term(relation.turning[0][0], case)
 
 
-def find_slip_sign(roll: NoSlip, relation: Relation, case: Case, level: Level) -> int:
+def _find_slip_sign(roll: NoSlip, relation: Relation, case: Case, level: Level) -> int:
     """1 where the rotation has the sign of the speed that goes with it as stated, else -1."""
     turning = make_turning(roll.body)
     factor = double(next(factor for rate, factor in relation.turning if rate == turning))
-    term, centre = find_linked_term(roll, relation, case), find_term(relation.turning[0][0], case)
+    term, centre = _find_linked_term(roll, relation, case), find_term(relation.turning[0][0], case)
     if term != centre:
         # Seen from the track, its wheel moves the opposite way
         factor *= -double(term.coefficient().dot(centre.coefficient()))
@@ -184,7 +184,7 @@ def solve_rolling(
     """What no slip says of the speed that goes with the body's rotation, or of this, which `result`
     gives: in symbols, with numbers unless they are zero, and the value. None for other rates.
     """
-    term = find_linked_term(roll, relation, case)
+    term = _find_linked_term(roll, relation, case)
     if result.left == name_speed(term, case, level):
         working = _state_centre_speed(roll, relation, case, level)
     elif result.left == name_rotation(roll.body, case, level):
@@ -198,7 +198,7 @@ def _state_centre_speed(
     roll: NoSlip, relation: Relation, case: Case, level: Level
 ) -> tuple[Formula, ...]:
     """The radius times the rotation relative to the track, in symbols and in numbers."""
-    sign = find_slip_sign(roll, relation, case, level)
+    sign = _find_slip_sign(roll, relation, case, level)
     other = find_rotation_value(roll.of, case, level)
     symbols = state_rolled_radius(roll, case) * name_relative_rotation(
         roll.body, roll.of, case, level
@@ -217,8 +217,8 @@ def _state_rotation(
     """The rotation of the track and the speed of the centre over the radius, in symbols and in
     numbers.
     """
-    sign = find_slip_sign(roll, relation, case, level)
-    term = find_linked_term(roll, relation, case)
+    sign = _find_slip_sign(roll, relation, case, level)
+    term = _find_linked_term(roll, relation, case)
     other = find_rotation_value(roll.of, case, level)
     symbol: Formula = name_speed(term, case, level)
     value = measure_along_direction(term, case, level) * find_stated_sense(term, case, level)
