@@ -10,7 +10,15 @@ from itertools import combinations
 from math import cos, degrees, radians, sin
 from typing import Any, Literal, assert_never
 
-from kinegrade.expressions.tree import Call, Expression, Name, Number, Operation, walk
+from kinegrade.expressions.tree import (
+    Call,
+    Expression,
+    Name,
+    Number,
+    Operation,
+    find_names,
+    walk,
+)
 from kinegrade.language.message import Message
 from kinegrade.problem.template.template import Ask
 from kinegrade.worked.answers.pose_working import AXIS_X, AXIS_Y
@@ -95,11 +103,31 @@ def _list_placed(construction: str, case: Case) -> Iterator[_Distance]:
 
 
 def _list_lengths(asked: Sequence[Ask], case: Case) -> tuple[_Distance, ...]:
-    """The distances that are given, those first of a point of which a coordinate is asked for."""
+    """The distances that are given, those first of a point of which a coordinate is asked for; none
+    at which a point was placed, as that is put back into it.
+    """
     calls = (call for ask in asked for call in walk(ask.quantity))
     sought = {name for call in calls for name in _find_located(call)}
-    given = (*_list_stated(case), *reversed(tuple(_list_placed("polar", case))))
+    given = [one for one in _list_stated(case) if not _has_placed(one, case)]
     return tuple(sorted(given, key=lambda one: not sought & {one.first, one.second}))
+
+
+def _has_placed(distance: _Distance, case: Case) -> bool:
+    """Whether one of the two points has been placed by that given, and by no intersection."""
+    ends, given = {distance.first, distance.second}, set(find_names(distance.given))
+    trees = [step.tree for step in case.construction if step.point in ends]
+    placing = [tree for tree in trees if not _is_intersection(tree)]
+    return any(not given.isdisjoint(find_names(tree)) for tree in placing)
+
+
+def _is_intersection(tree: Expression) -> bool:
+    match tree:
+        case Call(function=function):
+            return function == "meet"
+        case Name() | Number() | Operation():
+            return False
+        case _:
+            assert_never(tree)
 
 
 def _list_stated(case: Case) -> Iterator[_Distance]:
