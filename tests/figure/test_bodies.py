@@ -148,18 +148,21 @@ def test_the_legs_of_a_stand_lead_over_the_sleeve_that_turns_on_it_up_to_the_pin
     assert layer(drawing, sleeve) < layer(drawing, stand) < layer(drawing, half)
 
 
-def test_the_bar_slides_over_the_pin_of_a_sleeve_with_an_arm() -> None:
+def test_the_pin_of_a_sleeve_with_an_arm_is_a_half_circle_beside_the_bar_away_from_the_arm() -> (
+    None
+):
     case = sleeve_with_arm()
     drawing, at = drawing_of(case), place(case, "B")
-    (sleeve,), (pin,) = blocks_about(drawing, at), circles_at(drawing, at)
+    (sleeve,), (half,) = blocks_about(drawing, at), half_circles(drawing)
     (through,) = [
         part
         for part in drawing.primitives
         if isinstance(part, Strokes) and part.pen == BOLD and runs_on_through(part, at)
     ]
-    assert layer(drawing, sleeve) < layer(drawing, pin) < layer(drawing, through)
-    assert BOLD.width / 2 + 0.5 < pin.radius < 1.6 - FIRM.width / 2  # half the sleeve's width
-    assert half_circles(drawing) == []
+    assert layer(drawing, sleeve) < layer(drawing, half) < layer(drawing, through)
+    assert circles_at(drawing, at) == []
+    toward = place(case, "D") - at
+    assert all((corner - at).dot(toward) < 0 for corner in half.corners)
 
 
 def test_a_bar_ends_at_the_pin_of_a_sleeve_not_at_what_slides_there() -> None:
@@ -264,7 +267,7 @@ def test_an_arm_ends_at_the_edge_of_its_sleeve_with_a_gusset_on_either_side() ->
     assert layer(drawing, arm) < layer(drawing, sleeve) < layer(drawing, bar)
     first, second = black_triangles_of(case)
     assert near(first.corners[0], second.corners[0])
-    assert hypot(*(first.corners[0] - at)) == pytest.approx(1.6)  # half the sleeve's width
+    assert hypot(*(first.corners[0] - at)) == pytest.approx(2.2)  # half the sleeve's width
     assert [angle_between(each) for each in (first, second)] == [pytest.approx(90.0)] * 2
 
 

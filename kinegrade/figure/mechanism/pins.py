@@ -31,7 +31,6 @@ _DOT_IN_MESH = 0.5  # millimetres of radius: it fits on a tooth
 _DOT_ON_BAR = 0.95  # millimetres of radius among teeth on a bar that is not its body's
 # Millimetres: the radius of a motor, and half the width of its neck there
 _HOUSING, _NECK = 2.3, 1.9
-_SWIVEL = 1.25  # millimetres of radius: seen on both sides of a bar, and within a slim sleeve
 _WELD = 5.5  # millimetres along the bar that carries it to the tip of its weld
 
 
@@ -73,36 +72,25 @@ def _draw_joint(anatomy: Anatomy, name: str) -> tuple[Primitive, ...]:
 
 def draw_swivels(anatomy: Anatomy) -> Iterator[Primitive]:
     """The pins about which sleeves turn: half circles beside the bars that slide through these,
-    towards the members pinned there, or circles beneath the bars where sleeves are slim.
+    towards the members pinned there.
     """
-    if are_sleeves_slim(anatomy):
-        for name in sorted(find_swivels(anatomy)):
-            yield Disc(anatomy.mechanism.points[name], _SWIVEL, FIRM, "white")
     for at, side in find_half_pins(anatomy):
         yield from draw_half_pin(at, side)
 
 
 def find_half_pins(anatomy: Anatomy) -> tuple[tuple[Vector, Vector], ...]:
     """The points of pins in sleeves that are half circles, each with the unit vector from the bar
-    to these.
+    to these; an arm that is welded to a sleeve is no such member.
     """
-    if are_sleeves_slim(anatomy):
-        return ()
+    arms = [arm for arm, _ in find_welded_arms(anatomy.parts, anatomy.symbols)]
     found = []
     for name, along in sorted(find_swivels(anatomy).items()):
         joined, _ = _find_members(anatomy, name)
-        ways = [(bar, unit(bar.end - bar.start)) for bar in joined]
+        ways = [(bar, unit(bar.end - bar.start)) for bar in joined if bar not in arms]
         pinned = [bar for bar, way in ways if abs(along.cross(way)) > NEAR]
         side = _find_side(anatomy, name, pinned, along)
         found.append((anatomy.mechanism.points[name], side))
     return tuple(found)
-
-
-def are_sleeves_slim(anatomy: Anatomy) -> bool:
-    """Whether an arm is welded to a sleeve, so that none of the figure is as wide as a half circle
-    beside its bar needs.
-    """
-    return any(find_welded_arms(anatomy.parts, anatomy.symbols))
 
 
 def find_swivels(anatomy: Anatomy) -> dict[str, Vector]:

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator
 from msgspec.structs import replace
 
 from kinegrade.figure.mechanism.anatomy import Anatomy
-from kinegrade.figure.mechanism.pins import are_sleeves_slim, find_swivels
+from kinegrade.figure.mechanism.pins import find_swivels
 from kinegrade.figure.mechanism.rails import OPENING, Leaving, Rail
 from kinegrade.figure.plane import NEAR, length
 from kinegrade.figure.scene import FIRM, Outline, Primitive, Strokes
@@ -27,10 +27,9 @@ from kinegrade.mechanics.vector import Vector
 def draw_sleeves(anatomy: Anatomy) -> Iterator[Primitive]:
     """The sleeves about bars, wider about a pin, which sits in one beside the bar."""
     at = [anatomy.mechanism.points[name] for name in find_swivels(anatomy)]
-    slim = are_sleeves_slim(anatomy)
     for sleeve in anatomy.sleeves:
         turns = any(length(sleeve.point - each) < NEAR for each in at)
-        width = SLEEVE_WIDTH if slim or not turns else WIDTH_ABOUT_PIN
+        width = WIDTH_ABOUT_PIN if turns else SLEEVE_WIDTH
         yield draw_block(sleeve.point, sleeve.direction, SLEEVE_LENGTH, width)
 
 

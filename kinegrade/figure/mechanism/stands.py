@@ -12,7 +12,6 @@ from kinegrade.errors import TemplateError
 from kinegrade.figure.joints.symbol import Rim, find_fixed_pins
 from kinegrade.figure.mechanism.anatomy import Anatomy
 from kinegrade.figure.mechanism.plates import Plate
-from kinegrade.figure.mechanism.straight.gussets import find_welded_arms
 from kinegrade.figure.mechanism.straight_parts import (
     Bar,
     GenevaWheel,
@@ -76,7 +75,7 @@ def draw_stands(anatomy: Anatomy) -> Iterator[Primitive]:
     }
     for name in fixed:
         bare = name in wheels or name in anatomy.knife_edges
-        if not bare and not _stands_before_sleeve(at[name], anatomy):
+        if not bare and not _turns_a_sleeve(at[name], anatomy):
             yield from draw_pivot(at[name], choose_upright(name, anatomy))
 
 
@@ -86,7 +85,7 @@ def draw_stands_of_sleeves(anatomy: Anatomy) -> Iterator[Primitive]:
     """
     at = anatomy.mechanism.points
     for name in find_fixed_pins(anatomy.symbols):
-        if name not in anatomy.knife_edges and _stands_before_sleeve(at[name], anatomy):
+        if name not in anatomy.knife_edges and _turns_a_sleeve(at[name], anatomy):
             yield from draw_pivot(at[name], choose_upright(name, anatomy))
 
 
@@ -115,14 +114,8 @@ def _choose_height(anatomy: Anatomy) -> float:
 
 
 def _turns_a_sleeve(at: Vector, anatomy: Anatomy) -> bool:
+    """Whether a sleeve turns about a fixed pin, which is seen in it beside its bar."""
     return any(length(sleeve.point - at) < 1.0 for sleeve in anatomy.sleeves)
-
-
-def _stands_before_sleeve(at: Vector, anatomy: Anatomy) -> bool:
-    """Whether a fixed pin is seen in a sleeve: in a slim one it is beneath the bar."""
-    return _turns_a_sleeve(at, anatomy) and not any(
-        find_welded_arms(anatomy.parts, anatomy.symbols)
-    )
 
 
 def _measure_hindrance(at: Vector, upright: Vector, anatomy: Anatomy) -> float:

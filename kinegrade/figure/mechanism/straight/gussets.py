@@ -12,9 +12,9 @@ from msgspec import Struct
 from kinegrade.figure.joints.symbol import Symbol
 from kinegrade.figure.mechanism.straight.welded_rods import is_welded
 from kinegrade.figure.mechanism.straight_parts import Bar, Part, Rod, is_slender, list_ways
-from kinegrade.figure.plane import length, unit
+from kinegrade.figure.plane import NEAR, length, unit
 from kinegrade.figure.scene import Outline, Primitive
-from kinegrade.figure.symbols import SLEEVE_WIDTH
+from kinegrade.figure.symbols import SLEEVE_WIDTH, WIDTH_ABOUT_PIN
 from kinegrade.mechanics.joints import Line
 from kinegrade.mechanics.vector import Vector
 
@@ -49,7 +49,7 @@ def find_corners(
         if one.body == other.body
         for corner in _find_corners_between(one, other, pins)
     ]
-    arms = [corner for arm in find_welded_arms(parts, symbols) for corner in _weld(*arm)]
+    arms = [corner for arm in find_welded_arms(parts, symbols) for corner in _weld(*arm, pins)]
     rods = [part for part in parts if isinstance(part, Rod)]
     bars = [part for part in parts if isinstance(part, Bar)]
     welded = [
@@ -96,10 +96,15 @@ def _choose_leg_under_pin(one: Vector, other: Vector) -> float:
     return max(_PINNED_LEG, min(_LONG_LEG, _BEYOND_PIN / chord))
 
 
-def _weld(arm: Bar | Rod, sleeve: Line) -> Iterator[Corner]:
+def _weld(arm: Bar | Rod, sleeve: Line, pins: Set[Vector]) -> Iterator[Corner]:
+    """The two corners of an arm with the edge of its sleeve, which is wider where that turns about
+    one of the pins.
+    """
+    turns = any(length(sleeve.point - pin) < NEAR for pin in pins)
+    half = (WIDTH_ABOUT_PIN if turns else SLEEVE_WIDTH) / 2
     (way,) = list_ways(arm, sleeve.point)
     toward, along = unit(way), unit(sleeve.direction)
-    edge = sleeve.point + toward * (SLEEVE_WIDTH / 2 / abs(toward.cross(along)))
+    edge = sleeve.point + toward * (half / abs(toward.cross(along)))
     for side in (along, -along):
         yield Corner(edge, (toward, side), _SLEEVE_LEG)
 
