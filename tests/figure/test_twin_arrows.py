@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from math import hypot
+from math import hypot, radians
 
 import pytest
 from msgspec import structs
@@ -12,9 +12,9 @@ from kinegrade.figure.marks.straight.arrow_places import Site
 from kinegrade.figure.marks.straight.motions import add_motions, list_likely_motions
 from kinegrade.figure.mechanism.block_sizes import BlockSize
 from kinegrade.figure.mechanism.rails import Rail
-from kinegrade.figure.mechanism.straight_parts import Rod
+from kinegrade.figure.mechanism.straight_parts import Bar, Rod
 from kinegrade.figure.placing.layout import Layout
-from kinegrade.figure.plane import nearest_of
+from kinegrade.figure.plane import length, nearest_of, polar
 from kinegrade.figure.scene import BOLD, FIRM, THIN, Bow, Disc, Strokes
 from kinegrade.mechanics.vector import Vector
 from tests.figure.test_places_of_arrows import BOTH, RIGHT, lay_floor, list_shafts, slider
@@ -39,6 +39,18 @@ def test_two_arrows_of_one_sense_leave_their_pin_on_either_side_of_its_line(sens
         assert (end.x - start.x) * sense > 7.0
     assert (one[0].y - at.y) * (other[0].y - at.y) < 0
     assert abs(abs(one[1].x - at.x) - abs(other[1].x - at.x)) > 4.0
+
+
+@pytest.mark.parametrize("slope", [-60, -30, 30, 60])
+def test_a_bar_that_leaves_the_pin_hides_no_tail_and_crosses_no_arrow(slope: float) -> None:
+    mechanism = slider(1, 1)
+    at = mechanism.points["B"]
+    bar = Bar("AB", at, at + polar(radians(slope), 30.0))
+    layout = Layout.of([Strokes(((bar.start, bar.end),), BOLD)])
+    layout = add_motions(layout, Site(mechanism, (), (bar,)), BOTH)
+    (first, _), (second, _) = list_shafts(layout)
+    assert first.y == pytest.approx(at.y)
+    assert length(second - nearest_of(second, bar.start, bar.end)) > 2.0
 
 
 def test_on_the_ground_both_keep_off_it_and_the_long_one_is_next_to_it() -> None:

@@ -13,7 +13,7 @@ from kinegrade.figure.marks.straight.moving_arrow import ARROW, LEAVING, MovingA
 from kinegrade.figure.marks.straight.twin_arrows import AT_END, IN_BLOCK, Stance, list_twins
 from kinegrade.figure.marks.straight.twin_arrows import AT_PIN as TWINS_AT_PIN
 from kinegrade.figure.mechanism.rails import Rail
-from kinegrade.figure.mechanism.straight_parts import Part, Rod
+from kinegrade.figure.mechanism.straight_parts import Bar, Part, Rod, is_slender, list_ways
 from kinegrade.figure.placing.mark import direction
 from kinegrade.figure.plane import NEAR, length, mean, unit
 from kinegrade.figure.symbols import PIN
@@ -43,6 +43,8 @@ _FREER = 3.0  # millimetres by which the mechanism lies on one side for the othe
 _FROM_END = 6.0  # demerit of an arrow from the free end of a rod
 _ROOM_BELOW = 2.0  # millimetres from a point without a block to its ground, as of a rack, for twins
 _PAIR = 2  # motions of one point that may be twins
+# Cosine of the angle between a motion and a bar from its point under which no twins have room
+_AHEAD_OF_PIN = 0.3
 _SAME = 1e-3  # between two unit vectors of one direction
 
 # The ways to draw an arrow, by those of its point that are placed
@@ -58,7 +60,8 @@ class Site(Struct, frozen=True):
 
     def list_plans(self, hints: Sequence[Moving]) -> Iterator[Sequence[Ways]]:
         """What each of the motions of a point may be drawn as: arrows by themselves first, then
-        two in one sense as twins, from each place where such an arrow may begin.
+        two in one sense as twins, from each place where such an arrow may begin and no bar lies
+        in their way.
         """
         usual = [self._list_arrows(hint) for hint in hints]
         yield [partial(_list_among, ways) for ways in usual]
@@ -70,6 +73,8 @@ class Site(Struct, frozen=True):
             own = self.find_rails(first.point)
             at_end = first.point != self.mechanism.points[hints[0].point]
             stance = AT_END if at_end else IN_BLOCK if own else TWINS_AT_PIN
+            if stance == TWINS_AT_PIN and self._has_bar_in_lanes(first.point, first.toward):
+                continue
             if not any(rail.bare and rail.level < _ROOM_BELOW for rail in own):
                 side = -own[0].side if own else self._find_open_side(first.point, first.toward)
                 twins = partial(_list_twins_of, side=side, stance=stance)
@@ -129,6 +134,12 @@ class Site(Struct, frozen=True):
             if isinstance(part, Rod) and part.body in bodies:
                 steps = ((end, end - at) for end in part.free)
                 yield from (end for end, step in steps if length(unit(step) - toward) < _SAME)
+
+    def _has_bar_in_lanes(self, at: Vector, toward: Vector) -> bool:
+        """Whether a slender bar leaves a pin so that it hides the tail of a twin, or crosses it."""
+        bars = (part for part in self.parts if isinstance(part, Bar) and is_slender(part))
+        ways = (unit(way) for bar in bars for way in list_ways(bar, at))
+        return any(way.dot(toward) > _AHEAD_OF_PIN for way in ways)
 
     def _find_open_side(self, point: Vector, toward: Vector) -> Vector:
         """The unit vector across a motion away from the mechanism, where that lies on one side."""
