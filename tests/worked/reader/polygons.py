@@ -31,7 +31,8 @@ _BETWEEN = 2.0  # millimetres by which a symbol longer than its arrow may be nea
 _LEAVES = 0.4  # millimetres from a label to the leader that leaves it
 _UNDRAWN = 0.01  # of the longest vector: shorter ones are not drawn
 _FORMULA = re.compile(r"\$[^$]*\$")
-_ORIGIN = 0.5  # millimetres, radius of the dot at the origin
+_ORIGIN = 0.4  # millimetres, radius of the dot at the origin
+_WIDTH = 0.4  # millimetres: a vector no longer than a line is wide is not drawn either
 
 
 @dataclass(frozen=True)
@@ -92,7 +93,7 @@ def _measure_undrawn(caption: str, arrows: Iterable[_Arrow]) -> float:
     to them leads past them.
     """
     longest = max((arrow.length for arrow in arrows), default=0.0)
-    return _UNDRAWN * longest * len(_FORMULA.findall(caption))
+    return max(_UNDRAWN * longest, _WIDTH) * len(_FORMULA.findall(caption))
 
 
 def _read_scale_unit(caption: str) -> float:
@@ -226,7 +227,9 @@ def _follow_leader(label: Label, arrows: tuple[_Arrow, ...], scene: Scene) -> tu
             case Strokes(lines=((start, end),)) if part.pen == THIN:
                 if _measure_gap(label, _Arrow(start, start)) < _LEAVES:
                     dot = Label("", end, 0.0, 0.0)
-                    return tuple(arrow for arrow in arrows if _measure_gap(dot, arrow) < _APART)
+                    least = min(_measure_gap(dot, arrow) for arrow in arrows)
+                    near = least + _APART  # of an outline, whose edge is beside its middle
+                    return tuple(arrow for arrow in arrows if _measure_gap(dot, arrow) <= near)
     return arrows
 
 

@@ -16,7 +16,13 @@ from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
 
 RING = 2.4  # millimetres of material around a circle that encloses others
-_MARGINS: Mapping[Kind, float] = {"slot": BAR_WIDTH / 2, "gear": TOOTH_TIP}
+_MARGINS: Mapping[Kind, float] = {
+    "wheel": 0.0,
+    "gear": TOOTH_TIP,
+    "slot": BAR_WIDTH / 2,
+    "cam": 0.0,
+    "edge": 0.0,
+}
 _STEPS = 180  # corners of a circle within an outline, two degrees apart
 
 
@@ -39,7 +45,7 @@ def find_outer_radius(rim: Rim) -> float:
     """The radius of a circle with the material outside it: of a ring, about a slot, of teeth."""
     if rim.ring:
         return rim.radius + RING
-    return rim.radius + _MARGINS.get(rim.kind, 0.0)
+    return rim.radius + _MARGINS[rim.kind]
 
 
 def trace_around(rims: Sequence[Rim]) -> tuple[Vector, ...]:
