@@ -174,3 +174,16 @@ def test_the_places_of_two_arrows_to_come_are_on_either_side_of_their_line() -> 
     at = mechanism.points["B"]
     levels = [start.y - at.y for start, _ in list_likely_motions(Site(mechanism), BOTH)]
     assert levels == [0.0, 0.0, pytest.approx(1.0), pytest.approx(-1.0)]
+
+
+@pytest.mark.parametrize("slope", [25, 33, 41, 50])
+def test_an_arrow_just_above_the_ground_begins_in_the_bar_over_it(slope: float) -> None:
+    mechanism = slider(1, 1)
+    at = mechanism.points["B"]
+    bar = Bar("AB", at, at + polar(radians(slope), 30.0))
+    floor = Rail(at, RIGHT, -UP, at - RIGHT * 12, at + RIGHT * 12, 0.0, None)
+    lines = Strokes(((bar.start, bar.end), (floor.start, floor.end)), BOLD)
+    layout = add_motions(Layout.of([lines]), Site(mechanism, [floor], (bar,)), BOTH[:1])
+    ((start, end),) = list_shafts(layout)
+    assert start.y == end.y > at.y
+    assert length(start - nearest_of(start, bar.start, bar.end)) < 0.1

@@ -108,10 +108,11 @@ class Site(Struct, frozen=True):
             for (gap, leave, size), worse in _AHEAD.items()
         ]
         ahead += [
-            replace(arrow, start=arrow.start + step, demerit=arrow.demerit + _OFF_GROUND)
+            replace(arrow, start=start, demerit=arrow.demerit + _OFF_GROUND)
             for step in self.list_ways_off_ground(point)
             for arrow in ahead
             if abs(step.dot(toward)) < NEAR
+            for start in (self._start_at_bar(arrow.start + step, point, toward),)
         ]
         ahead += [
             MovingArrow(end + toward * AT_END.tail, toward, hint, _FROM_END, end)
@@ -126,6 +127,21 @@ class Site(Struct, frozen=True):
         ]
         return [*ahead, *beside]
 
+    def _start_at_bar(self, start: Vector, point: Vector, toward: Vector) -> Vector:
+        """The start of an arrow above the ground: in a bar that leaves its point over it, so that
+        no tail sticks out behind that.
+        """
+        for way in self._list_bars_from(point):
+            ahead = (start - point).cross(way) / way.cross(toward) if way.dot(toward) > NEAR else 0
+            if ahead > 0:
+                return start + toward * ahead
+        return start
+
+    def _list_bars_from(self, point: Vector) -> list[Vector]:
+        """The unit vectors along the slender bars that leave a point."""
+        bars = (part for part in self.parts if isinstance(part, Bar) and is_slender(part))
+        return [unit(way) for bar in bars for way in list_ways(bar, point)]
+
     def _list_rod_ends(self, name: str, toward: Vector) -> Iterator[Vector]:
         """The free ends ahead of a point of the rods that translate with it."""
         at = self.mechanism.points[name]
@@ -137,9 +153,7 @@ class Site(Struct, frozen=True):
 
     def _has_bar_in_lanes(self, at: Vector, toward: Vector) -> bool:
         """Whether a slender bar leaves a pin so that it hides the tail of a twin, or crosses it."""
-        bars = (part for part in self.parts if isinstance(part, Bar) and is_slender(part))
-        ways = (unit(way) for bar in bars for way in list_ways(bar, at))
-        return any(way.dot(toward) > _AHEAD_OF_PIN for way in ways)
+        return any(way.dot(toward) > _AHEAD_OF_PIN for way in self._list_bars_from(at))
 
     def _find_open_side(self, point: Vector, toward: Vector) -> Vector:
         """The unit vector across a motion away from the mechanism, where that lies on one side."""
