@@ -69,6 +69,8 @@ def test_a_composition_of_velocities() -> None:
             O_{1}A,\curvearrowleft$
         [=] \boldsymbol{v}_{\mathrm{e}} | ? $(OA \cdot \omega)$ | $\perp OA,\curvearrowleft$
         [+] \boldsymbol{v}_{\mathrm{r}} | ? | $O \to B$
+        In the polygons a small letter marks the tip of the velocity or acceleration of the point
+            with that letter, laid off from $o$.
         In the polygon, $a'$ denotes the point of $OB$ that coincides with $A$.
         $OB$ makes the acute angle $\psi_{OB}$ with the $x$ axis:
         \tan\psi_{OB} &= \frac{y_{B}}{x_{B}} = \frac{6\,\unit{m}}{8\,\unit{m}} = 0.75
@@ -142,6 +144,8 @@ def test_a_composition_of_velocities_in_a_translating_frame() -> None:
         [ ] \boldsymbol{v}_{\mathrm{a}} | $OC \cdot \omega_{OC} = 10\,\unit{m/s}$ | $\perp OC,\curvearrowleft$
         [=] \boldsymbol{v}_{D} | ? | $+x$
         [+] \boldsymbol{v}_{\mathrm{r}} | ? | $+y$
+        In the polygons a small letter marks the tip of the velocity or acceleration of the point
+            with that letter, laid off from $o$.
         Block translates: all its points have the same velocity.
         In the polygon, $c'$ denotes the point of block that coincides with $C$.
         $OC$ makes the acute angle $\psi_{OC}$ with the $x$ axis:

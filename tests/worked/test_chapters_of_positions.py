@@ -27,6 +27,8 @@ def test_circles_that_meet() -> None:
     solution = solve_small(FOUR_BAR, x_B="x(B) in m")
     assert read_chapter("# Positions", solution) == as_read(
         r"""
+        Numbers after $\approx$ are rounded, to 4 significant digits and angles to 2 decimals; where
+            they are put in, they count in full.
         $O$ is the origin of the coordinates.
         Coordinates of $C$, $A$:
         x_{C} &= 8\,\unit{m}
@@ -34,8 +36,8 @@ def test_circles_that_meet() -> None:
         x_{A} &= 0
         y_{A} &= 6\,\unit{m}
         $B$ lies on the circle about $A$ of radius $6$ and on the circle about $C$ of radius $8$, on
-            the left of the line from $A$ to $C$. In the triangle $ACB$ all sides are known; the law
-            of cosines gives its angle at $A$:
+            the left of the line from $A$ to $C$. The law of cosines in the triangle $ACB$ gives its
+            angle at $A$:
         AC &= \sqrt{x_{C}^{2} + y_{A}^{2}} = \sqrt{(8\,\unit{m})^{2} + (6\,\unit{m})^{2}} =
             10\,\unit{m}
         \cos\angle CAB &= \frac{36 + AC^{2} - 64}{2 \cdot 6AC} = \frac{36 + (10\,\unit{m})^{2} -

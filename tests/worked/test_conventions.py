@@ -25,7 +25,23 @@ def test_letters_and_the_sign_of_a_turn_are_explained_before_the_first_table() -
     (place,) = (at for at, text in enumerate(map(str, blocks)) if LETTERS in text)
     assert isinstance(blocks[place - 1], Heading)
     assert place < next(at for at, one in enumerate(blocks) if isinstance(one, TermTable))
-    assert r"$\perp$ with $\curvearrowleft$: turned counter-clockwise" in "".join(proses(blocks))
+    (legend,) = (text for text in proses(blocks) if LETTERS in text)
+    turned = (
+        r"$\perp$ with $\curvearrowleft$: turned through $90^\circ$ counter-clockwise from what"
+    )
+    assert turned in legend
+
+
+def test_arrows_clockwise_are_explained_where_a_table_has_one() -> None:
+    both = (
+        r"$\perp$ with $\curvearrowleft$ or $\curvearrowright$: turned through $90^\circ$ "
+        "counter-clockwise or clockwise from what is named"
+    )
+    explained = {
+        name: any(both in text for text in proses(kept(name)))
+        for name in ("rotary-engine", "five-bar-two-driven-cranks")
+    }
+    assert explained == {"rotary-engine": False, "five-bar-two-driven-cranks": True}
 
 
 def test_how_gears_mesh_says_in_which_sense_they_turn() -> None:

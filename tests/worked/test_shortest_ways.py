@@ -74,9 +74,12 @@ def test_a_line_makes_one_angle_and_has_one_length_whatever_the_order_of_its_poi
     told = displayed(kept("crank-bar-through-sleeve-with-arm"))
     assert len([line for line in told if line.startswith(r"\tan\psi")]) == 1
     assert not [line for line in told if line.startswith("BA &=")]
-    assert not any(
-        text.startswith("Here") for text in proses(kept("rolling-wheel-pin-slotted-rocker"))
-    )
+    # no "Here $BD = DB" beside them
+    texts = proses(kept("rolling-wheel-pin-slotted-rocker"))
+    assert [text for text in texts if "Here" in text] == [
+        r"Here $\boldsymbol{v}_{\mathrm{a}} = \boldsymbol{v}_{B}$.",
+        r"Here $\boldsymbol{a}_{\mathrm{a}} = \boldsymbol{a}_{B}$.",
+    ]
 
 
 def test_the_radius_of_a_circle_on_which_a_point_moves_is_told() -> None:
@@ -95,8 +98,11 @@ def test_a_point_that_only_draws_a_level_track_is_not_placed() -> None:
 
 def test_a_point_of_contact_is_placed_for_points_that_turn_about_it_alone() -> None:
     solution = drawn("slider-driven-gear-on-rack")[0]
-    page = write_worked_solution(solution, ("v_A", "omega_O"), "en").blocks
-    assert not any(line.startswith("x_{C} &=") for line in displayed(page))
+    turning = displayed(write_worked_solution(solution, ("omega_O",), "en").blocks)
+    assert not any("_{C} &=" in line for line in turning)
+    rim = displayed(write_worked_solution(solution, ("v_A", "omega_O"), "en").blocks)
+    assert any(line.startswith(r"v_{A,x} &= -\omega_{O}(y_{A} - y_{C})") for line in rim)
+    assert any(line.startswith("y_{C} &= -r") for line in rim)
     assert not find_lines("rolling-wheel-pin-slotted-rocker", "x_{P} &=")
     assert find_lines("wheel-on-circular-track", "x_{D} &=")
 

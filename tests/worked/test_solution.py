@@ -367,7 +367,7 @@ def test_a_known_vector_told_negative_stands_between_bars() -> None:
         ("flat-faced-follower-eccentric-circle", "So $C$ serves as the moving point."),
         (
             "five-bar-two-driven-cranks",
-            "$C$ about the base point $A$ of $AC$ and $B$ about the base point $C$ of $BC$.",
+            "$C$ from the base point $A$ of $AC$ and $B$ from the base point $C$ of $BC$.",
         ),
         (
             "guided-rack-and-gear",

@@ -61,4 +61,4 @@ def test_what_is_given_of_a_body_in_translation_is_told_of_the_body() -> None:
 
 def test_an_acceleration_against_the_velocity_is_told_of_the_body_too() -> None:
     told = tuple(lines(kept("scotch-yoke-driven-by-guide", 1)))
-    assert any(line.startswith("Given: the acceleration of the yoke, here pos") for line in told)
+    assert "Given: the acceleration of the yoke, taken positive to the right." in told
