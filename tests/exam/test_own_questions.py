@@ -137,7 +137,7 @@ def test_units_are_converted_and_angles_are_angles(tmp_path: Path) -> None:
     solution = read_pdf(exam / "solutions" / "1001.pdf")
     assert "InSIunits:u=72km/h=20m/sd=500mm=0.5m" in solution
     assert "20m/s⋅cos60°=10m/s" in solution
-    assert "2π2s≈3.141593rad/s" in solution
+    assert "2π2s≈3.142rad/s" in solution
     assert "1.571m/s≈157.1cm/s" in solution
 
 

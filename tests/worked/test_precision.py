@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
 from kinegrade.worked.formulas.equation import Equation, approximate, equate
@@ -34,6 +36,13 @@ def test_digits_beyond_the_fourth_need_not_be_those_of_printed_numbers() -> None
     product = say(measure(NEAR / 3, "m").dot(measure(3, "m")), NEAR)
     difference = say(measure(NEAR, "m") - measure(0.7, "m"), NEAR - 0.7)
     assert find_more_digits([product, difference]) == 1
+
+
+def test_a_result_told_in_another_unit_too_takes_no_more() -> None:
+    """1.571 m/s beside 157.1 cm/s was taken for a loss, and all numbers had seven digits."""
+    product = say(measure(NEAR / 3, "m").dot(measure(3, "m")), NEAR)
+    told_twice = replace(product, links=(*product.links, *approximate(measure(100 * NEAR, "cm"))))
+    assert find_more_digits([told_twice]) == 0
 
 
 def test_an_angle_is_compared_in_degrees() -> None:

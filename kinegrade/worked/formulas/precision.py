@@ -61,8 +61,10 @@ def _list_workings(equation: Equation) -> Iterator[_Working]:
             if is_exact(formula):  # it says nothing of what leads to it
                 continue
             numbers = formula if is_numeric(formula) and any(_list_rounded(formula)) else None
-        elif numbers is not None and float(result.digits):
-            yield _Working(numbers, result, "deg" in _list_units(formula))
+        elif numbers is not None:
+            if float(result.digits):
+                yield _Working(numbers, result, "deg" in _list_units(formula))
+            numbers = None  # a decimal that follows is this one in another unit
 
 
 def _list_rounded(formula: Formula) -> Iterator[Number]:
