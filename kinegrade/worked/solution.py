@@ -32,6 +32,7 @@ from kinegrade.worked.conventions import find_conventions, state_rounding
 from kinegrade.worked.document import Block, Heading, WorkedSolution
 from kinegrade.worked.economy import leave_out_unused
 from kinegrade.worked.findings import Findings, Ways
+from kinegrade.worked.formulas.equation import Equation
 from kinegrade.worked.formulas.precision import find_more_digits
 from kinegrade.worked.formulas.symbols import read_symbol
 from kinegrade.worked.numbering import number_steps
@@ -86,7 +87,9 @@ def _write(case: Case, asked: Sequence[Ask], method: Method | None) -> WorkedSol
     boxes = AnswerBoxes.around(asked, case)
     if not case.template.scheme.has_mechanism:
         with case.arithmetic.context():
-            return WorkedSolution(tuple(boxes.frame(explain_steps(asked, case, boxes))))
+            steps = tuple(boxes.frame(explain_steps(asked, case, boxes)))
+        rounded = any(map(_is_rounded, case.findings.printed))
+        return WorkedSolution(tuple(_say_rounding(iter(steps), case)) if rounded else steps)
     # Centrodes are worked out at other poses too: in the precision of this one
     with case.arithmetic.context():
         framed = tuple(boxes.frame(_write_blocks(case, asked, boxes)))
@@ -158,6 +161,10 @@ def _head_positions(blocks: Sequence[Block], case: Case) -> Iterator[Block]:
     if blocks:
         yield Heading(case.write(Message("solution.positions")), 1)
         yield from blocks
+
+
+def _is_rounded(equation: Equation) -> bool:
+    return any(link.relation == r"\approx" for link in equation.links)
 
 
 def _say_rounding(blocks: Iterator[Block], case: Case) -> Iterator[Block]:

@@ -121,6 +121,7 @@ def test_the_solution_goes_by_the_steps_in_symbols_and_in_numbers(car: Path) -> 
     solution = read_pdf(car / "solutions" / "1001.pdf")
     assert "v=at=2m/s2⋅5s=10m/s" in solution
     assert "s=vt2=10m/s⋅5s2=25m" in solution
+    assert "rounded" not in solution  # nothing is
 
 
 def test_units_are_converted_and_angles_are_angles(tmp_path: Path) -> None:
@@ -135,6 +136,7 @@ def test_units_are_converted_and_angles_are_angles(tmp_path: Path) -> None:
         "psi": "105",  # 60° and an eighth of a turn
     }
     solution = read_pdf(exam / "solutions" / "1001.pdf")
+    assert "Numbersafter≈arerounded,to4significantdigits" in solution
     assert "InSIunits:u=72km/h=20m/sd=500mm=0.5m" in solution
     assert "20m/s⋅cos60°=10m/s" in solution
     assert "2π2s≈3.142rad/s" in solution
