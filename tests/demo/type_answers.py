@@ -45,7 +45,11 @@ UNREADABLE: dict[tuple[str, str], str] = {
 }
 WRONG_UNIT: dict[tuple[str, str], str] = {("u7204431", "q2.omega_II"): "7.5 m/s"}
 # A decimal comma, as in the same student's other answers
-CERTAIN: dict[tuple[str, str], str] = {("20220368", "q3.a_cor_y"): "1,234"}
+CERTAIN: dict[tuple[str, str], str] = {
+    ("0241289", "q1.a_B"): "-2,640 m/s^2",
+    ("0241289", "q4.alpha_AB"): "22,836",
+    ("20220368", "q3.a_cor_y"): "1,234",
+}
 DOUBTFUL: dict[tuple[str, str], str] = {
     ("20220518", "q2.v_C_x"): "8.887",
     ("0241211", "q1.a_B"): "6.416",

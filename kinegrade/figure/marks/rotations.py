@@ -78,8 +78,8 @@ def add_rotations(
         centre = find_turning_centre(mechanism, hint, drawing)
         lines = find_extension_angles(mechanism.points, lengths, centre, layout.obstacles)
         pins = [at for at in mechanism.points.values() if length(at - centre) < _ABOUT]
-        company = replace(_find_company(layout, hint, drawing, centre, lines), pins=tuple(pins))
-        company = replace(company, letters=widen_written(layout, lengths))
+        company = _find_company(layout, hint, drawing, centre, lines)
+        company = replace(company, pins=tuple(pins), letters=widen_written(layout, lengths))
         around = _find_claims(layout, pins, drawing, hint.body, centre)
         followed = any(later.body == hint.body for later in hints[number + 1 :])
         ways = _list_arrows(mechanism, hint, centre, drawing, followed=followed)
@@ -90,6 +90,15 @@ def add_rotations(
         rate = partial(TurningArrow.among, company=company, around=around)
         layout, _ = layout.chosen(ways, (*spared[-1], *likely), rate)
         arrows += [mark for mark in layout.marks[-1:] if isinstance(mark, TurningArrow)]
+    return _write_symbols(layout, arrows, spared)
+
+
+def _write_symbols(
+    layout: Layout, arrows: Sequence[TurningArrow], spared: Sequence[Sequence[Primitive]]
+) -> Layout:
+    """The layout with the symbols of all arrows, each apart from the others and from the letters
+    that were spared for it.
+    """
     for arrow, letters in zip(arrows, spared, strict=True):
         others = [other for other in arrows if other != arrow]
         layout = layout.captioned(arrow.wish_apart(others), letters)
