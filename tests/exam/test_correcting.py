@@ -32,6 +32,17 @@ def correct(exam: Path, *changes: tuple[str, str], options: tuple[str, ...] = ()
     return kinegrade("reprint", exam, "--template", file, "--jobs", "1", *options)
 
 
+def mark_before_and_after(exam: Path) -> Path:
+    """The folder with OLD and NEW, the marks by the key before and after a correction of it."""
+    folder = exam.parent
+    (folder / "answers.csv").write_text("student,q2.v_y\n007,4\n", encoding="utf-8")
+    mark = ("grade", exam, folder / "answers.csv", "-o")
+    assert kinegrade(*mark, folder / "OLD").exit_code in (0, 1)
+    assert correct(exam, OTHER_ANSWER, options=("--accept-changes",)).exit_code == 1
+    assert kinegrade(*mark, folder / "NEW").exit_code in (0, 1)
+    return folder
+
+
 def read(paper: Path) -> str:
     return read_text(paper)
 
@@ -134,12 +145,7 @@ def test_the_bank_as_it_was_before_the_key_was_corrected_is_told(exam: Path) -> 
 
 
 def test_marks_given_before_a_correction_of_the_key_are_not_used(exam: Path) -> None:
-    folder = exam.parent
-    (folder / "answers.csv").write_text("student,q2.v_y\n007,4\n", encoding="utf-8")
-    mark = ("grade", exam, folder / "answers.csv", "-o")
-    assert kinegrade(*mark, folder / "OLD").exit_code in (0, 1)
-    assert correct(exam, OTHER_ANSWER, options=("--accept-changes",)).exit_code == 1
-    assert kinegrade(*mark, folder / "NEW").exit_code in (0, 1)
+    folder = mark_before_and_after(exam)
     said = (
         f"error: {folder}/OLD: the key of the exam was corrected, or papers changed hands, after "
         "these marks - expected marks by the key as it is now - mark all answers again with kinegrade grade"
@@ -164,12 +170,7 @@ def test_marks_given_before_a_correction_of_the_key_are_not_used(exam: Path) -> 
 
 
 def test_marks_by_the_key_before_and_after_a_correction_are_not_merged(exam: Path) -> None:
-    folder = exam.parent
-    (folder / "answers.csv").write_text("student,q2.v_y\n007,4\n", encoding="utf-8")
-    mark = ("grade", exam, folder / "answers.csv", "-o")
-    assert kinegrade(*mark, folder / "OLD").exit_code in (0, 1)
-    assert correct(exam, OTHER_ANSWER, options=("--accept-changes",)).exit_code == 1
-    assert kinegrade(*mark, folder / "NEW").exit_code in (0, 1)
+    folder = mark_before_and_after(exam)
     merge = ("--prefer", "better", "-o", folder / "ALL")
     for both in (("OLD", "NEW"), ("NEW", "OLD")):
         done = kinegrade("merge", *(folder / name for name in both), *merge)

@@ -13,6 +13,7 @@ from kinegrade.mechanics.joints import (
     Sleeve,
     Slide,
 )
+from kinegrade.mechanics.joints.constraint import Constraint
 from kinegrade.mechanics.motion import solve_motion
 from tests.laws.position import moving
 from tests.mechanics.writing import Paper, X, Y
@@ -303,3 +304,9 @@ def test_redundant_joints_that_agree_the_elliptic_trammel_with_both_slots_and_it
         0,
     )  # x = 10 cos(phi): -omega^2 x - alpha*8
     assert abs(moving(mechanism).acceleration["A", "AB"][0] + 32) < 1e-9
+
+
+def test_a_joint_has_to_say_how_it_relates_rates_if_only_not_at_all() -> None:
+    """One that forgot it would leave its mechanism free, and be refused by another's name."""
+    assert "relate_rates" in Constraint.__abstractmethods__
+    assert "relate_rates" not in Pin.__abstractmethods__

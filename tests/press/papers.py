@@ -92,3 +92,15 @@ def key_book(papers: int) -> KeyBook:
         KeyPaper(f"{index:05}", "张喆", f"A-{index:04}", (KEY_ENTRY,)) for index in range(papers)
     )
     return KeyBook("en", "Theoretical Mechanics", "Key", "INSTRUCTOR ONLY", students)
+
+
+# Papers of a class of unlike lengths, in two languages and in large print
+SHORT, LONG = ENGLISH, replace(ENGLISH, questions=ENGLISH.questions * 5)
+UNEVEN = {
+    "early": SHORT,
+    "long": LONG,
+    "late": replace(SHORT, code="B-0002"),
+    "chinese": CHINESE,
+    "large": replace(LONG, large=True),
+}
+BOUNDS = [(None, 0), (None, 3), (1, 3), (3, 0)]  # pages asked for, and those of earlier papers

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Self
 
 from kinegrade.language.message import Message
-from kinegrade.mechanics.joints.constraint import Constraint
+from kinegrade.mechanics.joints.constraint import Unrelated
 from kinegrade.mechanics.joints.touching import find_wrong_distance
 from kinegrade.mechanics.laws import Condition, GuidedPoint
 from kinegrade.mechanics.sentence import OF, JointParts
@@ -17,7 +17,7 @@ from kinegrade.numbers.number import Arithmetic
 
 
 @dataclass(frozen=True)
-class Arc(Constraint):
+class Arc(Unrelated):
     """`point` of `body` stays on a circle fixed in the body `of`; the centre is a point of `of`."""
 
     PATTERN = rf"(?P<point>\w+) of (?P<body>\w+) stays on (?P<on>circle\(.+\)){OF}"

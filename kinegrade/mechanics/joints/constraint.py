@@ -62,15 +62,15 @@ class Constraint(Element):
         """The same, listed once."""
         return self.list_conditions()
 
+    @abstractmethod
     def relate_rates(
         self, number: int, points: Mapping[str, Vector], guided: Rate | None
     ) -> Law | None:
-        """How else it relates turning rates, as the joint of that number in its mechanism: not at
-        all.
+        """How else it relates turning rates, as the joint of that number in its mechanism; None
+        where it does not.
 
         `guided` is the rate of the point that it guides.
         """
-        return None
 
     @abstractmethod
     def find_misfits(
@@ -85,3 +85,13 @@ class Constraint(Element):
     def list_circles(self) -> tuple[Circle, ...]:
         """The circles that it refers to."""
         return tuple(shape for shape in self.list_shapes() if isinstance(shape, Circle))
+
+
+class Unrelated(Constraint):
+    """A joint that relates no turning rates beyond its conditions, and says so."""
+
+    def relate_rates(
+        self, number: int, points: Mapping[str, Vector], guided: Rate | None
+    ) -> Law | None:
+        """Not at all."""
+        return None

@@ -6,13 +6,14 @@ from dataclasses import dataclass
 from typing import Self
 
 from kinegrade.language.message import Message
+from kinegrade.mechanics.joints.constraint import Unrelated
 from kinegrade.mechanics.joints.touching_pair import TouchingPair
 from kinegrade.mechanics.sentence import INSIDE, OF, ON_SHAPE, JointParts
 from kinegrade.mechanics.shapes import Profile
 
 
 @dataclass(frozen=True)
-class Contact(TouchingPair):
+class Contact(TouchingPair, Unrelated):
     """A circle of `body` touches a line or circle of the body `of` and may slide on it (smooth
     contact); `of_curvature` where of the profile of `body` only that circle of curvature is known.
     """

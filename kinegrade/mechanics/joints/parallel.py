@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Self
 
 from kinegrade.language.message import Message
-from kinegrade.mechanics.joints.constraint import Constraint
+from kinegrade.mechanics.joints.constraint import Unrelated
 from kinegrade.mechanics.laws import Condition, EqualRotation
 from kinegrade.mechanics.sentence import JointParts
 from kinegrade.mechanics.shapes import Shape
@@ -16,7 +16,7 @@ from kinegrade.numbers.number import Arithmetic
 
 
 @dataclass(frozen=True)
-class Parallel(Constraint):
+class Parallel(Unrelated):
     """`body` does not turn relative to the body `of`; with the ground: it translates."""
 
     PATTERN = r"(?P<body>\w+) (?:translates|turns with (?P<of>\w+))"

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Self
 
 from kinegrade.language.message import Message, list_all
-from kinegrade.mechanics.joints.constraint import Constraint
+from kinegrade.mechanics.joints.constraint import Unrelated
 from kinegrade.mechanics.laws import Condition, SharedPoint
 from kinegrade.mechanics.sentence import JointParts
 from kinegrade.mechanics.shapes import Shape
@@ -16,7 +16,7 @@ from kinegrade.numbers.number import Arithmetic
 
 
 @dataclass(frozen=True)
-class Pin(Constraint):
+class Pin(Unrelated):
     """Two or more bodies (the ground may be one) share `point`."""
 
     PATTERN = r"pin (?P<point>\w+): (?P<bodies>\w+(?:[ ,]+\w+)+)"

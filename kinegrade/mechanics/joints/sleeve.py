@@ -8,7 +8,7 @@ from typing import Self
 
 from kinegrade.language.message import Message
 from kinegrade.mechanics.ground import GROUND
-from kinegrade.mechanics.joints.constraint import Constraint
+from kinegrade.mechanics.joints.constraint import Unrelated
 from kinegrade.mechanics.laws import Condition, EqualRotation, GuidedBody
 from kinegrade.mechanics.sentence import JointParts
 from kinegrade.mechanics.shapes import Line, Shape
@@ -17,7 +17,7 @@ from kinegrade.numbers.number import Arithmetic
 
 
 @dataclass(frozen=True)
-class Sleeve(Constraint):
+class Sleeve(Unrelated):
     """`body` slides along `line` in the body `of` and does not turn relative to it."""
 
     PATTERN = r"(?P<body>\w+) slides through (?P<of>\w+) along (?P<on>line\(.+\))"

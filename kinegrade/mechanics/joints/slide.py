@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Self
 
 from kinegrade.language.message import Message
-from kinegrade.mechanics.joints.constraint import Constraint
+from kinegrade.mechanics.joints.constraint import Unrelated
 from kinegrade.mechanics.laws import Condition, GuidedPoint
 from kinegrade.mechanics.sentence import OF, JointParts
 from kinegrade.mechanics.shapes import Line, Shape
@@ -16,7 +16,7 @@ from kinegrade.numbers.number import Arithmetic
 
 
 @dataclass(frozen=True)
-class Slide(Constraint):
+class Slide(Unrelated):
     """`point` of `body` stays on a straight line fixed in the body `of` (a guide, a slot, a sleeve
     about a pin).
     """

@@ -4,7 +4,6 @@ same bytes.
 
 from __future__ import annotations
 
-from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -18,7 +17,7 @@ from kinegrade.press.latex.press import LatexPress
 from kinegrade.press.latex.xetex import CLASS, run
 from kinegrade.press.protocol import Press
 from tests.figure.mechanisms import EIGHT
-from tests.press.papers import CHINESE, ENGLISH
+from tests.press.papers import BOUNDS, UNEVEN
 
 pytestmark = [pytest.mark.needs_tex, pytest.mark.xdist_group("latex")]
 
@@ -55,17 +54,7 @@ def test_the_run_of_a_class_draws_the_same_bytes_as_a_source_that_is_kept(tmp_pa
     assert pages[0].count(b"pdf:btrans") > len(scenes)
 
 
-SHORT, LONG = ENGLISH, replace(ENGLISH, questions=ENGLISH.questions * 5)
-UNEVEN = {
-    "early": SHORT,
-    "long": LONG,
-    "late": replace(SHORT, code="B-0002"),
-    "chinese": CHINESE,
-    "large": replace(LONG, large=True),
-}
-
-
-@pytest.mark.parametrize(("pages", "longest"), [(None, 0), (None, 3), (1, 3), (3, 0)])
+@pytest.mark.parametrize(("pages", "longest"), BOUNDS)
 def test_papers_filled_up_in_the_run_that_counts_them_are_those_that_are_printed_once_more(
     pages: int | None, longest: int
 ) -> None:

@@ -2,26 +2,15 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import pytest
 
 from kinegrade.press.protocol import Press
 from kinegrade.press.sheet import Paper
 from kinegrade.press.typst.press import TypstPress
-from tests.press.papers import CHINESE, ENGLISH
-
-SHORT, LONG = ENGLISH, replace(ENGLISH, questions=ENGLISH.questions * 5)
-UNEVEN = {
-    "early": SHORT,
-    "long": LONG,
-    "late": replace(SHORT, code="B-0002"),
-    "chinese": CHINESE,
-    "large": replace(LONG, large=True),
-}
+from tests.press.papers import BOUNDS, UNEVEN
 
 
-@pytest.mark.parametrize(("pages", "longest"), [(None, 0), (None, 3), (1, 3), (3, 0)])
+@pytest.mark.parametrize(("pages", "longest"), BOUNDS)
 def test_papers_filled_up_at_first_are_those_that_are_printed_once_more(
     pages: int | None, longest: int
 ) -> None:

@@ -78,7 +78,7 @@ def list_place_checks(asked: Sequence[Ask], case: Case) -> Iterator[Check]:
     """
     yield from list_cosine_checks(case)
     solved = {frozenset(ends) for ends in list_circles_on_lines(case)}
-    for distance in (*_list_placed("circle", case), *_list_lengths(asked, case)):
+    for distance in (*_list_on_circles(case), *_list_lengths(asked, case)):
         if frozenset((distance.first, distance.second)) not in solved:
             yield distance.check(case)
     for angle in asked:
@@ -86,15 +86,15 @@ def list_place_checks(asked: Sequence[Ask], case: Case) -> Iterator[Check]:
             yield from _check_cosine(angle, cosine, case)
 
 
-def _list_placed(construction: str, case: Case) -> Iterator[_Distance]:
-    """The distances of points placed on a circle, or at a distance, from the centre: of two circles
-    the second one comes first, since the first one has led to the point.
+def _list_on_circles(case: Case) -> Iterator[_Distance]:
+    """The distances of points placed on a circle from its centre: of two circles the second one
+    comes first, since the first one has led to the point.
     """
     for step in reversed(case.construction):
         for call in reversed(tuple(walk(step.tree))):
             match call:
-                case Call(function=function, arguments=(Name(centre), radius, *_)):
-                    if function == construction and step.point in case.motion.points:
+                case Call(function="circle", arguments=(Name(centre), radius, *_)):
+                    if step.point in case.motion.points:
                         yield _Distance(centre, step.point, radius)
                 case Name() | Number() | Operation() | Call():
                     continue
