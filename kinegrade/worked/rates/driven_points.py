@@ -44,12 +44,8 @@ def state_driven_way(law: ImposedMotion, value: float, case: Case) -> Row:
     """The direction of a driven motion beside its value; of one in a moving frame, where it is not
     the positive one.
     """
-    if law.of != GROUND:
-        return state_sense_along(value, law.direction, _find_track(law, case), case)
-    if value == 0:
-        return ()
     ends = _find_track(law, case)
-    if ends is not None:
+    if ends is not None or law.of != GROUND or value == 0:
         return state_sense_along(value, law.direction, ends, case)
     return say_beside(
         describe_direction(law.direction if value > 0 else -law.direction, case), case
