@@ -57,9 +57,9 @@ def test_lines_of_code_are_lines_without_docstrings_comments_and_blanks(tmp_path
 # did when fairness came to be bounded (mistakes, follow-through, papers alike hard) and when
 # mechanisms came to move (cycles)
 FAR = {
-    "syntax nodes": 891_700,
-    "lines of code": 89_900,
-    "syntax nodes a line": 9.925,
+    "syntax nodes": 915_000,
+    "lines of code": 92_300,
+    "syntax nodes a line": 9.95,
     "modules of more than 250 lines": 25,
 }
 COPIED = """
