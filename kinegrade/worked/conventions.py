@@ -5,6 +5,7 @@ follows.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from functools import cache
 from typing import Literal
 
 from kinegrade.language import Language
@@ -55,10 +56,14 @@ def state_rounding(language: Language, notation: Notation) -> Prose:
 
 def states_rounding(block: Block, language: Language) -> bool:
     """Whether a block says how values are rounded."""
-    return any(
-        block == state_rounding(language, Notation(more_digits=more))
-        for more in range(MOST_MORE_DIGITS + 1)
-    )
+    return isinstance(block, Prose) and block.text in _list_roundings(language)
+
+
+@cache
+def _list_roundings(language: Language) -> frozenset[str]:
+    """What a solution may say of how values are rounded."""
+    notations = (Notation(more_digits=more) for more in range(MOST_MORE_DIGITS + 1))
+    return frozenset(state_rounding(language, notation).text for notation in notations)
 
 
 def _explain_letters(blocks: Sequence[Block]) -> Iterator[Message]:
