@@ -16,7 +16,7 @@ import pytest
 from kinegrade.mechanics.drivers import Driver
 from kinegrade.mechanics.joints import Joint
 from kinegrade.mechanics.laws import Law
-from kinegrade.mechanics.relations import Kind as TermKind
+from kinegrade.mechanics.relations.terms import Kind as TermKind
 from kinegrade.mechanics.vector_equation import Role
 from tests.package_files import GROUP
 from tests.package_trees import (

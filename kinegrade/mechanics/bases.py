@@ -18,7 +18,7 @@ from kinegrade.mechanics.laws import (
 )
 from kinegrade.mechanics.mechanism import Body, Mechanism, select_shared
 from kinegrade.mechanics.rates import Rate, make_turning
-from kinegrade.mechanics.relations import Chain, Term
+from kinegrade.mechanics.relations.terms import Chain, Term
 from kinegrade.mechanics.shapes import Circle, Line
 from kinegrade.mechanics.vector import Vector
 

@@ -24,7 +24,8 @@ from kinegrade.mechanics.laws import (
 )
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.rates import Rate
-from kinegrade.mechanics.relations import Chain, Relation, Term
+from kinegrade.mechanics.relations.relation import Relation
+from kinegrade.mechanics.relations.terms import Chain, Term
 from kinegrade.mechanics.shares import RIGHT
 from kinegrade.numbers.number import Arithmetic
 

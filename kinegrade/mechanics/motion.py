@@ -21,16 +21,9 @@ from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.plan import Plan
 from kinegrade.mechanics.rates import Rate, Rates, make_turning
 from kinegrade.mechanics.refusal import describe_looseness, explain_refusal, find_unrelated
-from kinegrade.mechanics.relations import (
-    PLAIN,
-    Chain,
-    Reading,
-    Term,
-    add_vectors,
-    compose_coriolis,
-    map_chain,
-)
-from kinegrade.mechanics.vector import Vector
+from kinegrade.mechanics.relations.reading import PLAIN, Reading
+from kinegrade.mechanics.relations.terms import Chain, Term, compose_coriolis, map_chain
+from kinegrade.mechanics.vector import Vector, add_vectors
 from kinegrade.numbers.elimination import Contradiction, Singular
 from kinegrade.numbers.number import Arithmetic, Number
 

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from itertools import combinations
 
 from kinegrade.mechanics.rates import Rate
-from kinegrade.mechanics.relations import Relation
+from kinegrade.mechanics.relations.relation import Relation
 from kinegrade.numbers.elimination import Singular
 from kinegrade.numbers.number import Number, Solver
 

@@ -6,7 +6,7 @@ arithmetics.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from typing import Any, NamedTuple
 
 from kinegrade.numbers.number import Arithmetic, Number
@@ -72,3 +72,11 @@ class Vector(NamedTuple):
 
 # An array times a vector is a vector, no array of two rows. Outside, as it is no component
 Vector.__array_ufunc__ = None  # type: ignore[attr-defined]
+
+
+def add_vectors(vectors: Iterable[Vector]) -> Vector:
+    """The sum of vectors, zero if there are none."""
+    result = Vector(0, 0)
+    for vector in vectors:
+        result = result + vector
+    return result

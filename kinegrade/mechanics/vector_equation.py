@@ -17,8 +17,9 @@ from typing import Literal, assert_never
 from kinegrade.mechanics.joints import GROUND
 from kinegrade.mechanics.motion import Motion
 from kinegrade.mechanics.rates import Rate
-from kinegrade.mechanics.relations import Chain, Relation, Term, add_vectors
-from kinegrade.mechanics.vector import Vector
+from kinegrade.mechanics.relations.relation import Relation
+from kinegrade.mechanics.relations.terms import Chain, Term
+from kinegrade.mechanics.vector import Vector, add_vectors
 
 Level = Literal["velocity", "acceleration"]
 Role = Literal["absolute", "transport", "relative", "rotation", "coriolis"]

@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 from typing import Any, NamedTuple
 
 from kinegrade.mechanics.frames import Frames
-from kinegrade.mechanics.relations import Relation
+from kinegrade.mechanics.relations.relation import Relation
 from kinegrade.mechanics.vector import Vector
 from kinegrade.motion.displacement import Displacement
 from kinegrade.numbers.number import Number

@@ -16,7 +16,7 @@ from typing import NamedTuple, assert_never
 from kinegrade.mechanics.bases import Base
 from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.rates import Rate, Rates, make_turning
-from kinegrade.mechanics.relations import Chain, Term
+from kinegrade.mechanics.relations.terms import Chain, Term
 from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.number import Arithmetic
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from kinegrade.mechanics.drivers import Driver
 from kinegrade.mechanics.frames import Frames
 from kinegrade.mechanics.laws import Law
-from kinegrade.mechanics.relations import Relation
+from kinegrade.mechanics.relations.relation import Relation
 
 
 @dataclass(frozen=True)

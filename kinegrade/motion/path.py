@@ -15,7 +15,7 @@ from kinegrade.mechanics.frames import Frames
 from kinegrade.mechanics.geometry import round_short
 from kinegrade.mechanics.motion import Motion
 from kinegrade.mechanics.plan import run_steps
-from kinegrade.mechanics.relations import Relation
+from kinegrade.mechanics.relations.relation import Relation
 from kinegrade.motion.arrays import Arrays
 from kinegrade.motion.conditions import Placed
 from kinegrade.motion.displacement import Displacement

@@ -11,7 +11,7 @@ from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.joints import Joint
 from kinegrade.mechanics.laws import EqualRotation, GuidedBody, GuidedPoint, SharedPoint
 from kinegrade.mechanics.mechanism import Mechanism
-from kinegrade.mechanics.relations import Relation
+from kinegrade.mechanics.relations.relation import Relation
 from kinegrade.mechanics.shapes import Line
 from kinegrade.mechanics.vector import Vector
 from kinegrade.motion.displacement import Displacement

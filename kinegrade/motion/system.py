@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from kinegrade.mechanics.frames import Frames
 from kinegrade.mechanics.rates import Rate
-from kinegrade.mechanics.relations import Term
+from kinegrade.mechanics.relations.terms import Term
 from kinegrade.motion.conditions import Conditions, Placed
 from kinegrade.motion.displacement import Displacement
 from kinegrade.motion.input import Input

@@ -15,7 +15,8 @@ from kinegrade.expressions.tree import Call, Expression, Name, Operation, is_lit
 from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.motion import Motion
 from kinegrade.mechanics.rates import Rate, Rates
-from kinegrade.mechanics.relations import Chain, Relation, Term
+from kinegrade.mechanics.relations.relation import Relation
+from kinegrade.mechanics.relations.terms import Chain, Term
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.quantities.functions import find_motion_calls
 from kinegrade.problem.solution import Solution

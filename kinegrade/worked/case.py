@@ -15,7 +15,7 @@ from kinegrade.language.message import Message
 from kinegrade.language.sentence import write_sentence
 from kinegrade.mechanics.motion import Motion
 from kinegrade.mechanics.rates import Rate, Rates, make_turning
-from kinegrade.mechanics.relations import Term
+from kinegrade.mechanics.relations.terms import Term
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Level
 from kinegrade.problem.quantities.reader import MotionReader

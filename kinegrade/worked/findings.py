@@ -9,7 +9,7 @@ from typing import Any, TypeAlias
 from kinegrade.expressions.tree import Expression
 from kinegrade.language.math.tree import Row
 from kinegrade.mechanics.rates import Rate
-from kinegrade.mechanics.relations import Term
+from kinegrade.mechanics.relations.terms import Term
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Level
 from kinegrade.worked.formulas.atoms import Symbol, VectorSymbol

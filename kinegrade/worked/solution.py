@@ -14,7 +14,7 @@ from itertools import chain
 from kinegrade.language import Language
 from kinegrade.language.message import Message
 from kinegrade.mechanics.plan import Step
-from kinegrade.mechanics.relations import Chain
+from kinegrade.mechanics.relations.terms import Chain
 from kinegrade.mechanics.vector_equation import Level
 from kinegrade.problem.as_stated import restate
 from kinegrade.problem.pole_names import find_poles

@@ -7,7 +7,8 @@ from collections.abc import Iterator
 import pytest
 
 from kinegrade.mechanics.motion import Motion
-from kinegrade.mechanics.relations import PLAIN, Reading, Term
+from kinegrade.mechanics.relations.reading import PLAIN, Reading
+from kinegrade.mechanics.relations.terms import Term
 from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.doubles import Doubles
 from kinegrade.problem.solving import solve_template

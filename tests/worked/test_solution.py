@@ -19,7 +19,8 @@ from kinegrade.language.math.reading import read_math
 from kinegrade.language.math.typst import write_typst_math
 from kinegrade.language.prose.typst import write_prose
 from kinegrade.mechanics.plan import Plan
-from kinegrade.mechanics.relations import Relation, add_vectors
+from kinegrade.mechanics.relations.relation import Relation
+from kinegrade.mechanics.vector import add_vectors
 from kinegrade.mechanics.vector_equation import Level
 from kinegrade.numbers.floats import Floats
 from kinegrade.problem.quantity import Quantity

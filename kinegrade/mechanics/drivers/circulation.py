@@ -10,7 +10,7 @@ from kinegrade.errors import MechanismError
 from kinegrade.language.message import Fault, Message
 from kinegrade.mechanics.drivers.driving_constraint import DrivingConstraint, FindChain
 from kinegrade.mechanics.laws import ImposedCircling
-from kinegrade.mechanics.relations import Relation
+from kinegrade.mechanics.relations.relation import Relation
 from kinegrade.mechanics.sentence import DriverParts
 from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.number import Arithmetic, Number

@@ -7,7 +7,8 @@ from collections.abc import Callable, Mapping
 from typing import ClassVar, Self
 
 from kinegrade.mechanics.element import Element, require_attributes
-from kinegrade.mechanics.relations import Chain, Relation
+from kinegrade.mechanics.relations.relation import Relation
+from kinegrade.mechanics.relations.terms import Chain
 from kinegrade.mechanics.sentence import DriverParts
 from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.number import Arithmetic

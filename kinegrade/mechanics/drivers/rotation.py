@@ -10,7 +10,7 @@ from kinegrade.language.message import Message
 from kinegrade.mechanics.drivers.driving_constraint import DrivingConstraint, FindChain
 from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.laws import ImposedRotation
-from kinegrade.mechanics.relations import Relation
+from kinegrade.mechanics.relations.relation import Relation
 from kinegrade.mechanics.sentence import DriverParts
 from kinegrade.mechanics.shares import RIGHT
 from kinegrade.mechanics.vector import Vector

@@ -21,7 +21,7 @@ from kinegrade.mechanics.frames import Frames
 from kinegrade.mechanics.motion import Motion
 from kinegrade.mechanics.plan import Plan, Step
 from kinegrade.mechanics.rates import Rate, Rates
-from kinegrade.mechanics.relations import Relation
+from kinegrade.mechanics.relations.relation import Relation
 from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.doubles import Doubles
 from kinegrade.numbers.number import Number

@@ -16,7 +16,9 @@ from kinegrade.mechanics.frames import Frames
 from kinegrade.mechanics.motion import find_relative_terms
 from kinegrade.mechanics.plan import Plan
 from kinegrade.mechanics.rates import Rate, make_turning
-from kinegrade.mechanics.relations import Chain, Reading, Relation, Term
+from kinegrade.mechanics.relations.reading import Reading
+from kinegrade.mechanics.relations.relation import Relation
+from kinegrade.mechanics.relations.terms import Chain, Term
 from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.number import Number
 

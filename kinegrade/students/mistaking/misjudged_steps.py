@@ -16,8 +16,8 @@ from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.plan import Step
 from kinegrade.mechanics.rates import Rate, Rates, make_turning
-from kinegrade.mechanics.relations import Relation, add_vectors
-from kinegrade.mechanics.vector import Vector
+from kinegrade.mechanics.relations.relation import Relation
+from kinegrade.mechanics.vector import Vector, add_vectors
 from kinegrade.numbers.number import Arithmetic, Number
 from kinegrade.students.mistaking.mistaken_reading import MistakenReading
 from kinegrade.students.mistaking.rods import MisjudgedRod, Replacements

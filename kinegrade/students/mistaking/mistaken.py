@@ -16,7 +16,7 @@ from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.motion import Motion
 from kinegrade.mechanics.plan import Plan
 from kinegrade.mechanics.rates import Rate, Rates, make_turning
-from kinegrade.mechanics.relations import Relation
+from kinegrade.mechanics.relations.relation import Relation
 from kinegrade.numbers.number import Arithmetic, Number
 from kinegrade.students.mistaking.misjudged_steps import Misjudging, Stage
 from kinegrade.students.mistaking.mistaken_reading import MistakenReading, read_with_slips

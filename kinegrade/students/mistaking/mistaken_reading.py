@@ -14,8 +14,10 @@ from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.laws import Turning
 from kinegrade.mechanics.plan import Plan
 from kinegrade.mechanics.rates import Rate, Rates, make_turning
-from kinegrade.mechanics.relations import Chain, Reading, Relation, Term, add_vectors
-from kinegrade.mechanics.vector import Vector
+from kinegrade.mechanics.relations.reading import Reading
+from kinegrade.mechanics.relations.relation import Relation
+from kinegrade.mechanics.relations.terms import Chain, Term
+from kinegrade.mechanics.vector import Vector, add_vectors
 from kinegrade.numbers.number import Arithmetic, Number
 from kinegrade.students.mistaking.rods import MisjudgedRod
 from kinegrade.students.mistaking.scalar_sum import ScalarSum

@@ -15,8 +15,9 @@ from kinegrade.mechanics.frames import Frames
 from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.plan import Plan
 from kinegrade.mechanics.rates import Rate, Rates
-from kinegrade.mechanics.relations import Chain, Relation, Term, add_vectors
-from kinegrade.mechanics.vector import Vector
+from kinegrade.mechanics.relations.relation import Relation
+from kinegrade.mechanics.relations.terms import Chain, Term
+from kinegrade.mechanics.vector import Vector, add_vectors
 from kinegrade.numbers.number import Arithmetic, Number
 from kinegrade.students.mistaking.unsuspecting import Unsuspecting
 

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from typing import Self
 
-from kinegrade.mechanics.relations import add_vectors
-from kinegrade.mechanics.vector import Component, Vector
+from kinegrade.mechanics.vector import Component, Vector, add_vectors
 from kinegrade.numbers.number import Arithmetic
 from kinegrade.students.mistaking.slips import Share
 

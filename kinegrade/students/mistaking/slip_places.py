@@ -11,7 +11,7 @@ from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.laws import find_rolling
 from kinegrade.mechanics.plan import Plan
 from kinegrade.mechanics.rates import Rate, make_turning
-from kinegrade.mechanics.relations import Chain, Term
+from kinegrade.mechanics.relations.terms import Chain, Term
 from kinegrade.students.mistaking.rods import Rod, find_rods
 
 Sign = tuple[Rate, str, str]  # what identifies a term: rate, point, base

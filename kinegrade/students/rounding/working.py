@@ -19,7 +19,8 @@ from kinegrade.mechanics.frames import build_frames
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.motion import Motion, find_relative_terms, pose_mechanism
 from kinegrade.mechanics.plan import Plan
-from kinegrade.mechanics.relations import Chain, Reading, Term
+from kinegrade.mechanics.relations.reading import Reading
+from kinegrade.mechanics.relations.terms import Chain, Term
 from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.number import Arithmetic
 from kinegrade.problem.assemble import assemble

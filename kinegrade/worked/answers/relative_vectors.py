@@ -9,8 +9,8 @@ from typing import Literal
 
 from kinegrade.expressions.tree import Call
 from kinegrade.language.message import Message, Text
-from kinegrade.mechanics.relations import Term, add_vectors
-from kinegrade.mechanics.vector import Vector
+from kinegrade.mechanics.relations.terms import Term
+from kinegrade.mechanics.vector import Vector, add_vectors
 from kinegrade.mechanics.vector_equation import Level
 from kinegrade.worked.answers.point_vectors import (
     Found,

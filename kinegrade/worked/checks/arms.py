@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from kinegrade.mechanics.rates import make_turning
-from kinegrade.mechanics.relations import Term
+from kinegrade.mechanics.relations.terms import Term
 from kinegrade.mechanics.vector import Vector
 from kinegrade.worked.case import Case
 from kinegrade.worked.checks.amounts import Amount, Multiplier, Pair

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 from kinegrade.language.message import Message
 from kinegrade.mechanics.rates import make_turning
-from kinegrade.mechanics.relations import Term
+from kinegrade.mechanics.relations.terms import Term
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Level
 from kinegrade.worked.case import Case

@@ -13,8 +13,9 @@ from typing import assert_never
 from kinegrade.mechanics.laws import find_rolling
 from kinegrade.mechanics.plan import Step
 from kinegrade.mechanics.rates import Rate, make_turning
-from kinegrade.mechanics.relations import Chain, Relation, Term, add_vectors
-from kinegrade.mechanics.vector import Vector
+from kinegrade.mechanics.relations.relation import Relation
+from kinegrade.mechanics.relations.terms import Chain, Term
+from kinegrade.mechanics.vector import Vector, add_vectors
 from kinegrade.mechanics.vector_equation import Level, find_term_value
 from kinegrade.worked.case import Case
 from kinegrade.worked.findings import Fact, Form

@@ -10,7 +10,7 @@ from itertools import chain
 from kinegrade.expressions.tree import Call, Expression, Name
 from kinegrade.language.message import Message
 from kinegrade.mechanics.rates import make_turning
-from kinegrade.mechanics.relations import Term
+from kinegrade.mechanics.relations.terms import Term
 from kinegrade.worked.case import Case
 from kinegrade.worked.checks.amounts import Amount, add_letters, add_numbers, gather, point_along
 from kinegrade.worked.checks.arms import point_from

@@ -11,7 +11,7 @@ from typing import assert_never
 
 from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.laws import find_rolling
-from kinegrade.mechanics.relations import Term
+from kinegrade.mechanics.relations.terms import Term
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Part, VectorEquation
 from kinegrade.worked.case import Case

@@ -8,8 +8,7 @@ from math import cos, radians, sin
 from kinegrade.language.message import Message
 from kinegrade.mechanics.plan import Step
 from kinegrade.mechanics.rates import Rate
-from kinegrade.mechanics.relations import add_vectors
-from kinegrade.mechanics.vector import Vector
+from kinegrade.mechanics.vector import Vector, add_vectors
 from kinegrade.worked.checks.amounts import Amount
 from kinegrade.worked.checks.check import Check, compare
 from kinegrade.worked.checks.forms import multiply_relation

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from typing import assert_never
 
 from kinegrade.mechanics.rates import Rate
-from kinegrade.mechanics.relations import Relation
+from kinegrade.mechanics.relations.relation import Relation
 from kinegrade.mechanics.vector_equation import Level
 from kinegrade.numbers.number import Number
 from kinegrade.worked.case import Case

@@ -10,7 +10,7 @@ from math import degrees, nan, pi
 from typing import Any, assert_never
 
 from kinegrade.expressions.tree import Call, Expression, Name, Number, Operation, walk
-from kinegrade.mechanics.relations import Term
+from kinegrade.mechanics.relations.terms import Term
 from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.angle import Angle
 from kinegrade.worked.case import Case

@@ -12,7 +12,7 @@ from kinegrade.language.math.tree import Row, Scripts
 from kinegrade.language.message import Message
 from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.laws import Imposed, ImposedCircling, ImposedMotion, ImposedRotation
-from kinegrade.mechanics.relations import Relation
+from kinegrade.mechanics.relations.relation import Relation
 from kinegrade.mechanics.shares import RIGHT
 from kinegrade.mechanics.vector_equation import Level
 from kinegrade.numbers.balls import PRECISIONS, Balls

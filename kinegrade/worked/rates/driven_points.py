@@ -8,7 +8,8 @@ from kinegrade.language.math.tree import Row
 from kinegrade.language.message import Message
 from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.laws import ImposedMotion
-from kinegrade.mechanics.relations import Relation, Term
+from kinegrade.mechanics.relations.relation import Relation
+from kinegrade.mechanics.relations.terms import Term
 from kinegrade.mechanics.vector_equation import Level
 from kinegrade.worked.case import Case
 from kinegrade.worked.formulas.atoms import VectorSymbol

@@ -10,7 +10,7 @@ from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.laws import NoSlip, find_rolling
 from kinegrade.mechanics.plan import Step
 from kinegrade.mechanics.rates import Rate
-from kinegrade.mechanics.relations import Term
+from kinegrade.mechanics.relations.terms import Term
 from kinegrade.worked.case import Case
 from kinegrade.worked.vectors.needed_rates import Needs
 

@@ -9,7 +9,8 @@ from kinegrade.language.message import Message, Text, list_all
 from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.laws import NoSlip
 from kinegrade.mechanics.rates import make_turning
-from kinegrade.mechanics.relations import Relation, Term
+from kinegrade.mechanics.relations.relation import Relation
+from kinegrade.mechanics.relations.terms import Term
 from kinegrade.mechanics.vector_equation import Level
 from kinegrade.worked.case import Case
 from kinegrade.worked.formulas.atoms import ZERO, add_terms

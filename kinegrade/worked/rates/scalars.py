@@ -22,7 +22,7 @@ from kinegrade.mechanics.laws import (
     find_rolling,
 )
 from kinegrade.mechanics.rates import Rate
-from kinegrade.mechanics.relations import Relation
+from kinegrade.mechanics.relations.relation import Relation
 from kinegrade.mechanics.vector_equation import Level
 from kinegrade.worked.case import Case
 from kinegrade.worked.document import Block

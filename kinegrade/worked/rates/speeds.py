@@ -10,7 +10,7 @@ from kinegrade.language.math.tree import Row
 from kinegrade.language.message import Message
 from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.rates import Rate, make_turning
-from kinegrade.mechanics.relations import Term
+from kinegrade.mechanics.relations.terms import Term
 from kinegrade.mechanics.vector_equation import Level
 from kinegrade.worked.case import Case
 from kinegrade.worked.formulas.atoms import ZERO, VectorSymbol

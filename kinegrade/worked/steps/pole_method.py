@@ -8,7 +8,7 @@ from typing import assert_never
 from kinegrade.language.math.tree import Row
 from kinegrade.language.message import Message
 from kinegrade.mechanics.rates import make_turning
-from kinegrade.mechanics.relations import Term
+from kinegrade.mechanics.relations.terms import Term
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Part
 from kinegrade.worked.case import Case

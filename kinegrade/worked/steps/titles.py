@@ -7,7 +7,8 @@ from functools import reduce
 
 from kinegrade.language.message import Listing, Message, list_all
 from kinegrade.mechanics.plan import Step
-from kinegrade.mechanics.relations import Relation, Term
+from kinegrade.mechanics.relations.relation import Relation
+from kinegrade.mechanics.relations.terms import Term
 from kinegrade.mechanics.vector_equation import VectorEquation
 from kinegrade.worked.case import Case
 from kinegrade.worked.rates.scalars import state_relation

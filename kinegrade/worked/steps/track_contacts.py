@@ -8,7 +8,7 @@ from typing import Any
 from kinegrade.mechanics.geometry import foot
 from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.laws import NoSlip
-from kinegrade.mechanics.relations import Term
+from kinegrade.mechanics.relations.terms import Term
 from kinegrade.mechanics.shapes import Line
 from kinegrade.mechanics.vector import Vector
 from kinegrade.worked.case import Case

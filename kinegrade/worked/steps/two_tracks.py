@@ -11,7 +11,7 @@ from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.laws import NoSlip, find_rolling
 from kinegrade.mechanics.plan import Step
 from kinegrade.mechanics.rates import Rate, make_turning
-from kinegrade.mechanics.relations import Term
+from kinegrade.mechanics.relations.terms import Term
 from kinegrade.mechanics.shapes import Line
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Level

@@ -9,7 +9,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from kinegrade.expressions.tree import Call, find_names
 from kinegrade.mechanics.laws import find_rolling
 from kinegrade.mechanics.plan import Step
-from kinegrade.mechanics.relations import Term
+from kinegrade.mechanics.relations.terms import Term
 from kinegrade.problem.quantities.functions import find_motion_calls
 from kinegrade.problem.quantities.motion_functions import MOTION_FUNCTIONS
 from kinegrade.problem.template.template import Ask

@@ -12,7 +12,7 @@ from typing import Any
 
 from kinegrade.language.math.tree import Row, Sign
 from kinegrade.language.message import Message
-from kinegrade.mechanics.relations import Term
+from kinegrade.mechanics.relations.terms import Term
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Level, find_term_value
 from kinegrade.worked.case import Case

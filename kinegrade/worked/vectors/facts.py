@@ -6,8 +6,8 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import assert_never
 
-from kinegrade.mechanics.relations import Chain, add_vectors
-from kinegrade.mechanics.vector import Vector
+from kinegrade.mechanics.relations.terms import Chain
+from kinegrade.mechanics.vector import Vector, add_vectors
 from kinegrade.mechanics.vector_equation import Level, Part, VectorEquation, is_whole
 from kinegrade.worked.case import Case
 from kinegrade.worked.findings import Fact, Key, Piece

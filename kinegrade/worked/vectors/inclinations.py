@@ -10,7 +10,7 @@ from typing import Literal, TypeAlias, assert_never
 
 from kinegrade.expressions.tree import Call, Expression, Name, Operation
 from kinegrade.language.message import Message
-from kinegrade.mechanics.relations import Term
+from kinegrade.mechanics.relations.terms import Term
 from kinegrade.mechanics.vector_equation import Part
 from kinegrade.worked.case import Case, write_row
 from kinegrade.worked.document import Block, Display

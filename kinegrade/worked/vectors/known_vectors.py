@@ -31,7 +31,8 @@ from kinegrade.mechanics.laws import (
     find_rolling,
 )
 from kinegrade.mechanics.rates import Rate, RateKind
-from kinegrade.mechanics.relations import Chain, Relation, Term
+from kinegrade.mechanics.relations.relation import Relation
+from kinegrade.mechanics.relations.terms import Chain, Term
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Level
 from kinegrade.worked.case import Case

@@ -13,8 +13,8 @@ from kinegrade.language.message import Message, Text
 from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.laws import SharedPoint
 from kinegrade.mechanics.motion import Motion
-from kinegrade.mechanics.relations import Chain, Term, add_vectors
-from kinegrade.mechanics.vector import Vector
+from kinegrade.mechanics.relations.terms import Chain, Term
+from kinegrade.mechanics.vector import Vector, add_vectors
 from kinegrade.mechanics.vector_equation import Level, Part, find_term_value, list_term_parts
 from kinegrade.worked.case import Case
 from kinegrade.worked.contacts import enters_composition, needs_components, turn_about_contact

@@ -12,7 +12,7 @@ from functools import cached_property
 from math import cos, radians, sin
 
 from kinegrade.mechanics.rates import Rate
-from kinegrade.mechanics.relations import Relation
+from kinegrade.mechanics.relations.relation import Relation
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Part, VectorEquation
 from kinegrade.worked.formulas.measures import bearing, size, tidy

@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 from kinegrade.expressions.tree import Name
 from kinegrade.language.math.tree import Letter, Lettering, Row, Scripts, Sign
-from kinegrade.mechanics.relations import Term
+from kinegrade.mechanics.relations.terms import Term
 from kinegrade.problem.quantities.functions import find_motion_calls
 from kinegrade.problem.quantities.motion_functions import MOTION_FUNCTIONS
 from kinegrade.problem.template.template import Ask

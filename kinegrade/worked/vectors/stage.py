@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from kinegrade.mechanics.rates import Rate
-from kinegrade.mechanics.relations import Term
+from kinegrade.mechanics.relations.terms import Term
 from kinegrade.mechanics.vector_equation import Level, Part, VectorEquation
 from kinegrade.worked.case import Case
 from kinegrade.worked.findings import Piece
