@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import combinations
+from math import hypot
 from statistics import median
 
 import numpy as np
@@ -16,12 +17,15 @@ from numpy.typing import NDArray
 from shapely import get_coordinates, get_parts, line_interpolate_point
 from shapely.geometry.base import BaseGeometry
 
+from kinegrade.figure.similar_mechanisms import Subject
 from tests.figures.svg_shapes import Picture
 
 DIAGONAL = 60.0  # millimetres, to which figures are brought before they are compared
 APART = 2.0  # millimetres beyond which ink is at another place
 EVERY = 1.0  # millimetres between the places of a stroke that are looked at
 ENOUGH = 0.08  # the share of strokes in which two papers differ, typically
+SELDOM = 0.07  # the largest share of pairs of papers that have about one picture
+SAME_PLACE = 0.04  # of the size of a mechanism, up to which a point is at about the same place
 
 # Whose figures are alike for the reason that is given; the list only shrinks
 ALIKE: Mapping[str, str] = {
@@ -31,7 +35,6 @@ ALIKE: Mapping[str, str] = {
     "geneva-drive": "four slots fix the shape; the crank is at either side, below or above",
     "pin-in-two-rings": "two equal rings; how far they overlap alone differs",
     "pinion-between-two-racks": "one pinion and two racks; their ends alone differ",
-    "ring-gear-planet-relative-spin": "a small planet has no room for its letters",
     "rolling-wheel-pole-acceleration": "one wheel on a straight track; the senses alone differ",
     "tangent-cam-with-roller": "the profile is tight; it is mirrored in half of the papers",
     "two-stage-belt-drive": "pulleys in a row; the layout is mirrored in half of the papers",
@@ -94,3 +97,15 @@ def list_alike(template: str, pictures: Sequence[Picture]) -> list[str]:
     if found >= ENOUGH or template in ALIKE:
         return []
     return [f"{template}: two papers differ in {found:.0%} of their strokes, not {ENOUGH:.0%}"]
+
+
+def find_share_of_repeats(subjects: Sequence[Subject]) -> float:
+    """The share of pairs of papers whose points are all at about the same places."""
+    pairs = list(combinations(subjects, 2))
+    return sum(_repeats(one, other) for one, other in pairs) / len(pairs)
+
+
+def _repeats(one: Subject, other: Subject) -> bool:
+    places = other.mechanism.points
+    ways = (at - places[name] for name, at in one.mechanism.points.items())
+    return all(hypot(*way) < SAME_PLACE for way in ways)

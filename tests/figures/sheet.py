@@ -11,6 +11,8 @@ from pathlib import Path
 import typst
 
 from kinegrade.figure.back_ends.svg import to_svg
+from kinegrade.figure.mechanism.view import crop_to_view
+from kinegrade.figure.similar_mechanisms import Subject, normalise_subject
 from kinegrade.figure.sketch import sketch
 from kinegrade.language import ENGLISH
 from kinegrade.language.prose.typst import write_prose
@@ -46,6 +48,19 @@ def deal_figures(template: str, seed: str, papers: int) -> list[str]:
     """The SVG of the figure of each of so many papers that are dealt at a seed."""
     dealt = drawn(draw_filter(load_template(template), seed), papers)
     return [_draw(instance.solution) for instance in dealt]
+
+
+def deal_subjects(template: str, seed: str, papers: int) -> list[Subject]:
+    """What the figure of each of so many papers shows, which is not drawn."""
+    dealt = drawn(draw_filter(load_template(template), seed), papers)
+    return [_find_subject(instance.solution) for instance in dealt]
+
+
+def _find_subject(solution: Solution) -> Subject:
+    template = solution.template
+    hints = mark_question(template, template.asked())
+    mechanism = solution.motion.frames.mechanism.map(float)
+    return normalise_subject(crop_to_view(mechanism, hints), hints)[0]
 
 
 def deal(template: str, seed: str) -> Solution:

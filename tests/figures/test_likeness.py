@@ -7,12 +7,14 @@ import pytest
 from kinegrade.problem.template.library.library import find_template_names
 from tests.figures.likeness import (
     ALIKE,
+    SELDOM,
+    find_share_of_repeats,
     find_typical_difference,
     list_alike,
     measure_difference,
     trace,
 )
-from tests.figures.sheet import deal_figures
+from tests.figures.sheet import deal_figures, deal_subjects
 from tests.figures.svg_shapes import read_picture
 from tests.figures.test_flaws import draw
 
@@ -56,3 +58,25 @@ def test_papers_of_a_template_differ() -> None:
 
 def test_exceptions_name_templates() -> None:
     assert [name for name in ALIKE if name not in find_template_names()] == []
+
+
+def test_the_share_of_repeats_is_that_of_pairs() -> None:
+    [subject] = deal_subjects("slider-crank", "spring", 1)
+    assert find_share_of_repeats([subject, subject]) == 1
+    assert find_share_of_repeats(deal_subjects("slider-crank", "spring", 2)) == 0
+
+
+@pytest.mark.parametrize(
+    "template",
+    [
+        "elliptic-trammel-end-driven",
+        "guide-tube-rod-fixed-centrode",
+        "planetary-gear-external-rim-accelerations",
+        "ring-gear-planet-relative-spin",
+        "rod-ground-and-incline",
+        "slotted-bar-between-two-rods",
+        "triangle-pose-three-frames",
+    ],
+)
+def test_a_picture_is_seldom_dealt_twice(template: str) -> None:
+    assert find_share_of_repeats(deal_subjects(template, "law", 30)) <= SELDOM
