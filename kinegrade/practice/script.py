@@ -12,7 +12,7 @@ _FOR_READERS = re.compile(
     r"^ *(?://[^\n]*|/\*\*(?:(?!\*/).)*\*/) *\n|^ +", re.MULTILINE | re.DOTALL
 )
 _OF_LAYOUTS = ("player",)
-READER = ("keyboard", "number", "formula", "unit", "sense", "answer")
+READER = ("keyboard", "number", "raised_dot", "formula", "unit", "sense", "answer")
 JUDGE = ("judge", "guess", "unpack", "follow", "cut_off")
 MOTION = ("player", "poses", "poles", "drawing", "graph", "motion")
 PAGE = ("words", "explain", "score", *MOTION, "question")

@@ -2,18 +2,21 @@
 
 from __future__ import annotations
 
+import re
 from random import Random
 from typing import Any
 
 from kinegrade.grading.typed.answers import Reading, read
 from kinegrade.language.message import Message
 from kinegrade.sign_conventions import CONVENTIONS
+from tests.grading.test_typed_answers import ROWS, STYLES
 from tests.practice.node import read_in_node
 from tests.practice.typed_texts import make_texts
 
 UNITS = ("m/s", "rad/s", "m/s^2", "rad/s^2", "deg", "mm", "1", "rpm", "deg/s", "m^2")
 # Where doubles and fractions are too large or too small is said in other words
 SIZES = {"beyond", "below", "not-finite"}
+HALF = re.compile("[\ud800-\udfff]")  # of a character: no box of a page has that alone
 USUAL = (
     "0.25", "-1,5", "−8．６６×１０⁻¹ m/s", "1 234,5", "1.234,5", "1,234", "12 e3", ".5", "5.", "",
     "--", "√3/2", "2 sqrt(3)/3", "5π/3", "2½", "1/2√3", "5-3", "(1/2)√3 m/s", "sqrt(-2)", "1/0",
@@ -69,6 +72,25 @@ def list_unlike_made_up(seed: int, count: int) -> list[str]:
 
 def test_usual_texts_are_read_as_in_a_file() -> None:
     assert [each for seed in range(3) for each in list_unlike(list(USUAL), seed)] == []
+
+
+def test_the_table_of_typed_answers_is_read_as_in_a_file() -> None:
+    """What is decided of typed answers has its row there: the page is told of it as well."""
+    asked = [
+        (text, unit, context or None)
+        for text, unit, context, *_ in ROWS
+        if context not in STYLES and not HALF.search(text)
+    ]
+    cases = [
+        {"typed": text, "ask": {"unit": unit, "convention": convention, "sign": "x"}}
+        for text, unit, convention in asked
+    ]
+    unlike = [
+        f"{text!r} for {unit}, {convention}: {found}"
+        for (text, unit, convention), found in zip(asked, read_in_node(cases), strict=True)
+        if not is_like(found, read(text, unit, convention=convention, sign="x"))
+    ]
+    assert unlike == []
 
 
 def test_made_up_texts_are_read_as_in_a_file() -> None:

@@ -99,7 +99,7 @@ def convert(amount: Amount, factor: Fraction, pi: int) -> tuple[Fraction, Fracti
     arithmetic = Balls(PRECISION)
     with arithmetic.context():
         size = amount.size * factor.numerator / factor.denominator
-        if power == 0 and _is_rational(size):
+        if _is_rational(size) and (power == 0 or size == 0):
             return _require_bounded(Fraction(int(size.p), int(size.q))), Fraction(0)
         ball = arithmetic.number(size) if _is_rational(size) or isinstance(size, Surd) else size
         return _enclose(ball * arithmetic.turns(1) ** power)

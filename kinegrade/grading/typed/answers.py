@@ -135,8 +135,8 @@ def _read_alike(
     sign: str, rest: str, unit: str, convention: Convention | None, words: str
 ) -> Reading | None:
     """How every number with that sign is read where `rest` stands behind it: as it is, or not at
-    all for a reason that names no number; None for any other rest. It is the same behind any
-    number, so two are tried.
+    all for a reason that names no number; None for any other rest, such as one that makes zero of
+    all numbers. It is the same behind any number, so two are tried.
     """
     found: list[Reading] = []
     for digits in (f"{sign}{each}" for each in _TRIED):
@@ -144,7 +144,7 @@ def _read_alike(
         plain = Reading("number", tried.typed, Fraction(digits), digits)
         found.append(Reading("number", "") if tried == plain else replace(tried, typed=""))
     first, second = found
-    return first if first == second and not first.remark else None
+    return first if first == second and first.value is None and not first.remark else None
 
 
 def _read(

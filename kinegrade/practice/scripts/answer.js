@@ -41,6 +41,8 @@ class AnswerReader {
     if (trimmed.length > LONGEST_ANSWER) {
       return refuse("unreadable", new Unreadable("too-long", { most: LONGEST_ANSWER }));
     }
+    const raised = findRaisedDot(trimmed);
+    if (raised) return refuse("unreadable", raised);
     const text = fold(trimmed);
     if (!text.replace(/[- ]/g, "")) return { kind: "blank", value: NaN, reason: null };
     try {

@@ -10,13 +10,15 @@ const CONTROL = new RegExp(`[${CONTROLS}]`, "g");
 const SPACE = new RegExp(`[${SPACES}]`, "g");
 const INVISIBLES = new RegExp(`[${INVISIBLE}]`, "g");
 const SUPERSCRIPTS = "⁰¹²³⁴⁵⁶⁷⁸⁹";
+const DOTS = "·⋅•∙・";
 const RAISED = new RegExp(`[⁺⁻]?[${SUPERSCRIPTS}]+(?=([0-9])?)`, "g");
 
 /** @type {[RegExp, string][]} */
 const FOLDED = [
+  [new RegExp(`[${DOTS}]`, "g"), "*"],
   [/[。｡．]/g, "."],
   [/[\u2212\u2010-\u2015\u2043\u02d7\ufe58\ufe63]/g, "-"],
-  [/[×·⋅•∙・✕✖]/g, "*"],
+  [/[×✕✖]/g, "*"],
   [/[÷\u2044\u2215]/g, "/"],
   [/[\u2019\u2018\u02bc]/g, "'"],
   [/[【〔]/g, "["],
