@@ -1,8 +1,9 @@
 """The motion of guided points, positive in the sense in which a question counts it.
 
-A joint guides a point along a line that has a direction, y upwards say. Where the question counts
-the point's velocity downwards, its letter would have one value in the equations and another one in
-the answer; so the line is taken the other way round.
+A joint guides a point along a line that has a direction, y upwards say, or along a circle on which
+it counts counter-clockwise. Where the question counts the point's velocity downwards, or clockwise
+about the centre, its letter would have one value in the equations and another one in the answer; so
+the line or circle is taken the other way round.
 """
 
 from __future__ import annotations
@@ -10,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Set
 from dataclasses import replace
 from itertools import product
+from typing import assert_never
 
 from kinegrade.expressions.tree import Call, Expression, Name, Operation, is_literal_zero
 from kinegrade.mechanics.ground import GROUND
@@ -25,6 +27,7 @@ from kinegrade.worked.formulas.measures import NEGLIGIBLE
 
 _DIRECTIONS = {"x": Vector(1, 0), "y": Vector(0, 1)}
 _COUNTED = ("velocity", "acceleration")
+_RELATIVE = ("relative_velocity", "relative_acceleration")
 
 
 def count_as_asked(solution: Solution, asked: Iterable[str]) -> Solution:
@@ -41,26 +44,52 @@ def _find_opposite(tree: Expression, motion: Motion) -> Iterator[Rate]:
     """The rate of a guided point whose velocity or acceleration along an axis is asked for with a
     minus, where the point's track has the direction of this axis.
     """
+    if isinstance(tree, Call):
+        yield from _find_clockwise(tree, motion)
     if not isinstance(tree, Operation) or not is_literal_zero(tree):
         return
+    bound = set(_list_bound(motion.frames.relations))
     for axis, vector in product(AXES, find_motion_calls(tree)):
         point = vector.arguments[0]
         counted = Call(axis, (vector,)) == tree.right and vector.function in _COUNTED
         if counted and isinstance(point, Name):
-            bound = set(_list_bound(motion.frames.relations))
             for term in _list_tracks(point.name, motion):
                 if term.rate not in bound and _has_direction(term.vector, _DIRECTIONS[axis]):
                     yield term.rate
 
 
+def _find_clockwise(tree: Call, motion: Motion) -> Iterator[Rate]:
+    """The rate of a point on a circle of a moving body whose relative velocity or acceleration
+    along the circle is asked for, clockwise about the centre.
+    """
+    match tree:
+        case Call(
+            "along", (Call(function, (Name(point), Name(body), Name(frame))), Call(turn, arm))
+        ):
+            asked = function in _RELATIVE and turn == "turned"
+        case _:
+            return
+    bound = set(_list_bound(motion.frames.relations))
+    for term in _list_terms(motion):
+        moving = (term.rate.point, term.rate.body, term.frame) == (point, body, frame)
+        inwards = Operation("-", Name(term.base), Name(term.point))
+        if asked and term.kind == "arc" and moving and arm == (inwards,) and term.rate not in bound:
+            yield term.rate
+
+
 def _list_tracks(point: str, motion: Motion) -> Iterator[Term]:
     """The terms of a point that slides along a fixed line."""
+    for term in _list_terms(motion):
+        if (term.kind, term.point, term.frame) == ("sliding", point, GROUND):
+            yield term
+
+
+def _list_terms(motion: Motion) -> Iterator[Term]:
+    """The terms of all bases and relations."""
     frames = motion.frames
-    chains = [base.chain for base in frames.bases.values()]
-    for chain in (*chains, *(side for one in frames.relations for side in (one.left, one.right))):
-        for term in chain:
-            if (term.kind, term.point, term.frame) == ("sliding", point, GROUND):
-                yield term
+    yield from (term for base in frames.bases.values() for term in base.chain)
+    for relation in frames.relations:
+        yield from (*relation.left, *relation.right)
 
 
 def _list_bound(relations: Iterable[Relation]) -> Iterator[Rate]:
@@ -94,7 +123,17 @@ def _turn(motion: Motion, rates: Set[Rate]) -> Motion:
 
 
 def _turn_chain(chain: Chain, rates: Set[Rate]) -> Chain:
-    return tuple(term.put(-term.vector) if term.rate in rates else term for term in chain)
+    return tuple(_turn_term(term) if term.rate in rates else term for term in chain)
+
+
+def _turn_term(term: Term) -> Term:
+    match term.kind:
+        case "sliding":
+            return term.put(-term.vector)
+        case "rotation" | "arc":
+            return replace(term, clockwise=not term.clockwise)
+        case _:
+            assert_never(term.kind)
 
 
 def _negate(values: Rates, rates: Set[Rate]) -> Rates:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+from collections.abc import Iterable
 from itertools import pairwise
 
 import pytest
@@ -33,10 +35,46 @@ def test_a_guided_point_moves_positive_in_the_sense_of_the_question() -> None:
 
 
 @pytest.mark.parametrize(
+    ("name", "place", "symbol"),
+    [
+        ("two-wheels-on-cylinder", 1, r"a_{B}^{\mathrm{t}}"),
+        ("eccentric-cam-offset-follower", 0, r"v_{\mathrm{r}}"),
+        ("eccentric-cam-offset-follower", 0, r"a_{\mathrm{r}}^{\mathrm{t}}"),
+        ("pin-in-two-rings", 0, r"v_{\mathrm{r}1}"),
+        ("pin-in-two-rings", 0, r"a_{\mathrm{r},1}^{\mathrm{t}}"),
+    ],
+)
+def test_what_is_asked_clockwise_about_a_centre_has_this_sense_throughout(
+    name: str, place: int, symbol: str
+) -> None:
+    """a_B^t was 5.48 m/s^2, and then -a_B^t counted as asked for."""
+    solution = drawn(name)[place]
+    (asked,) = (ask for ask in solution.template.asks.values() if ask.symbol == symbol)
+    blocks = kept(name, place)
+    values = list_values(symbol, displayed(blocks))
+    assert values, "a line gives it"
+    exact = float(solution.answers[asked.name].value)
+    assert all(float(value) == pytest.approx(exact, rel=1e-3) for value in values)
+    assert not any(line.startswith(f"-{symbol} &") for line in displayed(blocks))
+    assert not any("Counted as asked for" in text for text in proses(blocks))
+
+
+def list_values(symbol: str, lines: Iterable[str]) -> list[str]:
+    """The decimals that the lines of a symbol end with."""
+    left, found = "", []
+    for line in lines:
+        before, _, right = line.partition("&")
+        left = before.strip() or left
+        numbers = re.findall(r"(?:=|\\approx) (-?[\d.]+)\\,\\unit", right)
+        if left == symbol and numbers:
+            found.append(numbers[-1])
+    return found
+
+
+@pytest.mark.parametrize(
     ("name", "symbol"),
     [
         ("belt-driven-bicycle", "n_{A}"),
-        ("pin-in-two-rings", r"a_{\mathrm{r},1}^{\mathrm{t}}"),
         ("rod-ground-and-incline", "a_{B,s}"),
         ("square-on-two-fixed-points", r"v_{\mathrm{r},B}"),
     ],

@@ -41,8 +41,8 @@ def test_a_given_motion_along_a_line_of_two_points_is_told_from_point_to_point()
 @pytest.mark.parametrize(
     ("language", "convention"),
     [
-        ("en", "Counted as asked for (positive clockwise about $C$):"),
-        ("zh", "按题中规定的正方向（绕 $C$ 顺时针为正）："),
+        ("en", "Counted as asked for (positive in the direction of $-x$):"),
+        ("zh", "按题中规定的正方向（沿 $x$ 轴负向为正）："),
         # the author has no words in German
         ("de", "Mit dem Vorzeichen der Frage:"),
     ],
@@ -50,12 +50,11 @@ def test_a_given_motion_along_a_line_of_two_points_is_told_from_point_to_point()
 def test_an_answer_in_the_opposite_sense_names_the_sign_that_is_asked_for(
     language: Language, convention: str
 ) -> None:
-    """One symbol has one value: v_r was -0.45 m/s by the step, then 0.45 m/s."""
-    values = {"r": "0.5", "e": "0.2", "h": "0.17", "omega": "1"}
-    blocks = stated("eccentric-cam-offset-follower", language, **values)
+    """One symbol has one value, here the size of the Coriolis acceleration."""
+    blocks = stated("pin-in-disc-slot-and-rod", language)
     place = next(number for number, block in enumerate(blocks) if convention in proses([block]))
     value = displayed([blocks[place + 1]])[0].replace("{,}", ".")
-    assert value.startswith(r"-v_{\mathrm{r}} &= 0.5\,\unit{m/s}")
+    assert value.startswith(r"-a_{\mathrm{Cor}1} &= -14.4\,\unit{m/s^2}")
 
 
 @pytest.mark.parametrize(
@@ -113,13 +112,18 @@ def test_a_point_about_a_fixed_axis_has_a_normal_and_a_tangential_acceleration_t
     assert not any(text.startswith("$O_{2}$ belongs to both bodies") for text in proses(blocks))
 
 
-#: Answers that count against the sense in which all circling counts positive, or along an axis
+#: Answers against the letter of a Coriolis acceleration, which a page gives by its size, of a point
+#: on a fixed line, or of a rotation
 COUNTED_AGAIN = {
-    "eccentric-cam-offset-follower",
+    "belt-driven-bicycle",
+    "bent-rod-two-sleeves",
     "pin-in-disc-slot-and-rod",
-    "pin-in-two-rings",
+    "pole-sleeve-slider-rod",
     "rocker-driven-by-two-slider-link",
-    "two-wheels-on-cylinder",
+    "rod-ground-and-incline",
+    "slotted-bar-between-two-rods",
+    "slotted-rocker-and-slider-two-drivers",
+    "square-on-two-fixed-points",
 }
 
 

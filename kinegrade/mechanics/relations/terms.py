@@ -33,6 +33,7 @@ class Term:
       rate is omega.
 
     `point` is the point that moves so, `base` the base point or the centre, "" for a sliding point.
+    `clockwise` is whether the rate of a turning point counts in this sense.
     """
 
     kind: Kind
@@ -41,6 +42,7 @@ class Term:
     point: str
     base: str = ""
     frame: str = GROUND
+    clockwise: bool = False
 
     def coefficient(self) -> Vector:
         """The vector by which the unknown rate is multiplied."""
@@ -48,7 +50,7 @@ class Term:
             case "sliding":
                 return self.vector
             case "rotation" | "arc":
-                return self.vector.turned()
+                return -self.vector.turned() if self.clockwise else self.vector.turned()
             case _:
                 assert_never(self.kind)
 
@@ -108,7 +110,8 @@ class Term:
 
     def put(self, vector: Vector) -> Term:
         """The term with another vector."""
-        return Term(self.kind, self.rate, vector, self.point, self.base, self.frame)
+        place = self.point, self.base, self.frame
+        return Term(self.kind, self.rate, vector, *place, self.clockwise)
 
     def map(self, number: Callable[[Number], Number]) -> Term:
         """The term with `number` applied to its vector."""

@@ -60,7 +60,8 @@ def _state_sense(term: Term, case: Case, level: Level) -> Row:
     value = case.rates(level)[term.rate]
     match term.kind:
         case "arc":
-            return state_way_round(term.base, double(value), case) if value else ()
+            turn = -double(value) if term.clockwise else double(value)
+            return state_way_round(term.base, turn, case) if value else ()
         case "sliding" | "rotation":
             ends = orient_track(term, term.coefficient(), case)
             return state_sense_along(double(value), term.coefficient(), ends, case)

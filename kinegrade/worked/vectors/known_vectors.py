@@ -49,9 +49,12 @@ def find_stated_sense(term: Term, case: Case, level: Level) -> int:
     against it.
 
     A driver may impose a point's motion in the direction opposite to the joint's; what is given
-    counts positive in its own sense, and so does what circles about the same centre, and what has
-    been found by its size.
+    counts positive in its own sense, and so does what circles about the same centre unless a
+    question says in which sense it counts, and what has been found by its size.
     """
+    asked = _find_asked_sense(term, case, level)
+    if asked is not None:
+        return asked
     for relation in case.motion.frames.relations:
         law = relation.source
         if law is not None and (_imposes(relation, term) or _circles_beside(relation, term)):
@@ -75,6 +78,27 @@ def _find_piece(term: Term, case: Case, level: Level) -> Piece | None:
         if told == level and (piece.symbol.lower, piece.symbol.part) == (letters, part)
     )
     return next(pieces, None) if term.frame == GROUND else None
+
+
+def _find_asked_sense(term: Term, case: Case, level: Level) -> int | None:
+    """1 where a question counts the velocity of a point on a fixed circle, or its tangential
+    acceleration, counter-clockwise about the centre, -1 where clockwise; None where no question
+    does, and where a driver gives it.
+    """
+    if term.kind != "arc" or term.frame != GROUND:
+        return None
+    if any(_imposes(relation, term) for relation in case.motion.frames.relations):
+        return None
+    counted = Call(level, (Name(term.point),))
+    outwards = Operation("-", Name(term.point), Name(term.base))
+    inwards = Operation("-", Name(term.base), Name(term.point))
+    quantities = {ask.quantity for ask in case.template.asks.values()}
+    senses = {
+        sign
+        for sign, arm in ((1, outwards), (-1, inwards))
+        if Call("along", (counted, Call("turned", (arm,)))) in quantities
+    }
+    return senses.pop() if len(senses) == 1 else None
 
 
 def find_given_sign(law: Law, relation: Relation, case: Case, level: Level) -> int:

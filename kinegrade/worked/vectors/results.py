@@ -85,11 +85,12 @@ def state_vector_value(symbol: Formula, part: Part, case: Case, level: Level) ->
 
 
 def state_sense(value: float, positive: Vector, part: Part, case: Case) -> Row:
-    """The direction beside the value of an unknown vector; of a clockwise rotation about what,
-    where the vector is slanting.
+    """The direction beside the value of an unknown vector; of one against the positive sense of a
+    rotation in which sense about what, where the vector is slanting.
     """
-    if part.base and value < 0 and find_axis_sense(positive) is None:
-        return state_way_round(part.base, value, case)
+    if part.term and part.base and value < 0 and find_axis_sense(positive) is None:
+        turn = value * double(part.term.vector.cross(positive))
+        return state_way_round(part.base, turn, case)
     slanting = find_axis_sense(positive) is None and find_path_ends(part, case) is None
     if value < 0 and slanting and part.term and find_track_angle(part.term, case):
         angle = case.text(state_bearing(-positive, part.term, case))
