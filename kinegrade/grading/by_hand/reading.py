@@ -5,12 +5,10 @@ All that is wrong with them is found at once; then none of their marks counts.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from pathlib import Path
-from unicodedata import normalize
 
 from kinegrade.ask_names import Named
 from kinegrade.exam.roster.student_ids import StudentIds
@@ -23,14 +21,13 @@ from kinegrade.files.workbooks.spreadsheet import read_workbook
 from kinegrade.grading.by_hand.columns import HandColumns, find_hand_columns
 from kinegrade.grading.by_hand.hand_file import GIVE_NEW, HandFile, HandRow, Newer
 from kinegrade.grading.by_hand.markable import Markable
+from kinegrade.grading.by_hand.typed_points import explain_points, read_typed_points
 from kinegrade.grading.same_key import is_of_another_exam
 from kinegrade.language.message import Fault, Message, Quoted, Text, list_choices
 from kinegrade.language.spellings import list_spellings
 from kinegrade.marks_folder.hand_marks import EXTRA, HandMark
-from kinegrade.numbers.amounts import PLACES, write_amount
+from kinegrade.numbers.amounts import write_amount
 from kinegrade.question_numbers import find_bank_number
-
-_POINTS = re.compile(rf"\+?([0-9]{{1,9}}(?:[.,][0-9]{{1,{PLACES}}})?)")
 
 
 def read_hand_file(path: Path, markable: Markable, newer: Newer | None = None) -> HandFile:
@@ -193,11 +190,11 @@ class _Reader:
         return None
 
     def _read_points(self, row: Row, cell: str, named: Named) -> Fraction | None:
-        points = _read_amount(cell)
-        if points is None:
-            what = Message("marking.points-are", cell=Quoted(shorten(cell)))
-            self._fault(row, named.column, what, Message("marking.hand-points", places=PLACES))
-        return points
+        maximum = self.markable.maxima.get(named.column)
+        wrong = explain_points(cell, maximum)
+        if wrong is not None:
+            self._fault(row, named.column, *wrong)
+        return _read_amount(cell) if wrong is None else None
 
     def _is_above(self, row: Row, points: Fraction, named: Named) -> bool:
         """Whether there are fewer points to be had, which is a fault."""
@@ -238,8 +235,8 @@ class _Reader:
 
 def _read_amount(cell: str) -> Fraction | None:
     """The points in a cell, None where it holds none."""
-    number = _POINTS.fullmatch(normalize("NFKC", cell))
-    return None if number is None else Fraction(number[1].replace(",", "."))
+    typed = read_typed_points(cell)
+    return None if typed is None else typed.points
 
 
 def _explain_unknown(cell: str, ids: StudentIds) -> tuple[Message, Text, Text]:
