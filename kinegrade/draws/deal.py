@@ -103,7 +103,7 @@ class Deal:
         refused = [position for position, verdict in enumerate(self.verdicts) if verdict]
         rounding = [position for position in refused if self.verdicts[position] == "rounding"]
         if 2 * len(rounding) <= len(refused):
-            return Message("template.widen")
+            return question.widening
         return advise_on_rounding(question, [*map(question.deck.combination, rounding)])
 
     def looked_at(self) -> Message:

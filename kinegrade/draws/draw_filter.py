@@ -51,6 +51,7 @@ _KEPT, _FOUND = 50, 300
 _TOGETHER = 100  # combinations that are screened at once, whatever part of them is asked for
 
 Verdict = Reason | None  # why a combination is refused; None for a good one
+_WIDEN = Message("template.widen")
 
 
 @dataclass(frozen=True)
@@ -69,7 +70,8 @@ class DrawFilter:
     What is among the `earlier` draws is refused.
 
     With `four_decimals` every right answer is still right when given to four decimals. Figures are
-    drawn last, by `sketcher`, for what would be dealt otherwise.
+    drawn last, by `sketcher`, for what would be dealt otherwise. `widening` says how there are more
+    values to be drawn.
     """
 
     template: Template
@@ -81,6 +83,7 @@ class DrawFilter:
     honest: frozenset[str] = frozenset()
     sketcher: Sketcher = sketch
     earlier: EarlierDraws = NONE_EARLIER
+    widening: Message = _WIDEN
 
     def __getstate__(self) -> dict[str, object]:
         """What another process receives; it works out the rest itself."""

@@ -211,8 +211,8 @@ def test_a_shortage_is_said_whoever_finds_it(few: Path) -> None:
     said = {result.stderr.splitlines()[-1] for result in results}
     assert said == {
         "complaint: q1 (crank): 8 of the 16 combinations of values are fit for 9 students, so "
-        "some have the same numbers - expected one for each - widen the domains, "
-        "or write repeats = true in the question"
+        "some have the same numbers - expected one for each - state more values in the question, "
+        "as in draw = { r = [...] }, or write repeats = true in the question"
     }
     assert contents(few / "EXAM1") == contents(few / "EXAM2")
 

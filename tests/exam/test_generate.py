@@ -420,7 +420,7 @@ def test_a_question_of_which_nothing_is_good_leaves_nothing(folder: Path) -> Non
     )
     (line,) = refused(folder)
     assert line.startswith("error: q2 (crank): none of the 6 combinations of values is fit for")
-    assert line.endswith("widen the domains")
+    assert line.endswith("- state more values in the question, as in draw = { r = [...] }")
 
 
 def test_a_page_that_cannot_be_typeset_leaves_nothing(folder: Path) -> None:

@@ -9,6 +9,10 @@ from pathlib import Path
 import pytest
 from click.testing import Result
 
+from kinegrade.exam.bank.bank import read_bank
+from kinegrade.exam.setting.widening import say_how_to_widen
+from kinegrade.language import ENGLISH
+from kinegrade.language.sentence import write_sentence
 from tests.small_class import kinegrade
 
 HEAD = """title = "Midterm"
@@ -106,8 +110,33 @@ def test_too_few_combinations_are_a_complaint_that_says_how_to_allow_it(tmp_path
     assert made.exit_code == 1
     assert made.stderr.splitlines()[-1] == (
         "complaint: q1 (slider-crank): 2 of the 2 combinations of values are fit for 4 students, "
-        "so some have the same numbers - expected one for each - widen the domains, "
-        "or write repeats = true in the question"
+        "so some have the same numbers - expected one for each - state more values in the question, "
+        "as in draw = { r = [...] }, or write repeats = true in the question"
+    )
+
+
+@pytest.mark.parametrize(
+    ("entry", "advice"),
+    [
+        ('tag = "coriolis"', 'leave it out by without = ["{name}"]'),
+        ('family = "rolling"', 'leave it out by without = ["{name}"]'),
+        (
+            'any = ["slider-crank", "four-bar-parallel-coupler"]',
+            "put another template in its place",
+        ),
+    ],
+)
+def test_a_shipped_template_that_was_drawn_is_left_out_or_named(
+    tmp_path: Path, entry: str, advice: str
+) -> None:
+    """Whoever drew it by a tag was told to widen the domains of a shipped template."""
+    path = tmp_path / "bank.toml"
+    path.write_text(f'{HEAD}[[questions]]\n{entry}\nasks = "velocity"\npoints = 6\n', "utf-8")
+    (question, *_) = read_bank(path, "secret").questions
+    name = question.template.name
+    assert write_sentence(say_how_to_widen(question), ENGLISH) == (
+        advice.format(name=name)
+        + f', or make it a question of its own, template = "{name}", with more values stated by draw'
     )
 
 

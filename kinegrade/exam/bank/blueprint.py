@@ -34,6 +34,8 @@ from kinegrade.stated_marking import StatedCredit
 LMS = Literal["canvas"]  # systems that do not take every answer
 # Numbers of each student's own, or repeated where there are too few, or the same for everybody
 Dealing = Literal["own", "repeated", "same"]
+# The key by which an entry names or draws the templates of its questions, or states its own
+Chosen = Literal["template", "any", "family", "tag", "steps"]
 
 
 class BankAsk(Struct, frozen=True):
@@ -49,8 +51,8 @@ class BankAsk(Struct, frozen=True):
 
 class BankQuestion(Struct, frozen=True):
     """One question: its template, what is asked, domains that replace the template's, the
-    millimetres left for working, how its numbers are dealt, and whether its points are a `bonus` on
-    top of the maximum.
+    millimetres left for working, how its numbers are dealt, whether its points are a `bonus` on top
+    of the maximum, and by which key of its entry its template was `chosen`.
     """
 
     identifier: str
@@ -60,6 +62,7 @@ class BankQuestion(Struct, frozen=True):
     space: float = 0.0
     dealing: Dealing = "own"
     bonus: bool = False
+    chosen: Chosen = "template"
 
     @property
     def points(self) -> Fraction:

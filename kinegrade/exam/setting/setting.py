@@ -19,6 +19,7 @@ from kinegrade.draws.draw_filter import DrawFilter
 from kinegrade.draws.earlier import find_earlier_draws
 from kinegrade.exam.bank.blueprint import Bank, BankAsk, BankQuestion
 from kinegrade.exam.roster.students import Student
+from kinegrade.exam.setting.widening import say_how_to_widen
 from kinegrade.figure.sketch import Sketcher
 from kinegrade.figure.sketchbook import choose_sketcher
 from kinegrade.numbers.tolerance import Tolerance
@@ -65,6 +66,7 @@ class Exam:
             earlier=find_earlier_draws(
                 template, asks, deck, self.bank.earlier.get(template.name, ())
             ),
+            widening=say_how_to_widen(question),
         )
 
 

@@ -14,7 +14,7 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from kinegrade.errors import FieldError, KinegradeError, suggest
-from kinegrade.exam.bank.blueprint import BankAsk, BankQuestion, Dealing, Slot
+from kinegrade.exam.bank.blueprint import BankAsk, BankQuestion, Chosen, Dealing, Slot
 from kinegrade.exam.bank.by_hand import HandQuestion, read_hand_question
 from kinegrade.exam.bank.entries.alternatives import require_different, require_equal_points
 from kinegrade.exam.bank.entries.asks import read_asks, read_kind, weigh_asks
@@ -37,11 +37,14 @@ _TEMPLATE_FILE = re.compile(r"[\w. -]{1,100}\.toml")
 
 
 class _Terms(NamedTuple):
-    """The room for working, how numbers are dealt, and whether the points are a bonus."""
+    """The room for working, how numbers are dealt, whether the points are a bonus, and what the
+    entry is.
+    """
 
     space: float
     dealing: Dealing
     bonus: bool
+    chosen: Chosen
 
 
 class Entry(Struct, frozen=True):
@@ -102,7 +105,9 @@ class Entries(Struct, frozen=True, dict=True):
             return ()
         asks = read_asks(entry, template, read_bank_tolerance(entry, wider))
         domains = read_domains(entry, template, kept=self.kept)
-        question = BankQuestion(identifier, template, asks, domains, *self._read_terms(entry))
+        question = BankQuestion(
+            identifier, template, asks, domains, *self._read_terms(entry, "template")
+        )
         return (Slot(identifier, (question,), drawn=False),)
 
     def _own(self, entry: Table, identifier: str, wider: BankTolerance) -> tuple[Slot, ...]:
@@ -111,7 +116,7 @@ class Entries(Struct, frozen=True, dict=True):
         from kinegrade.exam.bank.entries.own_questions import read_own_question  # noqa: PLC0415
 
         stated = read_bank_tolerance(entry, wider)
-        terms = self._read_terms(entry)
+        terms = self._read_terms(entry, "steps")
         own = read_own_question(entry, stated, self.folder if self.kept else None)
         if own is None:
             return ()
@@ -124,7 +129,7 @@ class Entries(Struct, frozen=True, dict=True):
         """The questions whose templates are drawn by family or tag."""
         number = entry.with_default("number", whole(1, MAX_QUESTIONS), 1)
         entry_tolerance = read_bank_tolerance(entry, wider)
-        terms = self._read_terms(entry)
+        terms = self._read_terms(entry, by)
         per_student = entry.with_default("per-student", flag, False)
         kind = read_kind(entry)
         pool = self._pool(entry, by)
@@ -145,7 +150,7 @@ class Entries(Struct, frozen=True, dict=True):
     def _given(self, entry: Table, identifier: str, wider: BankTolerance) -> tuple[Slot, ...]:
         """The question of which each student gets one of the templates that the bank names."""
         entry_tolerance = read_bank_tolerance(entry, wider)
-        terms, kind = self._read_terms(entry), read_kind(entry)
+        terms, kind = self._read_terms(entry, "any"), read_kind(entry)
         templates = entry.listing("any", self._template, _ANY_EXAMPLE)
         require_different(entry, templates)
         if kind is None or len(templates) < 2:
@@ -158,12 +163,13 @@ class Entries(Struct, frozen=True, dict=True):
         require_equal_points(entry, choice)
         return (replace(_make_slot(identifier, choice, terms), drawn=False, given=1),)
 
-    def _read_terms(self, entry: Table) -> _Terms:
+    def _read_terms(self, entry: Table, chosen: Chosen) -> _Terms:
         """What holds for each question of an entry with a template."""
         return _Terms(
             entry.with_default("space", read_room, self.space),
             read_dealing(entry),
             entry.with_default("bonus", flag, False),
+            chosen,
         )
 
     def _pool(self, entry: Table, by: Grouping) -> list[Template]:
