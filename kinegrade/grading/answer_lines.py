@@ -11,15 +11,13 @@ from typing import assert_never
 import numpy as np
 
 from kinegrade.files.cell_text import shorten
-from kinegrade.files.csv_writing import encode, neutralise, write_csv_cell, write_csv_cells
+from kinegrade.files.csv_writing import encode, neutralise_cells, write_csv_cell, write_csv_cells
 from kinegrade.grading.fast.bounds import Places
 from kinegrade.grading.fast.judged_block import KINDS
 from kinegrade.grading.fast.line_columns import LineColumns
-from kinegrade.grading.fast.typed_cells import TypedCells
 from kinegrade.grading.marks import MarkedBlock
 from kinegrade.grading.reason_columns import add_reasons
 from kinegrade.grading.sheets.pool import list_put_rows
-from kinegrade.grading.typed.answers import Reading
 from kinegrade.grading.typed.parted_cells import PartedCells
 from kinegrade.language.catalogue import Catalogue, open_catalogue
 from kinegrade.marks_folder.writing import MarksWriter
@@ -57,12 +55,12 @@ def _write_lines(block: MarkedBlock, words: Catalogue) -> bytes:
     lines.add(students, np.repeat(np.arange(len(rows)), len(asks)))
     named = [encode(_join(ask.question, ask.ask, "")) for ask in asks]
     lines.add(named, np.tile(np.arange(len(asks)), len(rows)))
-    _add_cells(lines, cells.typed, cells, _show_response)
+    _add_cells(lines, cells.typed, _show_responses)
     lines.add([b","], np.zeros(lines.count, dtype=np.intp))
     if cells.are_plain:
         lines.add_again(_TYPED)
     else:
-        _add_cells(lines, cells.read_as, cells, lambda reading: reading.read_as)
+        _add_cells(lines, cells.read_as, write_csv_cells)
     lines.add(*_list_verdicts(block))
     add_reasons(lines, block.judged, words)
     return lines.write(_list_held(block))
@@ -80,8 +78,8 @@ def _join(*cells: str) -> str:
     return ",".join(map(write_csv_cell, cells))
 
 
-def _show_response(reading: Reading) -> str:
-    return neutralise(shorten(reading.typed))
+def _show_responses(typed: Sequence[str]) -> Sequence[str]:
+    return write_csv_cells(neutralise_cells([*map(shorten, typed)]))
 
 
 def _list_verdicts(block: MarkedBlock) -> tuple[list[bytes], Places]:
@@ -101,34 +99,16 @@ def _list_verdicts(block: MarkedBlock) -> tuple[list[bytes], Places]:
 
 
 def _add_cells(
-    lines: LineColumns,
-    texts: Sequence[str],
-    cells: TypedCells,
-    text_of: Callable[[Reading], str],
+    lines: LineColumns, texts: Sequence[str], make_safe: Callable[[Sequence[str]], Sequence[str]]
 ) -> None:
     """Adds a column of cells made safe for a CSV file; plain numbers, which most cells are, are
     safe as they stand.
     """
     match texts:
         case PartedCells(plain=plain, others=others):
-            safe = {place: encode(text) for place, text in others.items()}
-            for place, reading in cells.readings.items():
-                safe[place] = encode(write_csv_cell(text_of(reading)))
-            lines.add_plain(plain.letters.texts, safe)
+            safe = map(encode, make_safe([*others.values()]))
+            lines.add_plain(plain.letters.texts, dict(zip(others, safe, strict=True)))
         case Sequence():
-            lines.add(_encode_cells(texts, cells, text_of))
+            lines.add([*map(encode, make_safe(texts))])
         case _:
             assert_never(texts)
-
-
-def _encode_cells(
-    texts: Sequence[str], cells: TypedCells, text_of: Callable[[Reading], str]
-) -> list[bytes]:
-    """A column of cells that are held one by one."""
-    column = list(texts)
-    for place in cells.readings:
-        column[place] = ""
-    encoded = "\n".join(column).encode("ascii").split(b"\n")
-    for place, reading in cells.readings.items():
-        encoded[place] = encode(write_csv_cell(text_of(reading)))
-    return encoded

@@ -108,6 +108,8 @@ def typed(entry: dict[str, Any], random: Random) -> str:
             "=1+1",
             f"+{abs(number):.3f}",
             "√3",
+            f"{'-' * (number < 0)}√({number**2:.9f})",
+            f"{number * 100:.5f} cm/s",
             "1,234",
             f"{text}\n",
             "0",

@@ -21,7 +21,7 @@ from kinegrade.exam.folder.keys import Ask, Key, Paper
 from kinegrade.grading.fast.another_paper import PapersAnswered
 from kinegrade.grading.fast.bounds import Flags, Places, Rules, tabulate_rules
 from kinegrade.grading.fast.compared_cells import compare_cells
-from kinegrade.grading.fast.judged_block import NO_SHARE, JudgedBlock
+from kinegrade.grading.fast.judged_block import JudgedBlock
 from kinegrade.grading.fast.mistaken import Leading, Mistakes, find_best
 from kinegrade.grading.fast.reasons import Sentence, say_together
 from kinegrade.grading.fast.typed_cells import CellReader
@@ -118,18 +118,16 @@ class BlockJudge:
 
     def _uncertain(self, block: JudgedBlock, certain: Flags) -> _Open:
         """What was typed but could not be compared; records whatever is not a number at all."""
-        found: _Open = {}
-        for place in np.flatnonzero(~certain).tolist():
-            reading = block.cells.readings.get(place)
-            if (
-                reading is not None
-                and reading.kind != "number"
-                and not self._ruling(place).wrong_unit
-            ):
-                block.put(place, (judge(reading, _NO_KEY), block.credits[NO_SHARE]))
-            elif block.cells.typed[place]:
-                found[place] = None
-        return found
+        none = {
+            place: reading
+            for place, reading in block.cells.readings.items()
+            if reading.kind != "number" and not self._ruling(place).wrong_unit
+        }
+        verdicts = {place: judge(reading, _NO_KEY) for place, reading in none.items()}
+        block.put_unread(verdicts)
+        open_to = ~certain & block.cells.are_filled
+        open_to[[*verdicts]] = False
+        return dict.fromkeys(np.flatnonzero(open_to).tolist())
 
     def _mistaken(self, block: JudgedBlock, wrong: Places, rules: Rules) -> _Open:
         """Records the wrong answers to which mistakes certainly lead; gives the others, and those
@@ -139,7 +137,7 @@ class BlockJudge:
         found: _Open = {place: None for place in open_to if self._others(block, place)}
         keys, width = block.rows.papers.keys, len(self.asks)
         mistakes = Mistakes.of(wrong, read_mistakes(keys, wrong, width))
-        leading = mistakes.leading(block.cells.values, rules, block.cells.decimals)
+        leading = mistakes.leading(block.cells.compared, rules, block.cells.decimals)
         shares = [self.policy.ruling(ask.column).mistakes for ask in self.asks]
         single = np.flatnonzero(leading.single)
         if found:

@@ -20,4 +20,4 @@ def compare_cells(cells: TypedCells, papers: Sequence[Keys], rules: Rules) -> Co
         found[found] = find_decimals(papers, places[found], len(cells.reader.asks))
         return found
 
-    return compare(cells.values, centres.reshape(-1), rules, are_decimals)
+    return compare(cells.compared, centres.reshape(-1), rules, are_decimals)

@@ -6,6 +6,7 @@ each answer, because a large class gives a million answers.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import get_args
@@ -98,6 +99,14 @@ class JudgedBlock:
         if verdict.accepted:
             self.accepted[place] = verdict.accepted
         self.put_share(place, share)
+
+    def put_unread(self, verdicts: Mapping[int, Verdict]) -> None:
+        """Sets the verdicts on answers that are no numbers, which get no points."""
+        places = [*verdicts]
+        self.kinds[places] = [_NUMBERS[each.kind] for each in verdicts.values()]
+        self.shares[places], self.said[places], self.by_policy[places] = NO_SHARE, 0, False
+        self.reasons.update({place: each.reason for place, each in verdicts.items()})
+        self.mistakes.update({place: each.mistakes for place, each in verdicts.items()})
 
     def put_mistakes(self, leading: Leading, ways: Places, said: Places) -> None:
         """Sets the answers to which these ways lead, without points; the numbers of the sentences

@@ -10,14 +10,20 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from fractions import Fraction
 from itertools import chain, groupby
-from math import isfinite, nan
+from typing import assert_never
 
 import numpy as np
 
 from kinegrade.exam.folder.keys import Ask
 from kinegrade.grading.fast.bounds import Flags, Numbers
+from kinegrade.grading.fast.glanced_numbers import (
+    BLANK,
+    ReadCell,
+    glance,
+    list_readings,
+    list_values,
+)
 from kinegrade.grading.typed.answers import PLAIN, Reading, read
 from kinegrade.grading.typed.cell_block import CellBlock
 from kinegrade.grading.typed.decimal_style import FileStyle, join_evidence, show_evidence
@@ -31,15 +37,17 @@ _PLAIN = re.compile(PLAIN)
 @dataclass(frozen=True, slots=True)
 class TypedCells:
     """Cells row after row: `values` are NaN where no number is typed, or none that is known
-    exactly, and next to decimals of few digits where those are `decimals`.
+    exactly, and next to decimals of few digits where those are `decimals`. By `compared`, which has
+    the others too, irrational numbers are compared.
 
-    `readings` are those of the cells that are neither plain nor empty, by place; `styles` are those
-    of the rows with such cells, by row.
+    `readings` are those of the cells that took more than a glance, by place; `styles` are those of
+    the rows with cells that are neither plain nor empty, by row.
     """
 
     reader: CellReader
     typed: Sequence[str]
     values: Numbers
+    compared: Numbers
     decimals: Flags
     read_as: Sequence[str]
     readings: Mapping[int, Reading]
@@ -49,6 +57,17 @@ class TypedCells:
     def are_plain(self) -> bool:
         """Whether all cells are plain or empty, and read as they stand."""
         return self.read_as is self.typed
+
+    @property
+    def are_filled(self) -> Flags:
+        """Which cells are not blank."""
+        match self.typed:
+            case PartedCells():
+                return self.typed.find_filled()
+            case Sequence():
+                return np.array([*map(bool, self.typed)], dtype=np.bool_)
+            case _:
+                assert_never(self.typed)
 
     def reading(self, place: int) -> Reading:
         """The reading of a cell."""
@@ -75,17 +94,17 @@ class CellReader:
             return self._row_by_row(block.rows, [*chain.from_iterable(block.rows)])
         decimals = parted.plain.letters.lengths <= FEW_DIGITS
         if not parted.others:
-            return TypedCells(self, parted, parted.plain.values, decimals, parted, {}, {})
+            values = parted.plain.values
+            return TypedCells(self, parted, values, values, decimals, parted, {}, {})
         return self._among_plain(parted, decimals)
 
     def _among_plain(self, parted: PartedCells, decimals: Flags) -> TypedCells:
         """Cells of which some are not plain: those alone are read, each by the style of its row,
         and all of a row in whose style plain numbers are not what they seem.
         """
-        width, values = len(self.asks), parted.plain.values.copy()
-        points: Flags = np.any(parted.plain.find_decimals().reshape(-1, width), axis=1)
-        typed, read_as = dict[int, str](), dict[int, str]()
-        readings: dict[int, Reading] = {}
+        width, plain = len(self.asks), parted.plain
+        points: Flags = np.any(plain.find_decimals().reshape(-1, width), axis=1)
+        typed, cells = dict[int, str](), dict[int, ReadCell]()
         styles: dict[int, DecimalStyle] = {}
         for row, places in groupby(parted.others, lambda place: place // width):
             listed: Iterable[int] = [*places]
@@ -97,53 +116,46 @@ class CellReader:
                 listed = [place for place in every if parted[place]]
             for place in listed:
                 typed[place] = parted[place]
-                value, read_as[place], reading = self._read(place, typed[place], style)
-                values[place], decimals[place] = value, len(typed[place]) <= FEW_DIGITS
-                if reading is not None:
-                    readings[place] = reading
-                    decimals[place] = _is_decimal(value, reading)
-        plain = parted.plain
-        texts, digits = PartedCells(plain, typed), PartedCells(plain, read_as)
-        return TypedCells(self, texts, values, decimals, digits, readings, styles)
+                cells[place] = self._read(place, typed[place], style)
+        values, compared = plain.values.copy(), plain.values.copy()
+        read = [*cells.values()]
+        where = np.fromiter(cells, dtype=np.intp, count=len(cells))
+        values[where], compared[where] = list_values(read), [cell.value for cell in read]
+        decimals[where] = [cell.is_decimal for cell in read]
+        digits = {place: cell.read_as for place, cell in cells.items()}
+        return TypedCells(
+            *(self, PartedCells(plain, typed), values, compared, decimals),
+            *(PartedCells(plain, digits), list_readings(cells), styles),
+        )
 
     def _row_by_row(self, rows: Sequence[Sequence[str]], typed: Sequence[str]) -> TypedCells:
         """Cells that are read one by one."""
-        values: list[float] = []
-        read_as: list[str] = []
-        readings: dict[int, Reading] = {}
+        read: list[ReadCell] = []
         styles: dict[int, DecimalStyle] = {}
         for number, row in enumerate(rows):
             styles[number] = self.styles.of_row(row)
-            for place, cell in enumerate(row, len(values)):
-                value, digits, reading = self._read(place, cell, styles[number])
-                values.append(value)
-                read_as.append(digits)
-                if reading is not None:
-                    readings[place] = reading
-        decimals = np.array([*map(len, typed)], dtype=np.intp) <= FEW_DIGITS
-        for place, reading in readings.items():
-            decimals[place] = _is_decimal(values[place], reading)
-        return TypedCells(self, typed, np.array(values), decimals, read_as, readings, styles)
+            for place, cell in enumerate(row, len(read)):
+                read.append(self._read(place, cell, styles[number]))
+        values, compared = (
+            np.array(each, dtype=np.float64)
+            for each in (list_values(read), [cell.value for cell in read])
+        )
+        decimals = np.array([cell.is_decimal for cell in read], dtype=np.bool_)
+        digits, readings = [cell.read_as for cell in read], list_readings(dict(enumerate(read)))
+        return TypedCells(self, typed, values, compared, decimals, digits, readings, styles)
 
-    def _read(
-        self, place: int, cell: str, style: DecimalStyle
-    ) -> tuple[float, str, Reading | None]:
-        """The value of a cell, NaN where it is not known exactly, what it is read as, and how it is
-        read where it is neither plain nor empty.
-        """
+    def _read(self, place: int, cell: str, style: DecimalStyle) -> ReadCell:
+        """A cell in a row of that style."""
         if not cell:
-            return nan, "", None
-        if _takes_plain_numbers(style) and _PLAIN.fullmatch(cell):
-            return float(cell), cell.removeprefix("+"), None
+            return BLANK
         ask = self.asks[place % len(self.asks)]
-        reading = read(cell, ask.unit, style, ask.convention, ask.sign)
-        known = reading.value is not None and not reading.error
-        return float(reading.value or 0) if known else nan, reading.read_as, reading
-
-
-def _is_decimal(value: float, reading: Reading) -> bool:
-    """Whether the double that was read is next to a decimal of few digits."""
-    return isfinite(value) and Fraction(repr(value)) == reading.value
+        if _takes_plain_numbers(style):
+            if _PLAIN.fullmatch(cell):
+                return ReadCell.plain(cell.removeprefix("+"))
+            glanced = glance(cell, ask, style)
+            if glanced is not None:
+                return glanced
+        return ReadCell.of(read(cell, ask.unit, style, ask.convention, ask.sign))
 
 
 def _takes_plain_numbers(style: DecimalStyle) -> bool:

@@ -17,6 +17,7 @@ from kinegrade.grading.typed.value import Formula
 from kinegrade.language.message import Message, list_plainly
 from kinegrade.numbers.angle import Angle
 from kinegrade.numbers.balls import Balls
+from kinegrade.numbers.decimals import round_to_decimal
 from kinegrade.numbers.field import Field
 from kinegrade.numbers.pi_multiple import split_pi
 from kinegrade.numbers.refusals import Inexact
@@ -24,6 +25,7 @@ from kinegrade.numbers.rounded_text import find_bounds
 from kinegrade.numbers.surd import Surd
 
 PRECISION = 256
+_SHOWN_DIGITS = 12
 _MOST_EXACT_ROOTS = 3  # with more of them, the tower of fields costs more than a ball
 # The error of an irrational value, relative to its size; the key has 40 digits
 _KNOWN = Fraction(1, 10**38)
@@ -131,3 +133,13 @@ def _require_bounded(value: Fraction) -> Fraction:
 def make_rational_amount(value: Fraction) -> Amount:
     """A fraction as an amount."""
     return Amount(read_rational("1") * value.numerator / value.denominator)
+
+
+def decimal_text(value: Fraction) -> str:
+    """A fraction in digits: all of them where there are few, otherwise the first twelve.
+
+    >>> decimal_text(Fraction(3, 4)), decimal_text(Fraction(2, 3))
+    ('0.75', '0.666666666667')
+    """
+    short = round_to_decimal(value, _SHOWN_DIGITS)
+    return f"{short:f}" if -7 < short.adjusted() < 21 else str(short).lower()

@@ -16,23 +16,29 @@ from fractions import Fraction
 from functools import lru_cache
 from typing import Literal, assert_never
 
-from kinegrade.grading.typed.amount import Amount, convert, make_rational_amount, work_out
+from kinegrade.grading.typed.amount import (
+    Amount,
+    convert,
+    decimal_text,
+    make_rational_amount,
+    work_out,
+)
 from kinegrade.grading.typed.conversion import Conversion, WrongUnit, find_conversion
 from kinegrade.grading.typed.keyboard import BLANKS, fold, show
-from kinegrade.grading.typed.number_and_unit import split_unit
+from kinegrade.grading.typed.number_and_unit import NumberAndUnit, split_unit
 from kinegrade.grading.typed.number_text import MOST_DIGITS, DecimalStyle, TypedNumber, Unreadable
 from kinegrade.grading.typed.raised_dot import find_raised_dot
+from kinegrade.grading.typed.remarks import apply_sign, describe_doubt, describe_form
 from kinegrade.grading.typed.sense import find_direction, split_sense
 from kinegrade.grading.typed.undressing import undress
 from kinegrade.grading.typed.value import Formula, scan_value
 from kinegrade.language.message import Message, Quoted, Text
-from kinegrade.numbers.decimals import round_to_decimal
 from kinegrade.sign_conventions import Convention
 
 _LONGEST_ANSWER = 200
 _TOO_LONG = Message("marking.too-long", most=_LONGEST_ANSWER)
-_SHOWN_DIGITS = 12
 PAPERS_RULE = DecimalStyle()
+_MOST = 10**30  # the largest factor: no number of few digits becomes too large or too small by it
 _TRIED = "7", "2.25"  # numbers, as they are typed
 
 # What most people type
@@ -42,9 +48,6 @@ _DIGIT = re.compile(r"\d")
 _TAIL = re.compile(r"[\s.;,!\u3001]+$")
 _SIGN = re.compile(r"([+-]?)\s*")
 _NEXT_NUMBER = re.compile(r"[\s.,;'\u3001~=\u2248]*(?:[+-]\s*)?\(?\s*[0-9]")
-_DECIMAL = r"[0-9]+[.,][0-9]+"
-_IN_BRACKETS = re.compile(rf"\(\s*(?:{_DECIMAL}|[0-9]+)\s*\)")
-_SLASH = re.compile(rf"{_DECIMAL}\s*/\s*{_DECIMAL}")
 _SHARE_OF_TIME = re.compile(r"\s*1\s*/\s*[^\W\d]|\s*\(\s*1\s*/")
 
 
@@ -93,11 +96,9 @@ def read(
         value = Fraction(int(f"{sign}{whole}{decimals}"), 10 ** len(decimals))
         return Reading("number", typed, value, typed.removeprefix("+"))
     parted = split_unit(typed, style)
-    alike = parted and _read_alike(parted.sign, parted.rest, unit, convention, sign)
-    if parted and alike:
-        if alike.kind != "number":
-            return replace(alike, typed=typed)
-        return Reading("number", typed, parted.value, parted.digits)
+    behind = parted and read_behind(parted.sign, parted.rest, unit, convention, sign)
+    if parted and behind:
+        return behind.read(typed, parted)
     if not _DIGIT.search(typed):
         return _read_words(typed, unit, convention, sign)
     return _read_any(typed, unit, style, convention, sign)
@@ -130,21 +131,55 @@ def _read_any(
         return Reading("wrong unit", typed, reason=fault.reason)
 
 
-@lru_cache(maxsize=4096)
-def _read_alike(
-    sign: str, rest: str, unit: str, convention: Convention | None, words: str
-) -> Reading | None:
-    """How every number with that sign is read where `rest` stands behind it: as it is, or not at
-    all for a reason that names no number; None for any other rest, such as one that makes zero of
-    all numbers. It is the same behind any number, so two are tried.
+@dataclass(frozen=True, slots=True)
+class Behind:
+    """What any number becomes by what stands behind it: another by a `factor`, or what is `alike`
+    for all of them.
     """
-    found: list[Reading] = []
-    for digits in (f"{sign}{each}" for each in _TRIED):
-        tried = _read_any(f"{digits}{rest}", unit, PAPERS_RULE, convention, words)
-        plain = Reading("number", tried.typed, Fraction(digits), digits)
-        found.append(Reading("number", "") if tried == plain else replace(tried, typed=""))
-    first, second = found
-    return first if first == second and first.value is None and not first.remark else None
+
+    factor: Conversion
+    alike: Reading | None = None
+
+    @property
+    def keeps_number(self) -> bool:
+        """Whether the number is the answer as it stands."""
+        return self.alike is None and self.factor == Conversion()
+
+    def read(self, typed: str, parted: NumberAndUnit) -> Reading:
+        """The reading of such a text."""
+        if self.alike is not None:
+            return Reading(self.alike.kind, typed, reason=self.alike.reason)
+        if self.keeps_number:
+            return Reading("number", typed, parted.value, parted.digits)
+        if self.factor.pi:
+            return _convert(typed, make_rational_amount(parted.value), self.factor)
+        value = parted.value * self.factor.factor
+        return Reading("number", typed, value, decimal_text(value))
+
+
+@lru_cache(maxsize=4096)
+def read_behind(
+    sign: str, rest: str, unit: str, convention: Convention | None, words: str
+) -> Behind | None:
+    """What every number with that sign becomes where `rest` stands behind it; None where a reading
+    says more of the number. It is the same behind any number, so two are tried.
+    """
+    try:
+        factor = find_conversion(rest, unit)
+    except (Unreadable, WrongUnit):
+        factor = Conversion()
+    if not 1 / _MOST < factor.factor < _MOST:
+        return None
+    parted = [NumberAndUnit(f"{sign}{each}", sign, rest) for each in _TRIED]
+    texts = [f"{each.digits}{rest}" for each in parted]
+    tried = [_read_any(each, unit, PAPERS_RULE, convention, words) for each in texts]
+    converted = Behind(factor)
+    if tried == [converted.read(*each) for each in zip(texts, parted, strict=True)]:
+        return converted
+    first, second = (replace(each, typed="") for each in tried)
+    if first == second and first.kind in ("unreadable", "wrong unit") and not first.remark:
+        return Behind(factor, first)
+    return None
 
 
 def _read(
@@ -170,42 +205,12 @@ def _read(
     written = sign[1] if sign else ""
     turn, remark = find_direction(sense, written, convention, words) if sense else (1, "")
     minus = (written == "-") != (turn < 0)
-    doubt = _describe_form(answer[: found.end]) or _describe_doubt(found, minus)
+    doubt = describe_form(answer[: found.end]) or describe_doubt(found, minus)
     both = Message("marking.two-remarks", first=doubt, second=remark)
     said = both if doubt and remark else doubt or remark
     if isinstance(found, TypedNumber) and factor == Conversion():
         return _read_as_typed(typed, found, minus, said)
     return _work_out(typed, found, minus, factor, said)
-
-
-def _describe_doubt(found: TypedNumber | Formula, minus: bool) -> Text:
-    """What the instructor should know about how a number was read, with the sign that was typed or
-    given in words.
-    """
-    match found:
-        case TypedNumber():
-            digits = _apply_sign(found, minus)
-            return found.reason and Message(
-                "typing.number-read-as", digits=digits, reason=found.reason
-            )
-        case Formula():
-            return found.remark
-        case _:
-            assert_never(found)
-
-
-def _describe_form(text: str) -> Text:
-    """What the instructor should know of a number in brackets, and of two with a slash between."""
-    if _IN_BRACKETS.fullmatch(text):
-        return Message("typing.in-brackets")
-    if _SLASH.fullmatch(text):
-        return Message("typing.quotient-of-decimals")
-    return ""
-
-
-def _apply_sign(found: TypedNumber, minus: bool) -> str:
-    """A typed number in plain digits with its sign."""
-    return f"-{found.digits}" if minus else found.digits
 
 
 def _find_conversion(rest: str, unit: str, typed: str) -> Conversion:
@@ -217,14 +222,18 @@ def _find_conversion(rest: str, unit: str, typed: str) -> Conversion:
 
 def _read_as_typed(typed: str, found: TypedNumber, minus: bool, remark: Text) -> Reading:
     value = -found.value if minus else found.value
-    return Reading("number", typed, value, _apply_sign(found, minus), remark=remark)
+    return Reading("number", typed, value, apply_sign(found, minus), remark=remark)
 
 
 def _work_out(
     typed: str, found: TypedNumber | Formula, minus: bool, factor: Conversion, remark: Text
 ) -> Reading:
-    amount = _make_amount(found)
-    value, error = convert(amount, -factor.factor if minus else factor.factor, factor.pi)
+    turned = Conversion(-factor.factor if minus else factor.factor, factor.pi)
+    return _convert(typed, _make_amount(found), turned, remark)
+
+
+def _convert(typed: str, amount: Amount, factor: Conversion, remark: Text = "") -> Reading:
+    value, error = convert(amount, factor.factor, factor.pi)
     return Reading("number", typed, value, decimal_text(value), remark=remark, error=error)
 
 
@@ -236,13 +245,3 @@ def _make_amount(found: TypedNumber | Formula) -> Amount:
             return work_out(found)
         case _:
             assert_never(found)
-
-
-def decimal_text(value: Fraction) -> str:
-    """A fraction in digits: all of them where there are few, otherwise the first twelve.
-
-    >>> decimal_text(Fraction(3, 4)), decimal_text(Fraction(2, 3))
-    ('0.75', '0.666666666667')
-    """
-    short = round_to_decimal(value, _SHOWN_DIGITS)
-    return f"{short:f}" if -7 < short.adjusted() < 21 else str(short).lower()

@@ -18,19 +18,24 @@ _GROUP = 3  # digits: a mark before so many may be read in two ways
 
 
 class NumberAndUnit(NamedTuple):
-    """A number with its sign, exactly and in plain digits, and what was typed behind it."""
+    """A number with its sign, in plain digits, and what was typed behind it."""
 
-    value: Fraction
     digits: str
     sign: str
     rest: str
+
+    @property
+    def value(self) -> Fraction:
+        """The number itself."""
+        whole, _, decimals = self.digits.partition(".")
+        return Fraction(int(f"{whole}{decimals}"), 10 ** len(decimals))
 
 
 def split_unit(typed: str, style: DecimalStyle) -> NumberAndUnit | None:
     """A text taken apart; None where it is of another kind, or its mark can be read in two ways.
 
     >>> split_unit("-0,25 m/s", DecimalStyle())
-    NumberAndUnit(value=Fraction(-1, 4), digits='-0.25', sign='-', rest=' m/s')
+    NumberAndUnit(digits='-0.25', sign='-', rest=' m/s')
     >>> split_unit("1,234", DecimalStyle()), split_unit("about 2", DecimalStyle())
     (None, None)
     """
@@ -40,8 +45,7 @@ def split_unit(typed: str, style: DecimalStyle) -> NumberAndUnit | None:
     sign, whole, mark, decimals, rest = found.groups("")
     if len(decimals) == _GROUP and not _is_decimal_mark(mark, style):
         return None
-    value = Fraction(int(f"{sign}{whole}{decimals}"), 10 ** len(decimals))
-    return NumberAndUnit(value, f"{sign}{whole}{decimals and '.'}{decimals}", sign, rest)
+    return NumberAndUnit(f"{sign}{whole}{decimals and '.'}{decimals}", sign, rest)
 
 
 def _is_decimal_mark(mark: str, style: DecimalStyle) -> bool:

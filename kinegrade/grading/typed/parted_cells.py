@@ -6,6 +6,9 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import overload
 
+import numpy as np
+from numpy.typing import NDArray
+
 from kinegrade.files.rows.letter_table import LetterTable, tabulate_letters
 from kinegrade.grading.typed.plain_cells import PlainCells
 
@@ -31,6 +34,12 @@ class PartedCells(Sequence[str]):
 
     def __len__(self) -> int:
         return len(self.plain)
+
+    def find_filled(self) -> NDArray[np.bool_]:
+        """Which cells are not blank."""
+        found: NDArray[np.bool_] = self.plain.letters.lengths > 0
+        found[[*self.others]] = True
+        return found
 
     @overload
     def __getitem__(self, place: int) -> str: ...

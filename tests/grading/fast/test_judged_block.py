@@ -53,7 +53,7 @@ def begin(right: list[bool], size: int) -> JudgedBlock:
     nothing = [""] * size
     typed = np.array([2.0 if each else 9.0 for each in right] + [nan] * (size - len(right)))
     reader, decimals = CellReader((), find_file_style([])), np.ones(size, dtype=np.bool_)
-    cells = TypedCells(reader, nothing, typed, decimals, nothing, {}, {})
+    cells = TypedCells(reader, nothing, typed, typed, decimals, nothing, {}, {})
     rules = tabulate_rules([(WITHIN,) * size])
     comparison = compare(typed, np.full(size, 2.0), rules, decimals.__getitem__)
     return JudgedBlock.begin([], cells, comparison, ENGLISH)

@@ -9,8 +9,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kinegrade.exam.folder.keys import Ask
-from kinegrade.grading.fast.typed_cells import CellReader
-from kinegrade.grading.typed.answers import read
+from kinegrade.grading.fast.bounds import ROUNDING
+from kinegrade.grading.fast.typed_cells import CellReader, TypedCells
+from kinegrade.grading.typed.answers import Reading, read
 from kinegrade.grading.typed.cell_block import ListedCells
 from kinegrade.grading.typed.decimal_style import find_file_style
 
@@ -23,7 +24,15 @@ PLAIN = st.from_regex(r"[+-]?[0-9]{1,9}(\.[0-9]{1,9})?", fullmatch=True)
 ODD = st.sampled_from(
     ["", "-", "1,234", "1.234", "0,5", "2 m/s", "3 kg", "√3", "=1+1", "clockwise 2", "1e3", "?"]
 )
-ROWS = st.lists(st.tuples(*[st.one_of(PLAIN, PLAIN, ODD)] * 3), min_size=1, max_size=6)
+ROOT = st.from_regex(r"-?(?:√|sqrt)\(?[0-9]{1,9}(\.[0-9]{1,9})?\)?", fullmatch=True)
+UNIT = st.sampled_from(
+    ["", " m/s", "cm/s", " km/h", " rpm", " deg/s", " clockwise", " kg", "\u00b2"]
+)
+WITH_UNIT = st.builds(
+    "{}{}".format, st.from_regex(r"-?[0-9]{1,9}([.,][0-9]{1,9})?", fullmatch=True), UNIT
+)
+CELLS = st.one_of(PLAIN, PLAIN, ODD, ROOT, WITH_UNIT.map(str.strip))
+ROWS = st.lists(st.tuples(*[CELLS] * 3), min_size=1, max_size=6)
 
 
 @given(ROWS, st.sampled_from([None, "comma", "point"]))
@@ -35,8 +44,29 @@ def test_cells_are_read_as_one_by_one(rows: list[tuple[str, ...]], declared: str
             place = row * len(ASKS) + number
             expected = read(typed, ask.unit, style.of_row(responses), ask.convention, ask.sign)
             assert cells.reading(place) == expected
+            assert cells.typed[place] == typed
             assert cells.read_as[place] == expected.read_as
+            assert cells.are_filled[place] == bool(typed)
+            _require_compared(cells, place, expected)
             if expected.value is None or expected.error:
                 assert isnan(cells.values[place])
             else:
                 assert cells.values[place] == float(expected.value)
+
+
+def _require_compared(cells: TypedCells, place: int, expected: Reading) -> None:
+    """A number is compared by its double, where that is not exact by one that is as near as what
+    is certain allows; decimals of few digits are exact.
+    """
+    compared = float(cells.compared[place])
+    if expected.value is None:
+        assert isnan(compared)
+        return
+    if expected.value == 0 and expected.error:
+        assert isnan(compared)
+        return
+    away = abs(Fraction(compared) - expected.value)
+    assert away <= Fraction(ROUNDING) * abs(expected.value) / 2
+    if cells.decimals[place]:
+        assert not expected.error
+        assert Fraction(repr(compared)) == expected.value
