@@ -49,6 +49,12 @@ def reading(
      "the point is the decimal mark in the answers of 2 students, and the comma in no student's"),
     ("1,234", [], [["1,234,567"], ["12"]], None, 1.234,
      "a comma is the decimal mark, as the papers say; but it groups digits in the answers of 1 student"),
+    ("1.234", [], [["1.234.567"], ["12"]], None, 1.234,
+     "a point is the decimal mark, as the papers say; but it groups digits in the answers of 1 student"),
+    ("1.234", [], [["1.234.567"], ["1.234,5"]], None, 1.234,
+     "a point is the decimal mark, as the papers say; but it groups digits in the answers of 2 students"),
+    ("1.234", ["0.5"], [["1.234.567"], ["1.234.567"]], None, 1.234, ""),
+    ("1.234", [], [["1.234.567"], ["0.5"]], None, 1.234, ""),
     # One of four tells: too little to group others' digits
     ("1,234", [], [["0.5"], ["12"], ["13"]], None, 1.234,
      "a comma is the decimal mark, as the papers say; so it is in the answers of 0 students, "

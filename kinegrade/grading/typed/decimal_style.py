@@ -79,7 +79,7 @@ class FileStyle:
         comma, comma_reason = self._comma(row)
         if "." in row.groups and "." not in row.decimal:
             return DecimalStyle(comma, "groups", comma_reason, Message("marking.own-point-groups"))
-        doubt = self.style.point_reason
+        doubt = "" if "." in row.decimal else self.style.point_reason
         if not doubt and "," in row.decimal and "." not in row.decimal:
             doubt = Message("marking.against-own-commas")
         return DecimalStyle(comma, self.style.point, comma_reason, doubt)
@@ -166,45 +166,49 @@ def find_file_style(rows: Iterable[Sequence[str]], declared: Mark | None = None)
 
 def find_common_style(blocks: Iterable[CellBlock]) -> FileStyle:
     """The style of a file from its rows of answers in blocks."""
-    counted = np.zeros(4, dtype=np.intp)
+    counted = np.zeros(5, dtype=np.intp)
     for block in blocks:
         parted = block.parted
         if parted is None:
             counted += _count_any(block.rows)
         else:
             counted += _count_parted(parted, block.width)
-    commas, points, grouping, count = counted.tolist()
+    commas, points, grouping, pointed, count = counted.tolist()
     comma, reason = _judge_comma(commas, points, count)
     if grouping and not commas and not points:
         reason = Message("marking.comma-against-groups", count=grouping)
-    doubt = Message("marking.point-by-rule") if commas and not points else ""
+    doubt: Text = Message("marking.point-by-rule") if commas and not points else ""
+    if pointed > points:
+        doubt = Message("marking.point-against-groups", count=pointed)
     return FileStyle(DecimalStyle(comma, "decimal", reason, doubt), commas=commas > 0)
 
 
-def _count_any(rows: Sequence[Sequence[str]]) -> tuple[int, int, int, int]:
+def _count_any(rows: Sequence[Sequence[str]]) -> tuple[int, int, int, int, int]:
     """How many rows show a decimal comma, how many a decimal point, how many a comma that groups,
-    and how many are not blank.
+    how many such a point, and how many are not blank.
     """
     found = [gather_evidence(row) for row in rows if any(row)]
     commas, points = (sum(mark in each.decimal for each in found) for mark in ",.")
-    return commas, points, sum("," in each.groups for each in found), len(found)
+    grouping, pointed = (sum(mark in each.groups for each in found) for mark in ",.")
+    return commas, points, grouping, pointed, len(found)
 
 
-def _count_parted(cells: PartedCells, width: int) -> tuple[int, int, int, int]:
+def _count_parted(cells: PartedCells, width: int) -> tuple[int, int, int, int, int]:
     """The same of the cells of rows so wide, several times faster."""
     plain = cells.plain
     filled, points = (
         np.logical_or.reduce(found.reshape(-1, width), axis=1).tolist()
         for found in (~np.isnan(plain.values), plain.find_decimals())
     )
-    commas, grouping = [False] * len(points), [False] * len(points)
+    commas, grouping, pointed = ([False] * len(points) for _ in range(3))
     for place, text in cells.others.items():
         row, shown = place // width, show_evidence(text)
         filled[row] = True
         points[row] |= "." in shown.decimal
         commas[row] |= "," in shown.decimal
         grouping[row] |= "," in shown.groups
-    return sum(commas), sum(points), sum(grouping), sum(filled)
+        pointed[row] |= "." in shown.groups
+    return sum(commas), sum(points), sum(grouping), sum(pointed), sum(filled)
 
 
 def _read_declared_style(mark: Mark) -> DecimalStyle:
