@@ -39,7 +39,7 @@ def _class_at_work(tmp_path_factory: pytest.TempPathFactory) -> Path:
     bank = kinegrade.Bank.read(folder / "bank.toml")
     roster = kinegrade.Roster.read(folder / "roster.csv")
     exam = kinegrade.generate(bank, roster, folder / "EXAM").exam
-    right = exam.line_of("007").questions[0].asks["v_B"].decimal
+    right = exam.keys.line_of("007").questions[0].asks["v_B"].decimal
     (folder / "answers.csv").write_text(f"student,q1.v_B\n007,{right}\n", encoding="utf-8")
     kinegrade.grade(exam, folder / "answers.csv", folder / "MARKS")
     return folder

@@ -37,8 +37,9 @@ from kinegrade.press.sheet import KeyPaper
 from kinegrade.problem.solution import Solution
 from kinegrade.problem.template.template import Template
 from kinegrade.stated_marking import find_identifier
+from kinegrade.students.comparison import measure_distance
 from kinegrade.students.mistaking.consequences import attach_mistakes
-from kinegrade.students.separation import Separation, measure_distance
+from kinegrade.students.separation import Separation
 
 CLASS = 50  # students of one exam: no template is short of instances for so few
 FIGURES = 4  # that mistaken students type in

@@ -72,7 +72,7 @@ ALLOWED: Mapping[str, Mapping[str, Sequence[str]]] = {
             "{}, box({}, align(center + horizon, box({}))))",
             "{}, circle(radius: {}, {}))",
         ],
-        "language/math/typst.py": [
+        "language/math/typst/formula.py": [
             "{} degree",
         ],
         "language/prose/typst.py": [

@@ -14,7 +14,6 @@ from functools import partial
 from hashlib import sha256
 from typing import Any, TypeVar
 
-from kinegrade.draws import draw_filter
 from kinegrade.draws.deal import DeckPart, Look, Verdicts, look_here
 from kinegrade.draws.draw_filter import DrawFilter, Verdict
 from kinegrade.errors import KinegradeError
@@ -41,9 +40,11 @@ from kinegrade.problem.template.library.reading import read_template
 from kinegrade.problem.template.sections.opening import FOLDER, Mechanisms
 from kinegrade.problem.template.template import Ask, Method, Template
 from kinegrade.processes.executor import THIS_PROCESS, Shared
+from kinegrade.students import kept_apart
+from kinegrade.students.kept_apart import find_separation
 from kinegrade.students.mistaking.mistakes import Values
 from kinegrade.students.rounding.accuracy import Accuracy
-from kinegrade.students.separation import Separation, find_separation
+from kinegrade.students.separation import Separation
 from kinegrade.worked.document import WorkedSolution
 from kinegrade.worked.solution import write_worked_solution
 from kinegrade.worked.steps import pictures
@@ -215,7 +216,7 @@ def keep_results() -> None:
     """Let all tests of this process share what follows from shipped files."""
     results = KeptResults()
     library.read_template = results.read_template  # type: ignore[assignment]
-    draw_filter.find_separation = results.find_separation
+    kept_apart.find_separation = results.find_separation
     dealing.deal_alike = results.deal_alike
     dealing._look_by = _look_by
     printing.TypstPress = results.make_press  # type: ignore[assignment, misc]

@@ -27,8 +27,6 @@ EXCEPTIONS = {
     "worked/formulas/expression.py: if tree.sign == '+'": "of sums and differences alone, the other one",
     "worked/solution.py: (first, rounding) if isinstance(first, Heading) "
     "else (rounding, first)": "what stands below a heading stands above anything else",
-    "grading/typed/answers.py: if alike.kind != 'number'": "an answer of any other kind has no number "
-    "whose digits count",
     "press/solutions/shortening.py: match block: _": "what is neither a picture nor about a polygon "
     "stays",
     "press/solutions/shortening.py: if not isinstance(block, Pictures)": "pictures alone are left out",
@@ -76,12 +74,14 @@ EXCEPTIONS = {
     "worked/vectors/arms.py: match step.tree: _": "only a midpoint halves a length",
     "grading/sheets/header_units.py: if one.kind != 'number'": "a unit by which a one is no number is none",
     "proof/ends.py: match joint.on: _": "a circle, or a line by its direction, has no ends",
+    "worked/asked_senses.py: match tree: _": "whatever else is asked for has no circle about whose "
+    "centre it counts",
     "worked/vectors/arms.py: match call: _": "whatever else constructs a point gives no distance",
     "worked/vectors/relatives.py: match read_symbol(symbol).row: "
     "_": "whatever else an ask is called leaves v_r to others",
-    "worked/formulas/formula.py: enclose(self.print(notation)) if self.kind == 'sum' else "
+    "worked/formulas/printed.py: enclose(self.print(notation)) if self.kind == 'sum' else "
     "self.print_after_sign(notation)": "only a sum needs brackets after a minus sign",
-    "worked/formulas/formula.py: if self.argument.kind in ('function', 'closed', "
+    "worked/formulas/functions.py: if self.argument.kind in ('function', 'closed', "
     "'sum')": "the others may be plain, which the next line decides",
     "worked/formulas/atoms.py: enclose(row) if self.number.kind == 'sum' else "
     "row": "only a sum needs brackets before a unit",
@@ -101,8 +101,10 @@ EXCEPTIONS = {
     "'percentage'": "the cells decide; a known word may only say that they are feedback",
     "grading/sheets/part.py: places.get(row.line, ())": "cells stand in their row, where no others "
     "are named",
-    "problem/assemble.py: if isinstance(value, (Vector, Line, Round, str))": "numbers of any "
-    "arithmetic are taken, what is known to be no number is refused",
+    "problem/assembling/measures.py: if isinstance(value, (Vector, Line, Round, str))": "numbers of "
+    "any arithmetic are taken, what is known to be no number is refused",
+    "problem/assembling/parts.py: if isinstance(value, (Vector, Line, Round, str))": "angles of any "
+    "arithmetic are taken, what is known to be none is refused",
 }
 
 OWN = """

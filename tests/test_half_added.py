@@ -159,7 +159,7 @@ ADDED: dict[str, Callable[[str], str]] = {
 # All joints and drivers, and what has them
 KNOWN = ("mechanics/joints", "mechanics/drivers", "mechanics/mechanism.py")
 REPORTED = (
-    ("problem/assemble.py", "Chain"),
+    ("problem/assembling/parts.py", "Chain"),
     ("mechanics/frames.py", "Chain"),
     ("mechanics/configuration.py", "Chain"),
     ("figure/joints/table.py", "Chain"),

@@ -8,8 +8,8 @@ from kinegrade.expressions.tree import Call, Expression, Name, Number, Operation
 from kinegrade.language.message import Message
 from kinegrade.worked.construction_steps import Step
 from kinegrade.worked.positions.algebra import ZERO
-from kinegrade.worked.positions.circles_meeting import turns_left
 from kinegrade.worked.positions.instance import Instance
+from kinegrade.worked.positions.meetings.circles_meeting import turns_left
 from kinegrade.worked.positions.polar import find_polar_way, write_positive
 from kinegrade.worked.positions.shapes import describe_circle, describe_line, describe_side
 from kinegrade.worked.positions.vectors import describe_vector, negate, write_way

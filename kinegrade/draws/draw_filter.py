@@ -8,12 +8,13 @@ little more than screening one.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, fields
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, assert_never
 
+from kinegrade.draws.dealt import DealtDraws
 from kinegrade.draws.deck import Combination, Deck
 from kinegrade.draws.earlier import NONE_EARLIER, EarlierDraws
 from kinegrade.draws.examining import (
@@ -33,21 +34,16 @@ from kinegrade.mechanics.plan import Plan
 from kinegrade.numbers.tolerance import USUAL_CARRY, Tolerance
 from kinegrade.problem.printed_givens import mark_question
 from kinegrade.problem.solution import Solution
-from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.hints import FigureHints
 from kinegrade.problem.template.template import Template
 from kinegrade.students.rounding.accuracy import Accuracy
 from kinegrade.students.rounding.rounding import Rounding, take_one
 
 if TYPE_CHECKING:
-    from kinegrade.numbers.noting.pad import Doubles
     from kinegrade.students.separation import Separation
 
 # Combinations from which it is judged which mistakes can be kept apart from the truth
 _SAMPLE = 400
-# Solutions that a process keeps for a question: of those set last, and of those that the filter
-# found, of which most are dealt and set once; each takes 16 kB
-_KEPT, _FOUND = 50, 300
 _TOGETHER = 100  # combinations that are screened at once, whatever part of them is asked for
 
 Verdict = Reason | None  # why a combination is refused; None for a good one
@@ -103,8 +99,14 @@ class DrawFilter:
         if self.earlier.has(screened.values):
             return "earlier"
         found = self._examine_screened(screened)
-        self._keep(screened.values, found)
-        return found.reason if isinstance(found, Refused) else None
+        match found:
+            case Refused(reason=reason):
+                return reason
+            case Examined():
+                self.dealt.keep(screened.values, found)
+                return None
+            case _:
+                assert_never(found)
 
     def examine(self, combinations: Sequence[Combination]) -> list[Examined | Refused]:
         """For each combination what is fit for students, or why it is not."""
@@ -125,7 +127,7 @@ class DrawFilter:
         if self.separation is None or not combinations:
             return [_Screened(values, None, {}) for values in combinations]
         from kinegrade.draws.screening import screen
-        from kinegrade.students.separation import collect_columns
+        from kinegrade.students.comparison import collect_columns
 
         seen = self.separation.compare(collect_columns(combinations))
         refusals = screen(self.separation, self.accuracy, seen)
@@ -168,71 +170,6 @@ class DrawFilter:
         """What the figure of the question marks."""
         return mark_question(self.template, self.asks)
 
-    def solved(self, values: Combination) -> Solution:
-        """The solution of a combination that was dealt. Raises MechanismError for one that has
-        none, which the filter would have refused.
-
-        The filter is not asked again: what was dealt stays dealt when filters change.
-        """
-        return self._find_dealt(values).solution
-
-    def tolerances_of(self, values: Combination) -> Mapping[str, Tolerance]:
-        """By ask how far an answer may be off at values that were dealt: as stated, or widened to
-        what honest rounding takes; next to zero with the amount that is allowed there.
-        """
-        return self._find_dealt(values).tolerances
-
-    def round_together(self, draws: Iterable[Combination]) -> None:
-        """Bound honest rounding at the values of several papers that are set next, all at once,
-        which takes little longer than for one.
-        """
-        self._rounded.clear()
-        known = self._found.keys() | self._set.keys()
-        new = [values for values in draws if tuple(values.values()) not in known]
-        if new:
-            found = self.round_draws(new, self.carry)
-            for place, values in enumerate(new):
-                self._rounded[tuple(values.values())] = take_one(found, place)
-
-    def _find_dealt(self, values: Combination) -> Examined:
-        """A combination that was dealt, solved once however often it is asked for in a row."""
-        identity = tuple(values.values())
-        found = self._found.pop(identity, None) or self._set.pop(identity, None)
-        while len(self._set) >= _KEPT:
-            del self._set[next(iter(self._set))]
-        self._set[identity] = found or self._work_out(values)
-        return self._set[identity]
-
-    def _work_out(self, values: Combination) -> Examined:
-        """An instance, fit for students or not: what honest rounding would leave is as stated."""
-        solution = solve_template(self.template, values, self.asks, self.plan)
-        roundings = self._rounded.get(tuple(values.values()))
-        if roundings is None:
-            roundings = self.find_roundings(values)
-        allowed = self.accuracy.allow(solution, roundings)
-        stated = self.accuracy.state(solution, roundings)
-        return Examined(solution, {name: allowed[name] or stated[name] for name in allowed})
-
-    def find_roundings(self, values: Combination) -> Mapping[str, Rounding[float]]:
-        """By ask how rounding to the figures that students carry bears on the answer at values."""
-        return take_one(self.round_draws([values], self.carry), 0)
-
-    def round_draws(
-        self, draws: Sequence[Combination], carry: int
-    ) -> Mapping[str, Rounding[Doubles]]:
-        """By ask how rounding to `carry` significant figures bears on the answer of each draw;
-        nothing where no instance can be worked out.
-        """
-        if self.plan is None:
-            return {}
-        from kinegrade.students.mistaking.mistakes import convert_parameters
-        from kinegrade.students.rounding.bounds import find_roundings
-        from kinegrade.students.separation import collect_columns
-
-        asks = {name: self.template.asks[name] for name in self.asks}
-        arrays = convert_parameters(self.template, collect_columns(draws))
-        return find_roundings(self.template, asks, arrays, self.plan, carry)
-
     def _find_zero_by_chance(self, solution: Solution) -> str:
         """The first ask whose answer is zero here and not in all draws, which would be easier than
         the others; "" where there is none.
@@ -248,11 +185,17 @@ class DrawFilter:
         """
         if self.plan is None or not self.asks:
             return None
-        from kinegrade.students.separation import collect_columns, find_separation
+        from kinegrade.students.comparison import collect_columns
+        from kinegrade.students.kept_apart import find_separation
 
         asks = {name: self.template.asks[name] for name in self.asks}
         sample = collect_columns(self._sample.first(_SAMPLE))
         return find_separation(self.template, asks, self.accuracy, self.plan, sample)
+
+    @cached_property
+    def dealt(self) -> DealtDraws:
+        """The question at the values that are dealt, each solved once."""
+        return DealtDraws(self.template, self.asks, self.accuracy, self.plan)
 
     @cached_property
     def plan(self) -> Plan | None:
@@ -261,28 +204,6 @@ class DrawFilter:
             with suppress(Refused):
                 return solve_sensible(self.template, values, self.asks, None).motion.plan
         return None
-
-    def _keep(self, values: Combination, found: Examined | Refused) -> None:
-        """Keep what was found until it is asked for, unless there is much."""
-        if isinstance(found, Examined) and len(self._found) < _FOUND:
-            self._found[tuple(values.values())] = found
-
-    @cached_property
-    def _found(self) -> dict[tuple[str, ...], Examined]:
-        """What the filter found in this process, by its values: a combination need not be solved
-        again when its paper is set.
-        """
-        return {}
-
-    @cached_property
-    def _set(self) -> dict[tuple[str, ...], Examined]:
-        """What was dealt and asked for last, the latest at the end."""
-        return {}
-
-    @cached_property
-    def _rounded(self) -> dict[tuple[str, ...], Mapping[str, Rounding[float]]]:
-        """What `round_together` found last, by values."""
-        return {}
 
     @cached_property
     def _blocks(self) -> dict[int, list[_Screened]]:

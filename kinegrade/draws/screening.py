@@ -10,8 +10,9 @@ from math import isfinite
 
 from kinegrade.draws.examining import Refused, explain_rounding
 from kinegrade.language.message import Message
+from kinegrade.students.comparison import Comparison
 from kinegrade.students.rounding.accuracy import Accuracy
-from kinegrade.students.separation import Comparison, Separation
+from kinegrade.students.separation import Separation
 
 
 def screen(separation: Separation, accuracy: Accuracy, seen: Comparison) -> list[Refused | None]:

@@ -97,7 +97,7 @@ class FollowThrough:
             for name, parameter in template.parameters.items()
         }
         follower = make_follower(template, values, self.plan(question, template))
-        self._require_same(follower, kept, name_place(self.exam.key, student, question))
+        self._require_same(follower, kept, name_place(self.exam.keys.file, student, question))
         return follower
 
     def _require_same(self, follower: AnyFollower, kept: KeyQuestion, where: Message) -> None:
@@ -119,7 +119,7 @@ class FollowThrough:
 
     def kept(self, student: str, question: str) -> KeyQuestion | None:
         """A question as the key of a student's paper states it; None if it is not there."""
-        line = self.exam.line_of(student)
+        line = self.exam.keys.line_of(student)
         return next((each for each in line.questions if each.question == question), None)
 
     @property

@@ -1,22 +1,16 @@
-"""An exam in memory, as `kinegrade.exam.folder.keys.Sitting` wants it: every key at hand."""
+"""An exam in memory, as `kinegrade.exam.folder.sitting.Sitting` wants it: every key at hand."""
 
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
+from kinegrade.exam.folder.asks import Ask, list_questions
 from kinegrade.exam.folder.columns.blocks import list_blocks
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.key.exact_keys import ListedKeys
-from kinegrade.exam.folder.keys import (
-    NOT_ASKED,
-    Ask,
-    Key,
-    Paper,
-    PaperBlock,
-    RightAnswers,
-    list_questions,
-)
+from kinegrade.exam.folder.keys import NOT_ASKED, Key
+from kinegrade.exam.folder.papers import Paper, PaperBlock, RightAnswers
 from kinegrade.language import ENGLISH, Language
 
 

@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 
-from kinegrade.exam.folder.keys import Ask
+from kinegrade.exam.folder.asks import Ask
 from kinegrade.grading.marks import MarkedBlock
 from kinegrade.grading.policy.policy import Policy
 from kinegrade.language.message import Message, Quoted

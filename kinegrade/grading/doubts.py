@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from kinegrade.exam.folder.keys import Ask
+from kinegrade.exam.folder.asks import Ask
 from kinegrade.files.cell_text import shorten
 from kinegrade.files.tables import Complaint
 from kinegrade.grading.fast.another_paper import PapersAnswered

@@ -17,7 +17,9 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from kinegrade.exam.folder.keys import Ask, Paper, PaperBlock, Sitting, add_counted
+from kinegrade.exam.folder.asks import Ask, add_counted
+from kinegrade.exam.folder.papers import Paper, PaperBlock
+from kinegrade.exam.folder.sitting import Sitting
 from kinegrade.files.cell_text import is_answered
 from kinegrade.files.tables import Complaint
 from kinegrade.grading.doubts import find_doubts, find_rows_of_others

@@ -11,7 +11,8 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 
 from kinegrade.errors import Problem
-from kinegrade.exam.folder.keys import Ask, Sitting, list_questions
+from kinegrade.exam.folder.asks import Ask, list_questions
+from kinegrade.exam.folder.sitting import Sitting
 from kinegrade.files.cell_text import trim
 from kinegrade.files.tables import Complaint
 from kinegrade.grading.fast.judged_block import JudgedBlock

@@ -18,6 +18,7 @@ from kinegrade.mechanics.plan import run_steps
 from kinegrade.mechanics.relations.relation import Relation
 from kinegrade.motion.arrays import Arrays
 from kinegrade.motion.conditions import Placed
+from kinegrade.motion.cubics import PathCubics
 from kinegrade.motion.displacement import Displacement
 from kinegrade.motion.ends import ChangePoint, Closed, End, Limit
 from kinegrade.motion.following import meet_input
@@ -27,8 +28,6 @@ from kinegrade.motion.system import System
 from kinegrade.motion.tracing import Trace, trace_path
 
 Array = NDArray[np.float64]
-_HALVINGS = 14
-_ENDS = (slice(0, -1), slice(1, None))  # the knots at which stretches begin and end
 _SOLVED = 1e-14
 _MET = 1e-13
 _ROUNDS = 8
@@ -100,49 +99,11 @@ class MotionPath:
         """`count` displacements at equal distances along the path, on which all coordinates count:
         closer where others change fast.
         """
-        ends = np.concatenate([[0.0], np.cumsum(self._lengths)])
-        gone = np.linspace(0.0, ends[-1], count)
-        number = np.clip(np.searchsorted(ends, gone, side="right") - 1, 0, len(self._lengths) - 1)
-        share = (gone - ends[number]) / self._lengths[number]
-        a, b, c, d = (part[number, -1] for part in self._cubics)
-        return np.asarray(np.clip(((d * share + c) * share + b) * share + a, *self.bounds))
+        return np.asarray(np.clip(self._cubics.spread_by_length(count), *self.bounds))
 
     @cached_property
-    def _knots(self) -> Array:
-        return np.asarray([knot.unknowns * self.system.units for knot in self.traced.knots])
-
-    @cached_property
-    def _tangents(self) -> Array:
-        return np.asarray([knot.tangent * self.system.units for knot in self.traced.knots])
-
-    def _guess(self, moved: Array) -> Array:
-        """The coordinates about where the input has gone so far: the path's cubics, whose input is
-        found by halving, as it hardly changes near a dead point.
-        """
-        inputs = self._knots[:, -1]
-        number = np.clip(np.searchsorted(inputs, moved, side="right") - 1, 0, len(inputs) - 2)
-        a, b, c, d = (part[number, -1] for part in self._cubics)
-        low, width = np.zeros(len(moved)), 1.0
-        for _ in range(_HALVINGS):
-            width /= 2
-            middle = low + width
-            value = ((d * middle + c) * middle + b) * middle + a
-            low = np.where(value > moved, low, middle)
-        a, b, c, d = (part[number, :-1].T for part in self._cubics)
-        share = low + width / 2
-        return np.asarray(((d * share + c) * share + b) * share + a)
-
-    @cached_property
-    def _lengths(self) -> Array:
-        """How long each stretch between knots is, in units of the coordinates."""
-        return np.asarray(np.linalg.norm(np.diff(self._knots, axis=0) / self.system.units, axis=1))
-
-    @cached_property
-    def _cubics(self) -> tuple[Array, Array, Array, Array]:
-        """The coefficients of each stretch's cubics in the part of it that is gone."""
-        first, rise = self._knots[:-1], np.diff(self._knots, axis=0)
-        leaving, arriving = (self._tangents[each] * self._lengths[:, None] for each in _ENDS)
-        return first, leaving, 3 * rise - 2 * leaving - arriving, leaving + arriving - 2 * rise
+    def _cubics(self) -> PathCubics:
+        return PathCubics(self.traced.knots, self.system.units)
 
     def place(self, moved: Array) -> Placement:
         """The positions at displacements of the input within the `bounds`. Raises MechanismError
@@ -154,7 +115,7 @@ class MotionPath:
             raise MechanismError(
                 Message("motion.out-of-reach", low=round_short(low), high=round_short(high))
             )
-        return self._solve(self._guess(moved), moved)
+        return self._solve(self._cubics.guess(moved), moved)
 
     def _solve(self, coordinates: Array, moved: Array) -> Placement:
         """Newton's method by the steps of the plan, for all positions at once; each keeps the best

@@ -9,8 +9,9 @@ from msgspec.structs import replace
 
 from kinegrade.draws.deck import Combination
 from kinegrade.exam.bank.blueprint import BankQuestion
+from kinegrade.exam.folder.asks import Ask
 from kinegrade.exam.folder.key.exact_keys import read_exact_keys
-from kinegrade.exam.folder.keys import Ask, Key
+from kinegrade.exam.folder.keys import Key
 from kinegrade.exam.printing.head_record import make_ask
 from kinegrade.exam.printing.sample import make_sample_bank
 from kinegrade.exam.roster.students import Student
@@ -54,7 +55,7 @@ class Instance:
         Raises as `solution` does.
         """
         exam = make_exam(self.question)
-        tolerances = exam.filters[self.question.identifier].tolerances_of(self.values)
+        tolerances = exam.filters[self.question.identifier].dealt.tolerances_of(self.values)
         drawn = Drawn(self.values, self.solution)
         paper = _make_paper(set_drawn(self.question, drawn, tolerances))
         (mistakes,) = find_mistaken_answers([paper])

@@ -21,7 +21,7 @@ from kinegrade.mechanics.motion import solve_motion
 from kinegrade.mechanics.plan import Plan
 from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.number import Arithmetic
-from kinegrade.problem.assemble import assemble
+from kinegrade.problem.assembling.assemble import assemble
 from kinegrade.problem.quantities.reader import BodyName
 from kinegrade.problem.template.template import Template
 

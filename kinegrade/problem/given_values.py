@@ -7,12 +7,7 @@ from contextlib import suppress
 from functools import lru_cache
 from typing import Any
 
-from kinegrade.errors import (
-    ExpressionError,
-    Problem,
-    TemplateError,
-    suggest,
-)
+from kinegrade.errors import ExpressionError, Problem, TemplateError, suggest
 from kinegrade.expressions.reading import read_expression
 from kinegrade.expressions.tree import Expression
 from kinegrade.language.lines import show_in_one_line
@@ -20,7 +15,7 @@ from kinegrade.language.message import Fault, Message, Quoted
 from kinegrade.numbers.field import Field
 from kinegrade.numbers.number import Arithmetic
 from kinegrade.numbers.refusals import Inexact
-from kinegrade.problem.assemble import read_parameter
+from kinegrade.problem.assembling.parameters import read_parameter
 from kinegrade.problem.template.template import Template
 
 

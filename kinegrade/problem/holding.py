@@ -13,7 +13,7 @@ from kinegrade.expressions.tree import Operation, find_names
 from kinegrade.numbers.angle import Angle
 from kinegrade.numbers.number import Arithmetic
 from kinegrade.numbers.refusals import Inexact
-from kinegrade.problem.assemble import construct
+from kinegrade.problem.assembling.construction import construct
 from kinegrade.problem.given_values import find_parameter_values, read_values
 from kinegrade.problem.solving import solve_certified
 from kinegrade.problem.template.template import Condition, Relation, Template, Wording

@@ -6,14 +6,11 @@ from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
 
-from kinegrade.errors import (
-    NoSuchAsk,
-    suggest,
-)
+from kinegrade.errors import NoSuchAsk, suggest
 from kinegrade.language.message import Fault, Message, Quoted
 from kinegrade.mechanics.motion import Motion
 from kinegrade.numbers.number import Arithmetic
-from kinegrade.problem.assemble import Assembly
+from kinegrade.problem.assembling.assemble import Assembly
 from kinegrade.problem.quantity import Quantity
 from kinegrade.problem.template.template import Template
 

@@ -28,7 +28,7 @@ from kinegrade.numbers.number import Arithmetic
 from kinegrade.numbers.pi_multiple import PiMultiple
 from kinegrade.numbers.refusals import Inexact
 from kinegrade.numbers.surd import Surd
-from kinegrade.problem.assemble import Assembly, assemble
+from kinegrade.problem.assembling.assemble import Assembly, assemble
 from kinegrade.problem.centrode import Centrodes
 from kinegrade.problem.given_values import find_certain_values, find_parameter_values, read_values
 from kinegrade.problem.quantities.functions import make_quantities

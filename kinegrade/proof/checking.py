@@ -195,7 +195,7 @@ def _solve_refused(
     for values, verdict in zip(draws, verdicts, strict=True):
         if isinstance(verdict, Refused) and verdict.reason not in _UNLIKE:
             with suppress(MechanismError):
-                yield draw_filter.solved(values)
+                yield draw_filter.dealt.solved(values)
 
 
 def choose_drawable(template: Template, sample: int, secret: str = SECRET) -> list[Combination]:

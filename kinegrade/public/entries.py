@@ -9,8 +9,9 @@ from os import PathLike
 from pathlib import Path
 
 from kinegrade.errors import TableError
+from kinegrade.exam.folder.asks import Ask
 from kinegrade.exam.folder.exam_folder import ExamFolder
-from kinegrade.exam.folder.keys import Ask, Sitting
+from kinegrade.exam.folder.sitting import Sitting
 from kinegrade.exam.keyed_exam import Examinee, KeyedExam
 from kinegrade.exam.roster.known_columns import list_key_columns
 from kinegrade.files.answer_file import AnswerFile

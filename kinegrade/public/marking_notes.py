@@ -31,7 +31,7 @@ def describe_key(exam: ExamFolder) -> Iterator[Fault]:
     """That the key by which a class is marked is not the one that was generated."""
     if exam.has_changed_key:
         what, do = Message("terminal.key-changed"), Message("terminal.verify-key")
-        yield Fault(str(exam.key), what, do=do)
+        yield Fault(str(exam.keys.file), what, do=do)
 
 
 def describe_points(grades: ClassGrades, marks: MarksFolder) -> Iterator[Problem]:

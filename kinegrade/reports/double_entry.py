@@ -10,7 +10,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from kinegrade.deadlines.moment import parse_moment
-from kinegrade.exam.folder.keys import Ask, Sitting
+from kinegrade.exam.folder.asks import Ask
+from kinegrade.exam.folder.sitting import Sitting
 from kinegrade.files.cell_text import is_answered, shorten, trim
 from kinegrade.files.csv_writing import encode_for_people, write_csv_text
 from kinegrade.files.tables import Complaint

@@ -134,10 +134,10 @@ class PaperRecords:
 
     def paper(self, student: str) -> PaperRecord:
         """The paper of a student. Raises ExamError where the exam has no paper for that student."""
-        line, predictions = self.exam.line_of(student), self._predictions
+        line, predictions = self.exam.keys.line_of(student), self._predictions
         rounding = predictions.rounding.get(student, {})
-        answers = StatedAnswers.of(self.exam.key, line, rounding, self.policy)
-        with decoding(self.exam.key, name_paper(student)):
+        answers = StatedAnswers.of(self.exam.keys.file, line, rounding, self.policy)
+        with decoding(self.exam.keys.file, name_paper(student)):
             parameters = dict(_read_parameters(line))
         difficulties = predictions.difficulties.get(student, {})
         return PaperRecord(line.order, answers, parameters, difficulties)
@@ -155,7 +155,7 @@ class PaperRecords:
         if unknown is not None:
             problem = Message("marks.not-asked", student=Quoted(student), ask=unknown)
             expected, do = Message("marks.of-this-exam"), Message("marks.name-exam")
-            raise ExamError(Fault(str(self.exam.key), problem, expected, do))
+            raise ExamError(Fault(str(self.exam.keys.file), problem, expected, do))
         return paper
 
     def _as_put(self, paper: PaperRecord, put: Mapping[str, str]) -> PaperRecord:

@@ -20,8 +20,9 @@ from typing import Any
 import numpy as np
 
 from kinegrade.sign_conventions import UNSIGNED
+from kinegrade.students.comparison import collect_columns
 from kinegrade.students.mistaking.unnamed_slips import list_unnamed_slips
-from kinegrade.students.separation import Separation, collect_columns
+from kinegrade.students.separation import Separation
 
 
 @dataclass(frozen=True)

@@ -9,9 +9,8 @@ cannot distinguish (a term that is identically zero there) is required of none o
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
-from math import tau
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -22,7 +21,8 @@ from kinegrade.numbers.floats import Floats
 from kinegrade.numbers.noting.pad import Doubles
 from kinegrade.problem.holding import find_room, is_surely_unmet
 from kinegrade.problem.template.template import Ask, Template
-from kinegrade.students.mistaking.mistake_kinds import Mistake, find_candidates
+from kinegrade.students.comparison import Comparison, is_different, measure_distance
+from kinegrade.students.mistaking.mistake_kinds import Mistake
 from kinegrade.students.mistaking.mistake_outcomes import SAME, Outcomes, find_outcomes
 from kinegrade.students.mistaking.mistakes import Values, convert_parameters
 from kinegrade.students.mistaking.written_mistakes import list_answer_factors
@@ -30,12 +30,6 @@ from kinegrade.students.rounding.accuracy import WIDEST, Accuracy
 from kinegrade.students.rounding.bounds import find_roundings
 from kinegrade.students.rounding.rounding import Rounding
 
-_HALF = 0.5  # share of instances above which a mistake is inseparable from the truth
-# The same for one given misread: there are many of these, and a mirrored figure hides some
-_TENTH = 0.1
-_SCARCE = (
-    0.05  # nor are mistakes kept apart any more when fewer instances than this share would be left
-)
 _ROOM = 1.05  # the scale is rounded to two figures where it gives room
 _PLAIN = 1.5  # times the bound of rounding: no widened tolerance gives more room
 _SURELY = 1 + 1e-6  # times a limit: doubles do not decide on what is nearer
@@ -46,30 +40,6 @@ _NORMAL_OR_CORIOLIS = {
     "path_normal",
     "square",
 }  # shares of terms that velocities decide
-
-
-@dataclass(frozen=True)
-class Comparison:
-    """Instances held against what mistakes lead to: for every ask a row for each mistake, by
-    `identifiers`.
-
-    `right` has every ask's right answers, in its unit; `near` marks where a mistaken value might be
-    taken for right, `changed` where it is another value at all, `stuck` where there is none because
-    no mechanism has such measures; `fit` marks the instances that may be drawn, as far as doubles
-    can decide. `roundings` are those of honest students, and `strayed` marks where rounding leaves
-    what is allowed. `unmet` is the place of the first condition that an instance
-    does not meet, -1 where there is none.
-    """
-
-    identifiers: Mapping[str, tuple[str, ...]]
-    right: Mapping[str, Any]
-    near: Mapping[str, Any]
-    changed: Mapping[str, Any]
-    stuck: Mapping[str, Any]
-    fit: Any
-    roundings: Mapping[str, Rounding[Doubles]]
-    strayed: Mapping[str, Any]
-    unmet: Any
 
 
 @dataclass(frozen=True)
@@ -130,7 +100,7 @@ class Separation:
                         for one in wrong
                     ]
                 )
-                changed[name] = np.array([_is_different(one, truth) for one in wrong])
+                changed[name] = np.array([is_different(one, truth) for one in wrong])
             stuck[name] = np.isnan(wrong)
             strayed[name] = self.find_strayed(name, truth, roundings[name])
             near[name][len(self.mistakes) :] &= truth != 0  # zero has no sense and no decimal point
@@ -167,7 +137,7 @@ class Separation:
             for place, (mistake, one) in enumerate(zip(self.mistakes, wrong, strict=True)):
                 hidden[place] |= (
                     bool(_NORMAL_OR_CORIOLIS & set(mistake.shares))
-                    and _is_different(one, right).any()
+                    and is_different(one, right).any()
                 )
             found[name] = tuple(
                 np.array(seen.identifiers[name])[hidden & ~self.kept[name]].tolist()
@@ -211,46 +181,6 @@ class Separation:
         return np.all([*fits, unmet < 0], axis=0)
 
 
-def find_separation(
-    template: Template,
-    asks: Mapping[str, Ask],
-    accuracy: Accuracy,
-    plan: Plan,
-    sample: Values,
-) -> Separation:
-    """What draws of a question keep apart, judged by a sample of them."""
-    mistakes = tuple(find_candidates(template, asks))
-    whole = Separation(template, asks, accuracy, plan, mistakes, sample)
-    seen = whole.compare(sample)
-    share = {
-        name: seen.near[name][:, seen.fit].mean(axis=1)
-        if seen.fit.any()
-        else np.ones(len(seen.near[name]))
-        for name in asks
-    }
-    bounds = {name: _list_bounds(mistakes, len(share[name])) for name in asks}
-    zero = frozenset(name for name, right in seen.right.items() if not right[seen.fit].any())
-    bound = _HALF
-    while True:
-        kept = {name: share[name] < np.minimum(bounds[name], bound) for name in asks}
-        confused = np.any(
-            [(seen.near[name] & kept[name][:, None]).any(axis=0) for name in asks], axis=0
-        )
-        usable = float((seen.fit & ~confused).mean())
-        if usable >= _SCARCE * seen.fit.mean() or not any(flags.any() for flags in kept.values()):
-            return replace(whole, kept=kept, usable=usable, zero=zero)
-        bound = max(float(share[name][kept[name]].max(initial=0.0)) for name in asks)
-
-
-def _list_bounds(mistakes: Sequence[Mistake], rows: int) -> Any:
-    """For each row of a comparison the share of instances that may be refused for it; those of
-    writing an answer down come last.
-    """
-    bounds = np.full(rows, _HALF)
-    bounds[: len(mistakes)] = [_TENTH if mistake.given else _HALF for mistake in mistakes]
-    return bounds
-
-
 def _find_unmet(template: Template, arrays: Mapping[str, Any]) -> Any:
     """For each instance the place of the first condition that it surely does not meet, or -1; one
     on the bound counts as met.
@@ -266,26 +196,3 @@ def _find_unmet(template: Template, arrays: Mapping[str, Any]) -> Any:
         surely = is_surely_unmet(condition.relation, room, SAME)
         unmet[np.broadcast_to(surely, unmet.shape)] = place
     return unmet
-
-
-def measure_distance(one: Any, other: Any, ask: Ask) -> Any:
-    """The difference of two answers; of angles that turn round, the difference without full
-    turns.
-    """
-    difference = np.abs(one - other)
-    if not ask.cyclic:
-        return difference
-    turn = 360.0 if ask.unit.degrees else tau
-    return np.abs(difference - turn * np.round(difference / turn))
-
-
-def _is_different(one: Any, other: Any) -> Any:
-    """Where one value is another than the other, and not the same rounded; False where there is
-    none.
-    """
-    return np.abs(one - other) > SAME * np.maximum(np.maximum(np.abs(one), np.abs(other)), 1.0)
-
-
-def collect_columns(draws: Sequence[Mapping[str, str]]) -> dict[str, list[str]]:
-    """For each parameter its values in all draws."""
-    return {name: [draw[name] for draw in draws] for name in draws[0]}

@@ -16,7 +16,8 @@ from kinegrade.expressions.tree import Expression, Number, Operation
 from kinegrade.mechanics.motion import Motion, solve_motion
 from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.doubles import Doubles, convert_number
-from kinegrade.problem.assemble import assemble, construct
+from kinegrade.problem.assembling.assemble import assemble
+from kinegrade.problem.assembling.construction import construct
 from kinegrade.problem.solution import Solution
 
 _STEPS = (1e-3, -1e-3, 1e-5, -1e-5)  # relative; of angles that are zero, in radians

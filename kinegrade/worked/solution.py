@@ -43,7 +43,7 @@ from kinegrade.worked.rates.kinds import describe_motions
 from kinegrade.worked.rates.rim_tracks import join_rims
 from kinegrade.worked.steps.couplers import goes_by_pole
 from kinegrade.worked.steps.given_steps import is_given
-from kinegrade.worked.steps.ideas import find_reasons, say_idea
+from kinegrade.worked.steps.ideas.ideas import find_reasons, say_idea
 from kinegrade.worked.steps.methods import Way, find_way
 from kinegrade.worked.steps.sought import name_task
 from kinegrade.worked.steps.used_points import find_placed_points, find_used_points

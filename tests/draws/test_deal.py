@@ -31,8 +31,9 @@ from kinegrade.figure.sketch import sketch
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.problem.template.hints import FigureHints
 from kinegrade.problem.template.library.library import load_template
+from kinegrade.students.comparison import Comparison
 from kinegrade.students.mistaking.mistakes import Values
-from kinegrade.students.separation import Comparison, Separation
+from kinegrade.students.separation import Separation
 from tests.problem.crank import crank
 from tests.problem.draws import dealt, draw_filter, drawn
 from tests.said import said

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from kinegrade.draws import draw_filter as filtering
+from kinegrade.draws import dealt as dealing
 from tests.problem.crank import crank
 from tests.problem.draws import draw_filter
 
@@ -16,10 +16,10 @@ def test_what_the_filter_found_is_set_without_being_solved_again(
     verdicts = draws.verdicts(range(draws.deck.size))
     good = [place for place, verdict in enumerate(verdicts) if verdict is None]
     combinations = [draws.deck.combination(place) for place in good]
-    monkeypatch.setattr(filtering, "_KEPT", 1)  # the others are set in between
-    monkeypatch.setattr(filtering, "solve_template", lambda *_: pytest.fail("solved again"))
+    monkeypatch.setattr(dealing, "_KEPT", 1)  # the others are set in between
+    monkeypatch.setattr(dealing, "solve_template", lambda *_: pytest.fail("solved again"))
     for values in reversed(combinations):
-        assert draws.solved(values) is draws._find_dealt(values).solution
+        assert draws.dealt.solved(values) is draws.dealt._find_dealt(values).solution
     assert len(combinations) > 1
     with pytest.raises(pytest.fail.Exception, match="solved again"):
-        draws.solved(combinations[-1])  # it was set long ago
+        draws.dealt.solved(combinations[-1])  # it was set long ago

@@ -17,8 +17,8 @@ from kinegrade.numbers.tolerance import Tolerance
 from kinegrade.problem.holding import condition_holds
 from kinegrade.problem.template.library.library import load_template
 from kinegrade.problem.template.template import Relation
+from kinegrade.students.comparison import collect_columns
 from kinegrade.students.rounding.rounding import Rounding, take_one
-from kinegrade.students.separation import collect_columns
 from tests.problem.crank import crank
 from tests.problem.draws import draw_filter
 

@@ -57,7 +57,7 @@ def read_totals(exam: Path, answers: str) -> dict[str, str]:
 
 def right_answer(exam: Path, student: str) -> str:
     """What is right for the first ask of a student's paper."""
-    return str(open_exam(exam).line_of(student).questions[0].asks["v_B"].decimal)
+    return str(open_exam(exam).keys.line_of(student).questions[0].asks["v_B"].decimal)
 
 
 def read_codes(head: ExamHead) -> dict[str, str]:

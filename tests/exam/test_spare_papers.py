@@ -64,12 +64,12 @@ def test_a_spare_paper_has_a_code_and_lines_to_write_on(exam: Path) -> None:
 
 def test_an_assigned_paper_is_that_of_the_student(exam: Path, tmp_path: Path) -> None:
     before, code = contents(exam), list_codes(exam)[0]
-    line = open_exam(exam).line_of("spare-1")
+    line = open_exam(exam).keys.line_of("spare-1")
     done = kinegrade("assign", exam, code, "0099", "--name", "Dora Noble")
     assert done.exit_code == 0, done.stderr
     assert f'EXAM: paper {code} is that of "0099"; 1 spare paper is left' in done.stderr
     after, folder = contents(exam), open_exam(exam)
-    assert folder.line_of("0099").questions == line.questions
+    assert folder.keys.line_of("0099").questions == line.questions
     assert folder.head.candidates["0099"].paper == code
     own = {"papers/0099.pdf", "papers/0099.html", "solutions/0099.pdf"}
     assert set(after) - set(before) == own
@@ -93,7 +93,7 @@ def test_an_assigned_paper_is_that_of_the_student(exam: Path, tmp_path: Path) ->
     assert "spare-1" not in key
     assert "spare-2" in key
     assert kinegrade("paper", exam, "0099").stdout_bytes == after["papers/0099.pdf"]
-    right = folder.line_of("0099").questions[0].asks["v_B"].decimal
+    right = folder.keys.line_of("0099").questions[0].asks["v_B"].decimal
     (tmp_path / "answers.csv").write_text(f"paper,q1.v_B\n{code},{right}\n", encoding="utf-8")
     kinegrade("grade", exam, tmp_path / "answers.csv", "-o", tmp_path / "MARKS")
     with (tmp_path / "MARKS" / "grades.csv").open(encoding="utf-8-sig", newline="") as lines:

@@ -17,7 +17,7 @@ from kinegrade.figure.mechanism.layers import Drawing
 from kinegrade.figure.mechanism.straight_parts import Bar, Part, SlottedDisc
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.scene import FIRM, THIN, TOOTHED, Bow, Disc, Label, Outline, Pen, Strokes
-from kinegrade.figure.symbols import BAR_WIDTH, SLOT_WIDTH
+from kinegrade.figure.symbols.bars import BAR_WIDTH, SLOT_WIDTH
 from kinegrade.figure.teeth import TOOTH_ROOT, trace_gear
 from kinegrade.mechanics.mechanism import Body, Mechanism
 from kinegrade.mechanics.vector import Vector

@@ -18,7 +18,7 @@ from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.placing.obstacles import Obstacles
 from kinegrade.figure.placing.place import Wish
 from kinegrade.figure.scene import BOLD, FIRM, THIN, Bow, Disc, Label, Outline, Primitive, Strokes
-from kinegrade.figure.symbols import STAND, draw_pivot
+from kinegrade.figure.symbols.pins import STAND, draw_pivot
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import Length, Turning
 from tests.figure.clear import heads

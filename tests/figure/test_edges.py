@@ -11,7 +11,7 @@ from kinegrade.figure.mechanism.paper import scale_to_paper
 from kinegrade.figure.mechanism.straight_parts import Bar
 from kinegrade.figure.plane import length
 from kinegrade.figure.scene import FIRM, THIN, TOOTHED, Disc, Outline, Primitive, Strokes
-from kinegrade.figure.symbols import BAR_WIDTH
+from kinegrade.figure.symbols.bars import BAR_WIDTH
 from kinegrade.mechanics.joints import GROUND, Circle, Line, Mesh, Pin, Roll, Slide
 from kinegrade.mechanics.mechanism import Body, Mechanism
 from kinegrade.mechanics.vector import Vector

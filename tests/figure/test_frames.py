@@ -17,7 +17,8 @@ from kinegrade.figure.placing.obstacles import Obstacles
 from kinegrade.figure.plane import length, nearest_of, unit
 from kinegrade.figure.scene import BOLD, FIRM, THIN, Bow, Disc, Label, Outline, Scene, Strokes
 from kinegrade.figure.sketch import sketch
-from kinegrade.figure.symbols import HEAD_LENGTH, PIN
+from kinegrade.figure.symbols.arrows import HEAD_LENGTH
+from kinegrade.figure.symbols.pins import PIN
 from kinegrade.mechanics.joints import GROUND, Line, Slide
 from kinegrade.mechanics.mechanism import Body, Mechanism
 from kinegrade.mechanics.vector import Vector

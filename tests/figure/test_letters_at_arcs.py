@@ -19,7 +19,7 @@ from kinegrade.figure.mechanism.straight_parts import SlottedDisc
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.plane import angle_of
 from kinegrade.figure.scene import THIN, Bow, Label
-from kinegrade.figure.symbols import SLOT_WIDTH
+from kinegrade.figure.symbols.bars import SLOT_WIDTH
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import Angle
 from tests.figure.mechanisms import polar

@@ -15,7 +15,7 @@ from kinegrade.figure.mechanism.straight_parts import Bar, Rod
 from kinegrade.figure.plane import unit
 from kinegrade.figure.scene import FIRM, PITCH, THIN, Bow, Disc, Outline, Scene, Strokes
 from kinegrade.figure.sketch import sketch
-from kinegrade.figure.symbols import draw_cylinder
+from kinegrade.figure.symbols.sliding import draw_cylinder
 from kinegrade.mechanics.drivers import Component, Rotation
 from kinegrade.mechanics.joints import GROUND, Circle, Line, Pin, Roll, Slide
 from kinegrade.mechanics.mechanism import Body, Mechanism

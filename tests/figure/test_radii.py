@@ -16,7 +16,7 @@ from kinegrade.figure.marks.radius_arrows import RadiusFromOutside
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.plane import angle_of, length, nearest_of, shorter_way, unit
 from kinegrade.figure.scene import BOLD, FIRM, THIN, TOOTHED, Bow, Disc, Outline, Primitive, Strokes
-from kinegrade.figure.symbols import HATCHING, list_round_hatching
+from kinegrade.figure.symbols.ground import HATCHING, list_round_hatching
 from kinegrade.figure.teeth import trace_gear
 from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.vector import Vector

@@ -13,7 +13,7 @@ from kinegrade.figure.mechanism.straight_parts import Bar
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.scene import FIRM, THIN, Disc, Outline, Scene
 from kinegrade.figure.sketch import sketch
-from kinegrade.figure.symbols import BAR_WIDTH
+from kinegrade.figure.symbols.bars import BAR_WIDTH
 from kinegrade.mechanics.joints import GROUND, Pin
 from kinegrade.mechanics.mechanism import Body, Mechanism
 from kinegrade.mechanics.vector import Vector

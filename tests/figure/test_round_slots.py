@@ -7,7 +7,7 @@ from math import hypot
 from kinegrade.figure.mechanism.layers import draw
 from kinegrade.figure.mechanism.paper import scale_to_paper
 from kinegrade.figure.scene import PITCH, Disc, Outline, Primitive
-from kinegrade.figure.symbols import BAR_WIDTH
+from kinegrade.figure.symbols.bars import BAR_WIDTH
 from kinegrade.mechanics.joints import GROUND, Arc, Circle, Pin
 from kinegrade.mechanics.mechanism import Body, Mechanism
 from kinegrade.mechanics.vector import Vector

@@ -13,7 +13,7 @@ from kinegrade.figure.mechanism.straight_parts import Bar, SlottedDisc
 from kinegrade.figure.plane import angle_of
 from kinegrade.figure.scene import Disc, Outline
 from kinegrade.figure.sketch import sketch
-from kinegrade.figure.symbols import PIN as PIN_RADIUS
+from kinegrade.figure.symbols.pins import PIN as PIN_RADIUS
 from kinegrade.mechanics.joints import GROUND, Line, Pin, Slide
 from kinegrade.mechanics.mechanism import Body, Mechanism
 from kinegrade.mechanics.vector import Vector

@@ -14,7 +14,8 @@ from kinegrade.figure.mechanism.straight_parts import Bar
 from kinegrade.figure.placing.obstacles import Obstacles
 from kinegrade.figure.plane import length, polar
 from kinegrade.figure.scene import FIRM, PITCH, TOOTHED, Disc, Outline, Strokes
-from kinegrade.figure.symbols import PIN, RACK_DEPTH
+from kinegrade.figure.symbols.pins import PIN
+from kinegrade.figure.symbols.teeth import RACK_DEPTH
 from kinegrade.figure.teeth import TOOTH_ROOT, TOOTH_TIP, find_teeth_of_rack, trace_gear, trace_rack
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector

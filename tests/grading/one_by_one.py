@@ -12,7 +12,7 @@ from math import nan
 import numpy as np
 
 from kinegrade.exam.folder.key.exact_keys import ListedKeys
-from kinegrade.exam.folder.keys import Paper
+from kinegrade.exam.folder.papers import Paper
 from kinegrade.exam.keyed_exam import Examinee, KeyedExam
 from kinegrade.files.cell_text import is_answered
 from kinegrade.grading.fast.another_paper import PapersAnswered

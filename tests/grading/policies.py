@@ -9,8 +9,10 @@ from dataclasses import dataclass
 from fractions import Fraction
 from pathlib import Path
 
+from kinegrade.exam.folder.asks import Ask
 from kinegrade.exam.folder.exam_folder import ExamFolder, open_exam
-from kinegrade.exam.folder.keys import Ask, Key, Paper, PaperBlock
+from kinegrade.exam.folder.keys import Key
+from kinegrade.exam.folder.papers import Paper, PaperBlock
 from kinegrade.exam.folder.records import Candidate, ExamHead, ExamQuestion
 from kinegrade.exam.keyed_exam import Examinee, KeyedExam
 from kinegrade.files.tables import parse_table

@@ -9,7 +9,8 @@ from dataclasses import dataclass
 from fractions import Fraction
 from random import Random
 
-from kinegrade.exam.folder.keys import Ask, Key
+from kinegrade.exam.folder.asks import Ask
+from kinegrade.exam.folder.keys import Key
 from kinegrade.exam.keyed_exam import Examinee, KeyedExam
 from kinegrade.marks_folder.rows import MarkedAnswer
 from kinegrade.numbers.tolerance import ONE_PER_CENT

@@ -11,9 +11,10 @@ from typing import Any
 import pytest
 
 from kinegrade.errors import ExamError
+from kinegrade.exam.folder.asks import Ask
 from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.exam.folder.key import stream as key_stream
-from kinegrade.exam.folder.keys import Ask, Key
+from kinegrade.exam.folder.keys import Key
 from kinegrade.exam.keyed_exam import read_whole
 from kinegrade.numbers.tolerance import ONE_PER_CENT, Tolerance
 from tests.grading.small_exam import HALF_ROOT_12, STUDENTS, asks, exam, paper, write_exam

@@ -42,7 +42,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = write_short_class(tmp_path_factory.mktemp("exchanged"))
     assert generate(folder).exit_code == 0
     codes = read_codes(folder)
-    answer = open_exam(folder / "EXAM").line_of("007").questions[0].asks["v_y"]
+    answer = open_exam(folder / "EXAM").keys.line_of("007").questions[0].asks["v_y"]
     assert answer.decimal is not None
     mark(folder, "BEFORE", [(codes["007"], answer.decimal), (codes["0012"], "-99")])
     assert kinegrade("exchange", folder / "EXAM", codes["0012"], "007").exit_code == 0

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from kinegrade.exam.folder.keys import Ask
+from kinegrade.exam.folder.asks import Ask
 from kinegrade.exam.keyed_exam import KeyedExam
 from kinegrade.files.tables import parse_table
 from kinegrade.grading.sheets.columns import find_columns

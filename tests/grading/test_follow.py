@@ -9,7 +9,8 @@ from pathlib import Path
 
 import pytest
 
-from kinegrade.exam.folder.keys import Ask, Key
+from kinegrade.exam.folder.asks import Ask
+from kinegrade.exam.folder.keys import Key
 from kinegrade.grading.judging.decision import Decision, decide
 from kinegrade.grading.judging.follow import Decided, Follows, follow_answers
 from kinegrade.grading.judging.judge import Verdict

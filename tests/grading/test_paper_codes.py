@@ -26,7 +26,7 @@ def mark(exam: Path, folder: Path, column: str, keys: list[str]) -> dict[str, st
     rows = []
     for key in keys:
         student = next(each for each in head.students if key in (each.student, each.paper))
-        asked = open_exam(exam).line_of(student.student).questions[0].asks["v_B"]
+        asked = open_exam(exam).keys.line_of(student.student).questions[0].asks["v_B"]
         rows.append([key.lower().replace("-", " ") if key == student.paper else key, asked.decimal])
     text = write_csv_text([column, head.columns[0]], rows)
     (folder / "answers.csv").write_text(text, encoding="utf-8")

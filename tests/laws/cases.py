@@ -23,7 +23,7 @@ from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.balls import Undecided
 from kinegrade.numbers.field import Field
 from kinegrade.numbers.floats import Floats
-from kinegrade.problem.assemble import read_parameter
+from kinegrade.problem.assembling.parameters import read_parameter
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.library.library import find_template_names, load_template
 from kinegrade.problem.template.template import Parameter, Template

@@ -231,10 +231,10 @@ def test_the_paper_of_somebody_else_is_told_and_not_marked(
 )
 def test_a_broken_key_is_told(tmp_path: Path, content: bytes | None, message: str) -> None:
     exam = open_exam(write_asks(tmp_path))
-    exam.key.unlink()
+    exam.keys.file.unlink()
     if content is None:
-        exam.key.mkdir()
+        exam.keys.file.mkdir()
     else:
-        exam.key.write_bytes(content)
+        exam.keys.file.write_bytes(content)
     with pytest.raises(ExamError, match=message):
         right_answers(exam, "S9")

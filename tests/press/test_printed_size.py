@@ -13,7 +13,7 @@ from kinegrade.language import Language
 from kinegrade.language.math.printed_size import measure_printed
 from kinegrade.language.math.reading import read_math
 from kinegrade.language.math.tree import Mark, Row
-from kinegrade.language.math.typst import write_typst_row
+from kinegrade.language.math.typst.formula import write_typst_row
 from kinegrade.press.typst.compiler import find_fonts
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.library.library import load_template

@@ -35,4 +35,4 @@ def drawn(draws: DrawFilter, places: int) -> list[Drawn]:
     """The first good combinations, solved; from the first again where there are too few."""
     good = dealt(draws, places).positions
     values = [draws.deck.combination(good[place % len(good)]) for place in range(places)]
-    return [Drawn(each, draws.solved(each)) for each in values]
+    return [Drawn(each, draws.dealt.solved(each)) for each in values]

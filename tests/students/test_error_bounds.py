@@ -17,12 +17,12 @@ from kinegrade.numbers.floats import Floats
 from kinegrade.numbers.units import Unit
 from kinegrade.problem.template.library.library import find_template_names, load_template
 from kinegrade.problem.template.template import Template
+from kinegrade.students.comparison import collect_columns, measure_distance
 from kinegrade.students.following.connections import find_generic_plan
 from kinegrade.students.mistaking.mistake_outcomes import find_outcomes
 from kinegrade.students.mistaking.mistakes import convert_parameters
 from kinegrade.students.rounding.bounds import find_roundings
 from kinegrade.students.rounding.working import Working
-from kinegrade.students.separation import collect_columns, measure_distance
 from tests.problem.crank import crank
 
 STUDENTS = 10_000

@@ -30,6 +30,7 @@ from kinegrade.problem.template.template import Template
 from kinegrade.problem.tolerance import find_effective_tolerance
 from kinegrade.proof.checking import check
 from kinegrade.proof.reporting import write_findings
+from kinegrade.students.comparison import collect_columns, measure_distance
 from kinegrade.students.mistaking.consequences import attach_mistakes
 from kinegrade.students.mistaking.mistake_kinds import (
     MISTAKES,
@@ -44,7 +45,6 @@ from kinegrade.students.mistaking.mistakes import (
     find_known_mistakes,
     work_out,
 )
-from kinegrade.students.separation import collect_columns, measure_distance
 from tests.problem.crank import crank, crank_text
 from tests.problem.draws import dealt, draw_filter, drawn
 from tests.said import said
@@ -294,7 +294,7 @@ def test_no_student_who_makes_a_known_mistake_gets_full_marks(name: str) -> None
     inseparable = separation.inseparable(separation.compare(separation.sample))
     for one in drawn(draws, 4):
         solution = attach_mistakes(one.solution)
-        found = draws.find_roundings(one.values)
+        found = draws.dealt.find_roundings(one.values)
         for ask in template.asked():
             answer = solution[ask]
             allowed = find_effective_tolerance(ONE_PER_CENT, answer.value, found[ask].largest)

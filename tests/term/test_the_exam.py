@@ -286,7 +286,7 @@ def list_dealt(exam: Path) -> set[tuple[str, str]]:
     """What anybody was dealt, by question."""
     return {
         (question.question, str(sorted(question.values.items())))
-        for line in open_exam(exam).lines()
+        for line in open_exam(exam).keys.lines()
         for question in line.questions
     }
 

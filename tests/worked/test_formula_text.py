@@ -14,7 +14,7 @@ from kinegrade.errors import ExpressionError
 from kinegrade.expressions.evaluation import evaluate, make_elementary_functions
 from kinegrade.expressions.reading import read_expression
 from kinegrade.expressions.tree import Call, Expression, Name, Number, Operation, find_names
-from kinegrade.language.math.typst import write_typst_math
+from kinegrade.language.math.typst.formula import write_typst_math
 from kinegrade.numbers.floats import Floats
 from kinegrade.problem.template.library.library import find_template_names, load_template
 from kinegrade.problem.template.template import Template

@@ -20,14 +20,13 @@ from kinegrade.worked.formulas.equation import Equation, approximate, drop_repet
 from kinegrade.worked.formulas.formula import (
     Absolute,
     Formula,
-    Function,
     Negative,
     Power,
     Product,
     Quotient,
-    Root,
     Sum,
 )
+from kinegrade.worked.formulas.functions import Function, Root
 from kinegrade.worked.formulas.notation import PLAIN, Notation
 from kinegrade.worked.formulas.numbers import round_number
 from kinegrade.worked.formulas.symbols import read_symbol

@@ -12,7 +12,7 @@ import pytest
 from kinegrade.language import ENGLISH, Language
 from kinegrade.language.known import known_languages
 from kinegrade.language.math.reading import read_math
-from kinegrade.language.math.typst import write_typst_math
+from kinegrade.language.math.typst.formula import write_typst_math
 from kinegrade.language.math.width import measure_row
 from kinegrade.language.prose.typst import write_prose
 from kinegrade.problem.solution import Solution

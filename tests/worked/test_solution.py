@@ -16,7 +16,7 @@ import pytest
 from kinegrade.errors import MechanismError, TemplateError
 from kinegrade.language import ENGLISH
 from kinegrade.language.math.reading import read_math
-from kinegrade.language.math.typst import write_typst_math
+from kinegrade.language.math.typst.formula import write_typst_math
 from kinegrade.language.prose.typst import write_prose
 from kinegrade.mechanics.plan import Plan
 from kinegrade.mechanics.relations.relation import Relation

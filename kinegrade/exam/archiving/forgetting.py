@@ -85,16 +85,16 @@ class Forgetting:
         return {student: f"p{place:0{digits}d}" for place, student in enumerate(everybody, 1)}
 
     def _list_pool(self) -> Iterator[str]:
-        return (each.student for each in self.exam.pool_lines())
+        return (each.student for each in self.exam.keys.pool_lines())
 
     def _write_exam(self, folder: Path, names: Mapping[str, str], known_as: str) -> None:
         for file in self.exam.path.iterdir():
             if file.name in _STAY or _is_bank(file.name):
                 (folder / file.name).write_bytes(file.read_bytes())
         copytree(self.exam.path / TEMPLATES, folder / TEMPLATES)  # with its shared mechanisms
-        (folder / KEY).write_bytes(_encode(self.exam.lines(), names))
-        if self.exam.has_pool:
-            (folder / POOL).write_bytes(_encode(self.exam.pool_lines(), names))
+        (folder / KEY).write_bytes(_encode(self.exam.keys.lines(), names))
+        if self.exam.keys.has_pool:
+            (folder / POOL).write_bytes(_encode(self.exam.keys.pool_lines(), names))
         head = structs.replace(_forget_head(self.exam.head, names), known_as=known_as)
         stated = self.exam.head.editable
         left = {name: each for name, each in (stated or {}).items() if (folder / name).exists()}

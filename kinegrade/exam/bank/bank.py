@@ -16,6 +16,7 @@ from kinegrade.errors import BankError, suggest
 from kinegrade.exam.bank.blueprint import LMS, Bank, Blueprint, Slot
 from kinegrade.exam.bank.by_hand import HandQuestion, find_hand_places
 from kinegrade.exam.bank.entries.entries import MAX_QUESTIONS, Entries, Entry
+from kinegrade.exam.bank.entries.named_templates import NamedTemplates
 from kinegrade.exam.bank.entries.together import require_carried, require_fit
 from kinegrade.exam.bank.formula_sheet import read_formula_sheet
 from kinegrade.exam.bank.header import find_header_places, read_header
@@ -102,7 +103,8 @@ def read_blueprint(
     formulas = read_formula_sheet(table, path.parent, kept=kept)
     frame = replace(_read_frame(table, text, translations), header=header, formula_sheet=formulas)
     shipped = folder or find_shipped("templates")
-    entries = Entries(table.faults, shipped, path.parent, kept, frame.space)
+    templates = NamedTemplates(table.faults, shipped, path.parent, kept)
+    entries = Entries(templates, frame.space)
     slots, by_hand = _read_questions(table, entries, frame)
     _require_none((table.faults, *faults))
     return Blueprint(replace(frame, by_hand=by_hand), slots)
@@ -193,7 +195,7 @@ def _read_questions(
     slots = tuple(slot for entry in read for slot in entry.slots)
     by_hand = tuple(entry.by_hand for entry in read if entry.by_hand is not None)
     require_fit(table, read)
-    if not entries.kept:
+    if not entries.templates.kept:
         require_carried(read, frame.carry)
     return slots, by_hand
 

@@ -7,30 +7,27 @@ head is read immediately.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass, field
-from functools import cached_property, lru_cache
+from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from kinegrade.errors import ExamError
-from kinegrade.exam.folder.contents import BANK, HEAD, KEY, POOL, SOLUTIONS, SPARES, TEMPLATES
-from kinegrade.exam.folder.faults import decoding, explain_unreadable, name_line, name_paper
+from kinegrade.exam.folder.asks import Ask, list_questions
+from kinegrade.exam.folder.contents import BANK, HEAD, SOLUTIONS, TEMPLATES
+from kinegrade.exam.folder.faults import explain_unreadable
 from kinegrade.exam.folder.head import read_head, require_finished
-from kinegrade.exam.folder.key.exact_keys import read_key_line
-from kinegrade.exam.folder.key.index import KeyIndex, make_index
-from kinegrade.exam.folder.key.lines import KeyLine, StatedNumber
-from kinegrade.exam.folder.keys import Ask, Paper, PaperBlock, RightAnswers, list_questions
+from kinegrade.exam.folder.key.files import KeyFiles
+from kinegrade.exam.folder.papers import Paper, PaperBlock, RightAnswers
 from kinegrade.exam.folder.records import ExamHead
 from kinegrade.exam.roster.students import read_place
 from kinegrade.language import Language
-from kinegrade.language.message import Fault, Message, Quoted
+from kinegrade.language.message import Fault, Message
 
 if TYPE_CHECKING:
     from kinegrade.exam.folder.columns.papers import KeptPapers
     from kinegrade.exam.folder.kept_templates import KeptTemplates
-
-_KEPT_LINES = 4  # marking comes back to the same paper for each ask
 
 
 @dataclass(frozen=True)
@@ -95,24 +92,9 @@ class ExamFolder:
         return self.path / HEAD
 
     @cached_property
-    def key(self) -> Path:
-        """The file of the key, to be named in messages."""
-        return self.path / KEY
-
-    @property
-    def spares(self) -> Path:
-        """The file of the spare papers' key, to be named in messages."""
-        return self.path / SPARES
-
-    @property
-    def pool(self) -> Path:
-        """The file of the pool's lines, to be named in messages."""
-        return self.path / POOL
-
-    @property
-    def has_pool(self) -> bool:
-        """Whether a pool was made of the exam."""
-        return self.pool.exists()
+    def keys(self) -> KeyFiles:
+        """The files of the key, and the keys of single papers."""
+        return KeyFiles(self.path)
 
     def papers(self) -> Iterator[Paper]:
         """The papers in the order of the roster, read as they are asked for.
@@ -137,7 +119,9 @@ class ExamFolder:
         """The papers of the pool that was made of the exam, none if there is no pool. Raises
         ExamError.
         """
-        return tuple(self._kept.variant(self.pool, *line) for line in self.pool_texts())
+        return tuple(
+            self._kept.variant(self.keys.pool_file, *line) for line in self.keys.pool_texts()
+        )
 
     def printed_orders(self) -> Mapping[str, tuple[str, ...]]:
         """The order of the questions on each paper, by student, where it is not the bank's.
@@ -147,59 +131,12 @@ class ExamFolder:
         # Few commands ask in which order questions are printed
         from kinegrade.exam.folder.printed_orders import read_printed_orders  # noqa: PLC0415
 
-        return read_printed_orders(self.key, self.questions, self.head.choices)
-
-    def line_of(self, student: str) -> KeyLine:
-        """The key of a student's paper, or that of a pool's variant for a student who left the
-        roster.
-
-        Raises ExamError where there is none.
-        """
-        line = self.find_line(student)
-        if line is None:
-            raise self._no_paper(student)
-        return line
-
-    def find_line(self, student: str) -> KeyLine | None:
-        """The same, or None where there is none. Raises ExamError where it is damaged."""
-        return self._recent_line(student)
-
-    def parameters(self, student: str, question: str) -> Mapping[str, StatedNumber]:
-        """The numbers drawn for a question of a student's paper, by parameter. Raises
-        ExamError.
-        """
-        asked = (each for each in self.line_of(student).questions if each.question == question)
-        return next((each.parameters for each in asked), {})
-
-    def lines(self) -> Iterator[KeyLine]:
-        """The keys of all papers, in the order of the file. Raises ExamError."""
-        return (self.read_line(*line) for line in self.texts())
-
-    def spare_lines(self) -> Iterator[KeyLine]:
-        """The keys of the spare papers, none where there are none. Raises ExamError."""
-        texts = _read_texts(self.spares) if self.spares.exists() else iter(())
-        return (_read_record(self.spares, *line) for line in texts)
+        return read_printed_orders(self.keys.file, self.questions, self.head.choices)
 
     def require_sound_key(self) -> None:
         """Raises ExamError with all faults of the key."""
         for _ in self.papers():
             pass
-
-    def read_line(self, number: int, text: bytes) -> KeyLine:
-        """The key on a line of `texts`. Raises ExamError."""
-        return _read_record(self.key, number, text)
-
-    def texts(self) -> Iterator[tuple[int, bytes]]:
-        """The lines of the key as they stand, with their numbers. Raises ExamError."""
-        return _read_texts(self.key)
-
-    def pool_lines(self) -> Iterator[KeyLine]:
-        """The keys of a pool's variants, none where no pool was made. Raises ExamError."""
-        return (_read_record(self.pool, *line) for line in self.pool_texts())
-
-    def pool_texts(self) -> Iterator[tuple[int, bytes]]:
-        """The lines of a pool as they stand, with their numbers. Raises ExamError."""
-        return _read_texts(self.pool) if self.has_pool else iter(())
 
     @cached_property
     def templates(self) -> KeptTemplates:
@@ -232,14 +169,6 @@ class ExamFolder:
             what = Message("exam.no-solutions", reason=str(fault.strerror))
             raise ExamError(Fault(str(path), what)) from fault
 
-    @cached_property
-    def _indices(self) -> tuple[KeyIndex, ...]:
-        """The indices in which lines are looked up: the key's, then the pool's, then that of spare
-        papers.
-        """
-        others = (each for each in (self.pool, self.spares) if each.exists())
-        return tuple(map(make_index, (self.key, *others)))
-
     @property
     def has_changed_key(self) -> bool:
         """Whether other hands changed key.jsonl, as far as its arrays tell it."""
@@ -253,31 +182,11 @@ class ExamFolder:
 
         return KeptPapers(self.path, self.head)
 
-    @cached_property
-    def _recent_line(self) -> Callable[[str], KeyLine | None]:
-        return lru_cache(maxsize=_KEPT_LINES)(self._line)
-
-    def _line(self, student: str) -> KeyLine | None:
-        index = self._index(student)
-        if index is None:
-            return None
-        with decoding(index.path, name_paper(student)):
-            return read_key_line(index.text(student))
-
     def _paper(self, student: str) -> Paper:
-        index = self._index(student)
+        index = self.keys.find_index(student)
         if index is None:
-            raise self._no_paper(student)
+            raise self.keys.name_missing(student)
         return self._kept.paper(index, student)
-
-    def _index(self, student: str) -> KeyIndex | None:
-        """The index that holds the line of a student."""
-        return next((index for index in self._indices if student in index.beginnings), None)
-
-    def _no_paper(self, student: str) -> ExamError:
-        what = Message("exam.no-paper", student=Quoted(student))
-        expected, do = Message("exam.one-for-every-student"), Message("exam.name-exam-of-marks")
-        return ExamError(Fault(str(self.key), what, expected, do))
 
 
 def open_exam(path: Path) -> ExamFolder:
@@ -286,16 +195,3 @@ def open_exam(path: Path) -> ExamFolder:
     """
     require_finished(path)
     return ExamFolder(path, read_head(path))
-
-
-def _read_texts(path: Path) -> Iterator[tuple[int, bytes]]:
-    try:
-        with path.open("rb") as lines:
-            yield from ((number, line) for number, line in enumerate(lines, 1) if line.strip())
-    except OSError as fault:
-        raise explain_unreadable(path, fault) from fault
-
-
-def _read_record(path: Path, number: int, text: bytes) -> KeyLine:
-    with decoding(path, name_line(number)):
-        return read_key_line(text)

@@ -8,8 +8,8 @@ from pathlib import Path
 import msgspec
 
 from kinegrade.exam.choices import Choice, fits_paper
+from kinegrade.exam.folder.asks import list_questions
 from kinegrade.exam.folder.faults import AS_GENERATED, explain_broken, explain_unreadable, name_line
-from kinegrade.exam.folder.keys import list_questions
 from kinegrade.exam.folder.records import ExamHead
 from kinegrade.language.message import Fault, Message
 

@@ -13,8 +13,8 @@ from functools import cached_property
 import msgspec
 
 from kinegrade.exam.choices import Choice
+from kinegrade.exam.folder.asks import Ask
 from kinegrade.exam.folder.exam_secret import ExamSecret, find_secret
-from kinegrade.exam.folder.keys import Ask
 from kinegrade.exam.roster.students import PrintFormat, make_file_names
 from kinegrade.language import Language
 from kinegrade.numbers.amounts import add_amounts

@@ -157,7 +157,9 @@ def _settle_changes(exam: ExamFolder, kept: KeptExam, *, accept: bool) -> tuple[
     changes = tuple(each for _, differences in reworked for each in differences)
     if changes and not accept:
         more = [Message("exam.more-changes", count=len(changes) - _NAMED)]
-        refusal = Fault(str(exam.key), Message("exam.would-change"), do=Message("exam.accept"))
+        refusal = Fault(
+            str(exam.keys.file), Message("exam.would-change"), do=Message("exam.accept")
+        )
         raise ExamError(*changes[:_NAMED], *(more if len(changes) > _NAMED else ()), refusal)
     if not changes:
         return ()
@@ -173,9 +175,9 @@ def _write_key(kept: KeptExam, papers: list[SetPaper]) -> None:
         for paper, mistakes in zip(papers, find_mistaken_answers(papers), strict=True)
     ]
     students = len(kept.exam.head.students)
-    kept.exam.key.write_bytes(b"".join(lines[:students]))
+    kept.exam.keys.file.write_bytes(b"".join(lines[:students]))
     if lines[students:]:
-        kept.exam.spares.write_bytes(b"".join(lines[students:]))
+        kept.exam.keys.spare_file.write_bytes(b"".join(lines[students:]))
 
 
 def _print_alike(

@@ -40,7 +40,7 @@ def _list_dealt(exams: Iterable[ExamFolder]) -> Iterator[tuple[str, Mapping[str,
     """What each student had of each question, by its template."""
     for exam in exams:
         templates = {each.question: each.template for each in exam.head.questions}
-        for line in exam.lines():
+        for line in exam.keys.lines():
             yield from ((templates[each.question], each.values) for each in line.questions)
 
 

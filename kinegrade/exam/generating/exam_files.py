@@ -15,6 +15,7 @@ from msgspec import structs
 from kinegrade.errors import BankError
 from kinegrade.exam.bank.blueprint import Bank
 from kinegrade.exam.bank.formula_sheet import list_formula_files
+from kinegrade.exam.folder.asks import Ask
 from kinegrade.exam.folder.columns.writing import write_columns
 from kinegrade.exam.folder.contents import (
     ANSWER_WORKBOOK,
@@ -28,7 +29,6 @@ from kinegrade.exam.folder.contents import (
     SPARES,
     TEMPLATES,
 )
-from kinegrade.exam.folder.keys import Ask
 from kinegrade.exam.folder.printed_orders import read_held_questions
 from kinegrade.exam.folder.records import ExamHead
 from kinegrade.exam.folder.writing import encode_head

@@ -15,17 +15,14 @@ from pathlib import Path
 
 from msgspec import structs
 
-from kinegrade.errors import Problem, TableError
+from kinegrade.errors import Problem
 from kinegrade.exam.bank.blueprint import Bank, Blueprint
 from kinegrade.exam.folder.contents import CONTENTS, HEAD, UNFINISHED
 from kinegrade.exam.folder.exam_secret import ExamSecret
 from kinegrade.exam.folder.key.lines import KeyLine
 from kinegrade.exam.folder.records import Candidate, ExamHead
-from kinegrade.exam.generating.earlier_exams import (
-    list_repeated,
-    read_earlier_exams,
-    require_enough,
-)
+from kinegrade.exam.generating.complaints import list_complaints, list_unbound
+from kinegrade.exam.generating.earlier_exams import read_earlier_exams, require_enough
 from kinegrade.exam.generating.exam_files import (
     source_files,
     translation_files,
@@ -53,19 +50,16 @@ from kinegrade.exam.printing.printing import Extras, PrintRun, require_tools
 from kinegrade.exam.printing.room_booklets import write_room_booklets
 from kinegrade.exam.resuming.begun import Basis, Begun, Order, describe_order, find_begun
 from kinegrade.exam.resuming.journal import Journal, open_journal
-from kinegrade.exam.roster.complaints import roster_complaints
 from kinegrade.exam.roster.roster import Roster
 from kinegrade.exam.roster.spare_papers import add_spare_papers
 from kinegrade.exam.setting.dealing import ClassDeal, deal_exam
 from kinegrade.exam.setting.kept_exam import student_of
-from kinegrade.exam.setting.same_answers import list_same_answers
 from kinegrade.figure.sketchbook import open_sketchbook
 from kinegrade.files.output import Resumable, output_folder
 from kinegrade.files.placing.standing import Standing, find_standing
 from kinegrade.language import Language
 from kinegrade.language.known import known_languages
-from kinegrade.language.message import Fault, Message
-from kinegrade.press.protocol import Press
+from kinegrade.language.message import Message
 from kinegrade.processes.executor import open_executor
 from kinegrade.processes.garbage_collection import bulk_work
 
@@ -131,7 +125,7 @@ def generate(
         run, candidates = _print_papers(journal, run, dealt, printer, options)
         _write_rest(remember(stays, make_exam_head(dealt, candidates, run)), sources, folder)
         settled = settle(old, folder, options)
-    drawn, said = _list_drawn_templates(blueprint, bank), (*found, *_list_unbound(bank, extras))
+    drawn, said = _list_drawn_templates(blueprint, bank), (*found, *list_unbound(bank, extras))
     return Generated(dealt, drawn, said, *settled, resumed=len(journal.lines))
 
 
@@ -230,28 +224,3 @@ def _list_drawn_templates(blueprint: Blueprint, bank: Bank) -> dict[str, str]:
 def _find_kept_papers(old: ReplacedExam | None, secret: ExamSecret) -> Mapping[str, KeyLine]:
     """The papers that stay: those of the folder that is replaced, where the secret stays too."""
     return old.kept if old is not None and old.secret == secret else {}
-
-
-def _list_unbound(bank: Bank, extras: Extras) -> Iterator[Fault]:
-    """That papers in other kinds of files lack the formula sheet."""
-    if bank.formula_sheet is not None and extras.also:
-        what, do = Message("exam.without-formulas"), Message("exam.hand-out-formulas")
-        yield Fault(", ".join(extras.also), what, do=do)
-
-
-def list_complaints(
-    roster: Roster, press: Press, dealt: ClassDeal, *, strict: bool
-) -> tuple[Problem, ...]:
-    """What a person should look at before papers of a class are handed out. Raises TableError
-    where that is refused.
-    """
-    found: tuple[Problem, ...] = (*roster_complaints(roster, press), *dealt.shortages())
-    found = (*found, *list_repeated(dealt), *list_same_answers(dealt))
-    require_none(found if strict else ())
-    return found
-
-
-def require_none(complaints: tuple[Problem, ...]) -> None:
-    """Raises TableError where there are complaints."""
-    if complaints:
-        raise TableError(*complaints)

@@ -115,12 +115,12 @@ def make_owner(exam: ExamFolder, spare: Candidate, student: Student) -> Candidat
 
 def _move_line(exam: ExamFolder, folder: Path, spare: Candidate, owner: Candidate) -> None:
     """Give the line of the key to the student."""
-    line = exam.line_of(spare.student)
-    others = [each for each in exam.spare_lines() if each.student != spare.student]
+    line = exam.keys.line_of(spare.student)
+    others = [each for each in exam.keys.spare_lines() if each.student != spare.student]
     (folder / SPARES).write_bytes(b"".join(map(encode_line, others)))
     if not others:
         (folder / SPARES).unlink()
-    key = exam.key.read_bytes()
+    key = exam.keys.file.read_bytes()
     ended = key if key.endswith(b"\n") else key + b"\n"
     moved = encode_line(structs.replace(line, student=owner.student))
     (folder / KEY).write_bytes(ended + moved)

@@ -71,7 +71,7 @@ def exchange_papers(path: Path, code: str, student: Student, wishes: ExchangeWis
     """
     exam = open_exam(path)
     change = _rename(exam, code, student) if wishes.new_id else _find_change(exam, code, student)
-    has_pool, changed = exam.has_pool and not change.passed_on, change.owners
+    has_pool, changed = exam.keys.has_pool and not change.passed_on, change.owners
     if has_pool and not wishes.drop_pool:  # whose questions are known by the papers they are of
         raise _refuse(exam, Message("exam.pool-of-papers"), Message("exam.responses-of-pool"))
     head = structs.replace(
@@ -81,7 +81,7 @@ def exchange_papers(path: Path, code: str, student: Student, wishes: ExchangeWis
         corrections=exam.head.corrections + 1,  # marks that were given before are by another key
         papers_before=(*exam.head.papers_before, *_list_before(exam, changed)),
     )
-    dropped = [Message("exam.pool-dropped", file=str(exam.pool))] if has_pool else []
+    dropped = [Message("exam.pool-dropped", file=str(exam.keys.pool_file))] if has_pool else []
     with open_grown_folder(exam) as folder:
         copy_exam(exam, folder)
         replace_lines(exam, folder, change.lines)
@@ -120,8 +120,8 @@ def _exchange(exam: ExamFolder, own: Candidate, other: Candidate) -> _Change:
     return _Change(
         {own.student: _with_paper(own, other), other.student: _with_paper(other, own)},
         {
-            own.student: _with_owner(exam.line_of(other.student), own),
-            other.student: _with_owner(exam.line_of(own.student), other),
+            own.student: _with_owner(exam.keys.line_of(other.student), own),
+            other.student: _with_owner(exam.keys.line_of(own.student), other),
         },
         Message("exam.exchanged", here=here, there=there),
     )
@@ -131,14 +131,14 @@ def _change_version(exam: ExamFolder, own: Candidate, letter: str) -> _Change:
     """A student gets another version, whose letter stands before the code. Raises ExamError."""
     if own.version == letter:
         raise _explain_own(exam, own)
-    line = exam.line_of(own.student)
+    line = exam.keys.line_of(own.student)
     other = next((each for each in exam.head.everybody if each.version == letter), None)
     if other is None:
         raise _refuse(exam, Message("exam.version-unheld", version=letter), "")
     code = f"{letter}-{own.paper.removeprefix(f'{own.version}-')}"
     owner = structs.replace(own, paper=code, version=letter)
     changed = structs.replace(
-        exam.line_of(other.student), student=own.student, paper=code, place=line.place
+        exam.keys.line_of(other.student), student=own.student, paper=code, place=line.place
     )
     return _Change(
         {own.student: owner},
@@ -196,7 +196,7 @@ def _rename(exam: ExamFolder, code: str, student: Student) -> _Change:
 
 def _replace(exam: ExamFolder, before: Candidate, owner: Candidate, done: Message) -> _Change:
     """Somebody stands in the place of another, with the same paper."""
-    line = _with_owner(exam.line_of(before.student), owner)
+    line = _with_owner(exam.keys.line_of(before.student), owner)
     return _Change({before.student: owner}, {before.student: line}, done, {before: owner})
 
 

@@ -27,19 +27,21 @@ def replace_lines(exam: ExamFolder, folder: Path, changed: Mapping[str, KeyLine]
     Raises ExamError where a line is damaged.
     """
     with (folder / KEY).open("wb") as lines:
-        for number, text in exam.texts():
-            line = changed.get(exam.read_line(number, text).student)
+        for number, text in exam.keys.texts():
+            line = changed.get(exam.keys.read_line(number, text).student)
             lines.write(_end(text) if line is None else encode_line(line))
-    if exam.has_pool:
+    if exam.keys.has_pool:
         _rename_variants(exam, folder, changed)
-    if exam.spares.exists():
-        spares = (changed.get(each.student, each) for each in exam.spare_lines())
+    if exam.keys.spare_file.exists():
+        spares = (changed.get(each.student, each) for each in exam.keys.spare_lines())
         (folder / SPARES).write_bytes(b"".join(map(encode_line, spares)))
 
 
 def _rename_variants(exam: ExamFolder, folder: Path, changed: Mapping[str, KeyLine]) -> None:
     """Write the lines of a pool into a copy of the folder, under the ids of now."""
-    variants = dict(zip((text for _, text in exam.pool_texts()), exam.pool_lines(), strict=True))
+    variants = dict(
+        zip((text for _, text in exam.keys.pool_texts()), exam.keys.pool_lines(), strict=True)
+    )
     with (folder / POOL).open("wb") as lines:
         for text, line in variants.items():
             after = changed.get(line.student)

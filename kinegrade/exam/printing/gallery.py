@@ -170,7 +170,7 @@ def _deal_first(
     filters = {"gallery": draw_filter}
     dealt = deal(filters, draws, partial(look_here, filters), _PATIENCE)["gallery"]
     values = map(deck.combination, dealt.positions[:draws])
-    solutions = [draw_filter.solved(each) for each in values]
+    solutions = [draw_filter.dealt.solved(each) for each in values]
     if dealt.lasting:
         return solutions, ()
     shortage = dealt.shortage(template.name, "draws", draw_filter)

@@ -10,9 +10,9 @@ from kinegrade import __version__
 from kinegrade.deadlines.moment import write_moment
 from kinegrade.exam.bank.blueprint import BankAsk, BankQuestion
 from kinegrade.exam.bank.versions import list_version_letters
+from kinegrade.exam.folder.asks import Ask
 from kinegrade.exam.folder.contents import PAPERS
 from kinegrade.exam.folder.head import FORMAT
-from kinegrade.exam.folder.keys import Ask
 from kinegrade.exam.folder.records import Candidate, ExamHead, ExamQuestion, HandQuestion
 from kinegrade.exam.printing.printing import PrintRun
 from kinegrade.exam.roster.students import Student

@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterator
 from kinegrade.errors import Problem, TypesetError
 from kinegrade.files.fields.place import key_path
 from kinegrade.language import ENGLISH
-from kinegrade.language.math.typst import write_typst_math
+from kinegrade.language.math.typst.formula import write_typst_math
 from kinegrade.language.message import Fault, Location, Message
 from kinegrade.language.prose.typst import write_line, write_prose
 from kinegrade.press.typst.press import TypstPress

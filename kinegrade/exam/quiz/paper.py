@@ -29,7 +29,7 @@ from kinegrade.exam.quiz.source import QuizSource
 from kinegrade.exam.quiz.words import write_marking_rules
 from kinegrade.language.message import Fault, Message
 from kinegrade.press.html.solution import NOT_SHOWN, Illustrated, illustrate
-from kinegrade.problem.assemble import assemble
+from kinegrade.problem.assembling.assemble import assemble
 from kinegrade.problem.given_values import find_certain_values, find_parameter_values, read_values
 from kinegrade.problem.quantity import express_in_unit
 from kinegrade.problem.solution import Solution
@@ -94,7 +94,7 @@ def _explain_broken(source: QuizSource, line: KeyLine, fault: KeyError | FieldEr
     if isinstance(fault, KeyError):
         lacking = Message("exam.not-in", name=str(fault), file=HEAD)
         damage = Fault("", Message("exam.broken", reason=lacking), AS_GENERATED)
-    return explain_broken(source.exam.key, [Fault(name_line_of(line.student), damage)])
+    return explain_broken(source.exam.keys.file, [Fault(name_line_of(line.student), damage)])
 
 
 def _make_question(

@@ -78,11 +78,11 @@ def different(exam: ExamFolder) -> Iterator[Line]:
     Raises ExamError.
     """
     if not exam.head.versions:
-        yield from exam.texts()
+        yield from exam.keys.texts()
         return
     found: dict[str, Line] = {}
-    for line in exam.texts():
-        found.setdefault(exam.read_line(*line).version, line)
+    for line in exam.keys.texts():
+        found.setdefault(exam.keys.read_line(*line).version, line)
         if len(found) == len(exam.head.versions):
             break
     yield from (found[letter] for letter in sorted(found))
@@ -91,7 +91,7 @@ def different(exam: ExamFolder) -> Iterator[Line]:
 def _list_asks(source: QuizSource, lines: Iterator[Line]) -> Iterator[tuple[str, QuizAsk]]:
     """The asks of these lines, papers one after the other."""
     for line in lines:
-        yield from list_asks(source, source.exam.read_line(*line))
+        yield from list_asks(source, source.exam.keys.read_line(*line))
 
 
 def _make_papers(
@@ -111,7 +111,7 @@ def _make_part(task: tuple[Shared[_QuizOrder], Sequence[Line]]) -> list[QuizPape
 
 
 def _make_paper(order: _QuizOrder, text: Line) -> QuizPaper:
-    line = order.source.exam.read_line(*text)
+    line = order.source.exam.keys.read_line(*text)
     if line.version and not order.pooled:
         return _make_version(order.source, order.wishes, line)
     return make_quiz_paper(order.source, order.wishes, line, pooled=order.pooled)

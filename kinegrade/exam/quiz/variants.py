@@ -48,9 +48,9 @@ def variants_stored(exam: ExamFolder, count: int) -> Iterator[None]:
     written there.
     """
     lines = [text.rstrip(b"\r\n") for _, text in islice(different(exam), count)]
-    before = [text.rstrip(b"\r\n") for _, text in exam.pool_texts()]
+    before = [text.rstrip(b"\r\n") for _, text in exam.keys.pool_texts()]
     if before[: len(lines)] != lines[: len(before)]:
-        raise ExamError(Fault(str(exam.pool), Message("exam.other-variants", key=KEY)))
+        raise ExamError(Fault(str(exam.keys.pool_file), Message("exam.other-variants", key=KEY)))
     if len(lines) > len(before):
         _write(exam, lines)
     try:
@@ -64,11 +64,11 @@ def variants_stored(exam: ExamFolder, count: int) -> Iterator[None]:
 def _write(exam: ExamFolder, lines: Sequence[bytes]) -> None:
     """The file of the variants with these lines, none where there are no lines."""
     if not lines:
-        exam.pool.unlink(missing_ok=True)
+        exam.keys.pool_file.unlink(missing_ok=True)
         return
-    with output_file(exam.pool, force=True, previous=Previous.NONE) as partial:
+    with output_file(exam.keys.pool_file, force=True, previous=Previous.NONE) as partial:
         partial.write_bytes(b"".join(line + b"\n" for line in lines))
-    exam.pool.chmod(exam.key.stat().st_mode & 0o777)
+    exam.keys.pool_file.chmod(exam.keys.file.stat().st_mode & 0o777)
 
 
 def _numbers_in(text: str) -> Numbers:
@@ -161,7 +161,7 @@ class Variants:
 
 def read_variants(exam: ExamFolder) -> Variants | None:
     """The variants that are stored with an exam; None where no pool was made. Raises ExamError."""
-    lines = list(exam.pool_lines())
+    lines = list(exam.keys.pool_lines())
     if not lines:
         return None
     templates = exam.templates.all()
@@ -182,7 +182,7 @@ def _make_variant(
         return Variant(line.student, right, entry, templates[entry.question])
     except (KeyError, FieldError) as fault:
         damage = Fault(name_line_of(line.student), describe_damage(fault))
-        raise explain_broken(exam.pool, [damage]) from fault
+        raise explain_broken(exam.keys.pool_file, [damage]) from fault
 
 
 def _holds(numbers: Numbers, wanted: Numbers) -> bool:

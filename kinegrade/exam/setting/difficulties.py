@@ -46,7 +46,7 @@ def bound_coarse_rounding(kept: KeptExam, draws: Draws) -> Predicted:
     bounds: Predicted = {}
     for name, by_student in draws.items():
         drawn = [*by_student.values()]
-        for ask, rounding in kept.unkeyed.filters[name].round_draws(drawn, coarse).items():
+        for ask, rounding in kept.unkeyed.filters[name].dealt.round_draws(drawn, coarse).items():
             for student, bound in zip(by_student, rounding.bound.tolist(), strict=True):
                 bounds.setdefault(student, {})[f"{name}.{ask}"] = bound
     return bounds
@@ -58,7 +58,7 @@ def list_draws(kept: KeptExam) -> Draws:
     """
     filters = kept.unkeyed.filters
     draws: dict[str, dict[str, Combination]] = {name: {} for name in filters}
-    for line in kept.exam.lines():
+    for line in kept.exam.keys.lines():
         for each in line.questions:
             known, values = filters.get(each.question), each.values
             if known is not None and values.keys() == known.template.parameters.keys():

@@ -60,7 +60,7 @@ class KeptExam:
 
         Raises ExamError where something else follows than the key says, BankError.
         """
-        where = name_place(self.exam.key, line.student, kept.question)
+        where = name_place(self.exam.keys.file, line.student, kept.question)
         question = self._questions.get(kept.question)
         if question is None:
             raise explain_contradiction(where, [Message("exam.no-question-of-bank")])
@@ -93,7 +93,7 @@ class KeptExam:
 
         Raises ExamError where something else follows than the key says, BankError.
         """
-        return self.paper_by(candidate, self.exam.find_line(candidate.student))
+        return self.paper_by(candidate, self.exam.keys.find_line(candidate.student))
 
     def paper_by(self, candidate: Candidate, line: KeyLine | None) -> SetPaper:
         """The same, by the key of the paper; None where the folder has lost it."""
@@ -113,7 +113,7 @@ class KeptExam:
 
     def _find_roundings(self, question: str, values: Combination) -> Mapping[str, Rounding[float]]:
         """How rounding bears on the answers to a question."""
-        return self.unkeyed.filters[question].find_roundings(values)
+        return self.unkeyed.filters[question].dealt.find_roundings(values)
 
     def _list_held(self, line: KeyLine) -> tuple[str, ...]:
         """The questions that a paper holds, in the bank's order; all of the bank where those of its
@@ -127,13 +127,15 @@ class KeptExam:
 
     def _line(self, student: str) -> KeyLine:
         """The key of a paper. Raises ExamError where the folder has lost it."""
-        line = self.exam.find_line(student)
+        line = self.exam.keys.find_line(student)
         if line is None:
             raise self._explain_lost(student)
         return line
 
     def _explain_lost(self, student: str) -> ExamError:
-        return explain_broken(self.exam.key, [Message("exam.no-line", student=Quoted(student))])
+        return explain_broken(
+            self.exam.keys.file, [Message("exam.no-line", student=Quoted(student))]
+        )
 
     def _require_same_paper(
         self, candidate: Candidate, line: KeyLine, names: Sequence[str]
@@ -154,14 +156,14 @@ class KeptExam:
             if found != other
         ]
         if differences:
-            raise explain_contradiction(name_place(self.exam.key, line.student), differences)
+            raise explain_contradiction(name_place(self.exam.keys.file, line.student), differences)
 
     def require_no_contradiction(self) -> None:
         """Raises ExamError where something else follows for a paper than the key says."""
         from kinegrade.students.following.connections import find_generic_plan
 
         plans = {name: find_generic_plan(each.template) for name, each in self._questions.items()}
-        for line in self.exam.lines():
+        for line in self.exam.keys.lines():
             for kept in line.questions:
                 self.derive(line, kept, plans.get(kept.question))
 
@@ -179,7 +181,7 @@ def list_with_keys(
     exam: ExamFolder, candidates: Iterable[Candidate]
 ) -> tuple[tuple[Candidate, KeyLine | None], ...]:
     """Students with the keys of their papers, for `paper_by`. Raises ExamError."""
-    return tuple((each, exam.find_line(each.student)) for each in candidates)
+    return tuple((each, exam.keys.find_line(each.student)) for each in candidates)
 
 
 def student_of(candidate: Candidate) -> Student:

@@ -10,8 +10,8 @@ from typing import Any
 
 from kinegrade.exam.setting.setting import SetAsk, SetPaper, SetQuestion
 from kinegrade.mechanics.plan import Plan
+from kinegrade.students.comparison import collect_columns
 from kinegrade.students.mistaking.mistakes import find_known_mistakes
-from kinegrade.students.separation import collect_columns
 
 # Significant digits kept of a mistaken value: far more than an answer has, fewer than doubles agree
 # to

@@ -12,7 +12,8 @@ import numpy as np
 from kinegrade.draws.deck import Combination
 from kinegrade.exam.setting.dealing import ClassDeal
 from kinegrade.language.message import Fault, Message
-from kinegrade.students.separation import Separation, collect_columns
+from kinegrade.students.comparison import collect_columns
+from kinegrade.students.separation import Separation
 
 _TELLING = 5  # different draws: fewer may have the same answer by chance
 _SAME = 1e-9  # times the answer: how far doubles are off

@@ -160,15 +160,15 @@ def set_paper(exam: Exam, dealt: DealtPaper) -> SetPaper:
 def set_papers(exam: Exam, dealt: Sequence[DealtPaper]) -> list[SetPaper]:
     """Several papers, which are set faster together than one by one. Raises as `set_paper`."""
     for name, draw_filter in exam.filters.items():
-        draw_filter.round_together(each.values[name] for each in dealt if name in each.values)
+        draw_filter.dealt.round_together(each.values[name] for each in dealt if name in each.values)
     return [set_paper(exam, each) for each in dealt]
 
 
 def _set_question(
     question: BankQuestion, values: Combination, draw_filter: DrawFilter
 ) -> SetQuestion:
-    drawn = Drawn(values, draw_filter.solved(values))
-    return set_drawn(question, drawn, draw_filter.tolerances_of(values))
+    drawn = Drawn(values, draw_filter.dealt.solved(values))
+    return set_drawn(question, drawn, draw_filter.dealt.tolerances_of(values))
 
 
 def set_drawn(

@@ -24,7 +24,7 @@ from kinegrade.figure.scene import (
     Scene,
     Strokes,
 )
-from kinegrade.language.math.typst import write_typst_math
+from kinegrade.language.math.typst.formula import write_typst_math
 from kinegrade.mechanics.vector import Vector
 
 _DASHES: dict[Dash, str] = {

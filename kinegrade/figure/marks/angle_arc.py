@@ -24,7 +24,8 @@ from kinegrade.figure.placing.wedge import (
 )
 from kinegrade.figure.plane import length, polar
 from kinegrade.figure.scene import PITCH, THIN, Bow, Disc, Primitive, Strokes
-from kinegrade.figure.symbols import BAR_WIDTH, draw_arc_head
+from kinegrade.figure.symbols.arrows import draw_arc_head
+from kinegrade.figure.symbols.bars import BAR_WIDTH
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import Angle
 

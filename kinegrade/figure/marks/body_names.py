@@ -31,7 +31,7 @@ from kinegrade.figure.placing.place import (
     place_label,
 )
 from kinegrade.figure.plane import polar, unit
-from kinegrade.figure.symbols import BAR_WIDTH, SLOT_WIDTH
+from kinegrade.figure.symbols.bars import BAR_WIDTH, SLOT_WIDTH
 from kinegrade.figure.teeth import TOOTH_ROOT
 from kinegrade.language.message import Fault, Message, Quoted
 from kinegrade.mechanics.mechanism import Mechanism

@@ -19,7 +19,9 @@ from kinegrade.figure.placing.obstacles import Segment
 from kinegrade.figure.placing.place import Wish, list_spots_around
 from kinegrade.figure.plane import NEAR, length, unit
 from kinegrade.figure.scene import THIN, Primitive, Strokes, find_common_box
-from kinegrade.figure.symbols import BLOCK_LENGTH, HEAD_LENGTH, PIN, draw_arrowhead
+from kinegrade.figure.symbols.arrows import HEAD_LENGTH, draw_arrowhead
+from kinegrade.figure.symbols.pins import PIN
+from kinegrade.figure.symbols.sliding import BLOCK_LENGTH
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import Angle, BodyFrame, FigureHints
 

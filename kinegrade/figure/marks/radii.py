@@ -17,7 +17,8 @@ from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.placing.obstacles import COST_BOLD, Obstacles
 from kinegrade.figure.plane import NEAR, angle_of, length, nearest_of, polar, unit
 from kinegrade.figure.scene import THIN, Bow
-from kinegrade.figure.symbols import HEAD_LENGTH, list_round_hatching
+from kinegrade.figure.symbols.arrows import HEAD_LENGTH
+from kinegrade.figure.symbols.ground import list_round_hatching
 from kinegrade.figure.teeth import find_tooth_angle
 from kinegrade.language.message import Fault, Message, Quoted
 from kinegrade.mechanics.ground import GROUND

@@ -10,7 +10,7 @@ from kinegrade.figure.placing.obstacles import Segment
 from kinegrade.figure.placing.place import Wish, list_spots_around, list_spots_beside
 from kinegrade.figure.plane import length, nearest_of, unit
 from kinegrade.figure.scene import FIRM, THIN, Outline, Primitive, Strokes
-from kinegrade.figure.symbols import HEAD_LENGTH, draw_arrowhead
+from kinegrade.figure.symbols.arrows import HEAD_LENGTH, draw_arrowhead
 from kinegrade.figure.teeth import TOOTH_TIP
 from kinegrade.mechanics.vector import Vector
 

@@ -12,7 +12,7 @@ from kinegrade.figure.mechanism.straight_parts import Bar, Rod, is_slender, list
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.plane import length, unit
 from kinegrade.figure.scene import THIN, Outline
-from kinegrade.figure.symbols import BAR_WIDTH
+from kinegrade.figure.symbols.bars import BAR_WIDTH
 from kinegrade.language.message import Fault, Message, Quoted
 from kinegrade.mechanics.vector import Vector
 

@@ -14,7 +14,8 @@ from kinegrade.figure.placing.mark import direction
 from kinegrade.figure.placing.obstacles import Segment
 from kinegrade.figure.plane import NEAR, angle_of, length, on_line, polar, unit
 from kinegrade.figure.scene import BOLD, FIRM, THIN, Primitive, Strokes
-from kinegrade.figure.symbols import BAR_WIDTH, PIN
+from kinegrade.figure.symbols.bars import BAR_WIDTH
+from kinegrade.figure.symbols.pins import PIN
 from kinegrade.mechanics.joints import Line
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import Angle

@@ -15,7 +15,7 @@ from kinegrade.figure.placing.ownership import CLAIMING, UNCLAIMED, Claims
 from kinegrade.figure.placing.place import Wish, list_spots_along_arc, rate_nearness, widen
 from kinegrade.figure.plane import length, nearest_of, parts, polar, shorter_way
 from kinegrade.figure.scene import Bow, Primitive
-from kinegrade.figure.symbols import HEADS, draw_curved_arrow
+from kinegrade.figure.symbols.arrows import HEADS, draw_curved_arrow
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import Turning
 

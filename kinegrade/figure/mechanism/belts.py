@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from kinegrade.figure.mechanism.anatomy import Anatomy
 from kinegrade.figure.plane import NEAR, length, same_line, unit
 from kinegrade.figure.scene import FIRM, THIN, Outline, Primitive, Strokes
-from kinegrade.figure.symbols import draw_block
+from kinegrade.figure.symbols.sliding import draw_block
 from kinegrade.mechanics.vector import Vector
 
 _LOAD = 6.0  # millimetres, the sides of a load

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from msgspec import Struct
 
 from kinegrade.figure.mechanism.straight_parts import Bar, Part, Rod, is_slender, list_ways
-from kinegrade.figure.symbols import BLOCK_LENGTH, BLOCK_WIDTH
+from kinegrade.figure.symbols.sliding import BLOCK_LENGTH, BLOCK_WIDTH
 from kinegrade.mechanics.vector import Vector
 
 

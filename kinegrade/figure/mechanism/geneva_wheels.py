@@ -12,7 +12,8 @@ from kinegrade.figure.joints.symbol import Symbol, find_fixed_pin
 from kinegrade.figure.mechanism.straight_parts import GenevaWheel
 from kinegrade.figure.plane import NEAR, angle_of, length, polar
 from kinegrade.figure.scene import FIRM, Bow, Outline
-from kinegrade.figure.symbols import PIN, SLOT_WIDTH
+from kinegrade.figure.symbols.bars import SLOT_WIDTH
+from kinegrade.figure.symbols.pins import PIN
 from kinegrade.language.message import Fault, Message
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector

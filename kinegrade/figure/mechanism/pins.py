@@ -15,7 +15,7 @@ from kinegrade.figure.mechanism.straight.gussets import find_welded_arms
 from kinegrade.figure.mechanism.straight_parts import Bar, Rod, is_slender, list_ways
 from kinegrade.figure.plane import NEAR, length, unit
 from kinegrade.figure.scene import FIRM, Disc, Outline, Primitive
-from kinegrade.figure.symbols import (
+from kinegrade.figure.symbols.pins import (
     DOT,
     draw_boss,
     draw_centre_mark,

@@ -16,7 +16,8 @@ from kinegrade.figure.mechanism.straight.broad_links import find_frame_place
 from kinegrade.figure.mechanism.straight_parts import Bar, Rod, find_half_width, list_ways
 from kinegrade.figure.plane import NEAR, length, mean, meet, unit
 from kinegrade.figure.scene import BOLD, FIRM
-from kinegrade.figure.symbols import BLOCK_LENGTH, RACK_DEPTH
+from kinegrade.figure.symbols.sliding import BLOCK_LENGTH
+from kinegrade.figure.symbols.teeth import RACK_DEPTH
 from kinegrade.mechanics.joints import Line
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector

@@ -11,15 +11,13 @@ from kinegrade.figure.mechanism.pins import find_swivels
 from kinegrade.figure.mechanism.rails import OPENING, Leaving, Rail
 from kinegrade.figure.plane import NEAR, length
 from kinegrade.figure.scene import FIRM, Outline, Primitive, Strokes
-from kinegrade.figure.symbols import (
+from kinegrade.figure.symbols.bars import SLEEVE_WIDTH, SLOT_WIDTH
+from kinegrade.figure.symbols.ground import HATCHING, draw_ground
+from kinegrade.figure.symbols.sliding import (
     BLOCK_LENGTH,
-    HATCHING,
     SLEEVE_LENGTH,
-    SLEEVE_WIDTH,
-    SLOT_WIDTH,
     WIDTH_ABOUT_PIN,
     draw_block,
-    draw_ground,
 )
 from kinegrade.mechanics.vector import Vector
 

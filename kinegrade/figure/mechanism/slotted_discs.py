@@ -10,7 +10,7 @@ from kinegrade.figure.joints.symbol import Feature
 from kinegrade.figure.mechanism.straight_parts import SlottedDisc
 from kinegrade.figure.plane import length, on_line, unit
 from kinegrade.figure.scene import FIRM, Disc, Outline, Primitive
-from kinegrade.figure.symbols import SLOT_WIDTH, trace_round
+from kinegrade.figure.symbols.bars import SLOT_WIDTH, trace_round
 from kinegrade.mechanics.vector import Vector
 
 _OVERHANG = 12.0  # millimetres of a disc beyond what slides in its slot, and in a bar across it

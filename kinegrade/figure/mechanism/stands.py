@@ -30,7 +30,7 @@ from kinegrade.figure.plane import (
     unit,
 )
 from kinegrade.figure.scene import BOLD, Primitive
-from kinegrade.figure.symbols import (
+from kinegrade.figure.symbols.pins import (
     SMALL_STAND,
     STAND,
     STAND_OF_SLEEVE,

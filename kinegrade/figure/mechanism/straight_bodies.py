@@ -7,7 +7,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import assert_never
 
-from kinegrade.figure import symbols
 from kinegrade.figure.joints.symbol import Rim
 from kinegrade.figure.mechanism.geneva_wheels import trace_geneva_wheel
 from kinegrade.figure.mechanism.plates import Plate
@@ -16,6 +15,14 @@ from kinegrade.figure.mechanism.slotted_discs import draw_slotted_disc
 from kinegrade.figure.mechanism.straight_parts import Bar, GenevaWheel, Part, Rod, SlottedDisc
 from kinegrade.figure.plane import length, unit
 from kinegrade.figure.scene import BOLD, FIRM, Outline, Primitive, Strokes
+from kinegrade.figure.symbols.bars import (
+    SOLID_AT_PIN,
+    draw_broad_bar,
+    draw_slotted_bar,
+    trace_round,
+)
+from kinegrade.figure.symbols.sliding import BLOCK_LENGTH, draw_cylinder, draw_guide
+from kinegrade.figure.symbols.teeth import draw_jaw, draw_rack
 from kinegrade.mechanics.vector import Vector
 
 _PLATE_EDGE = 1.9  # millimetres of a plate beyond the pins at its corners
@@ -32,11 +39,11 @@ def draw_straight_part(part: Part, rims: Sequence[Rim]) -> tuple[Primitive, ...]
         case GenevaWheel():
             return (trace_geneva_wheel(part),)
         case Rod(cylinder=True):
-            return symbols.draw_cylinder(part.start, part.end)
+            return draw_cylinder(part.start, part.end)
         case Rod():
             along = unit(part.end - part.start)
             return (
-                *symbols.draw_guide(part.end - along * 5.0, along),
+                *draw_guide(part.end - along * 5.0, along),
                 Strokes(((part.start, part.end),), BOLD),
             )
         case Bar():
@@ -49,7 +56,7 @@ def _trace_plate(plate: Plate) -> tuple[Vector, ...]:
     """Round about the pins of a plate; exact where a corner is no pin, or an edge touches
     something.
     """
-    return symbols.trace_round(plate.corners, _PLATE_EDGE) if plate.rounded else plate.corners
+    return trace_round(plate.corners, _PLATE_EDGE) if plate.rounded else plate.corners
 
 
 def _draw_bar(bar: Bar, rims: Sequence[Rim]) -> tuple[Primitive, ...]:
@@ -57,13 +64,13 @@ def _draw_bar(bar: Bar, rims: Sequence[Rim]) -> tuple[Primitive, ...]:
         case "rack":
             eyes = tuple(at for at in (bar.start, bar.end) if at not in bar.free)
             gap = find_gap_of_rack(rims, bar.actions[0]) if bar.actions else _find_last_gap(bar)
-            return symbols.draw_rack(bar.start, bar.end, bar.back, gap, eyes)
+            return draw_rack(bar.start, bar.end, bar.back, gap, eyes)
         case "slot":
-            return symbols.draw_slotted_bar(bar.start, bar.end, _find_slot(bar), bar.fill)
+            return draw_slotted_bar(bar.start, bar.end, _find_slot(bar), bar.fill)
         case "broad":
-            return symbols.draw_broad_bar(bar.start, bar.end)
+            return draw_broad_bar(bar.start, bar.end)
         case "jaw":
-            return symbols.draw_jaw(bar.start, bar.end, bar.back)
+            return draw_jaw(bar.start, bar.end, bar.back)
         case "link" | "bar" | "face":
             return (Strokes(((bar.start, bar.end),), BOLD),)
         case _:
@@ -79,11 +86,11 @@ def _find_slot(part: Bar) -> tuple[Vector, Vector]:
     """The slot leaves the ends of a bar solid, and more of an end where the bar is pinned."""
     along = unit(part.end - part.start)
     margins = [
-        0.4 if any(length(end - free) < 1e-6 for free in part.free) else symbols.SOLID_AT_PIN
+        0.4 if any(length(end - free) < 1e-6 for free in part.free) else SOLID_AT_PIN
         for end in (part.start, part.end)
     ]
     low, high = part.start + along * margins[0], part.end - along * margins[1]
-    reach = (symbols.BLOCK_LENGTH - 1.0) / 2
+    reach = (BLOCK_LENGTH - 1.0) / 2
     for action in part.actions:
         low = min(low, action - along * reach, key=along.dot)
         high = max(high, action + along * reach, key=along.dot)

@@ -11,7 +11,7 @@ from kinegrade.figure.joints.symbol import NO_BACK, Guide, Use
 from kinegrade.figure.mechanism.plates import Plate
 from kinegrade.figure.plane import NEAR, length, nearest_of, unit
 from kinegrade.figure.scene import BOLD, Fill
-from kinegrade.figure.symbols import BAR_WIDTH, SLOT_WIDTH
+from kinegrade.figure.symbols.bars import BAR_WIDTH, SLOT_WIDTH
 from kinegrade.mechanics.vector import Vector
 
 _SLENDER: frozenset[Use] = frozenset(("link", "bar", "face"))

@@ -9,7 +9,8 @@ from kinegrade.figure.mechanism.anatomy import Anatomy
 from kinegrade.figure.mechanism.rims import find_gap_of_rack
 from kinegrade.figure.plane import NEAR, length, on_line, same_line
 from kinegrade.figure.scene import Primitive
-from kinegrade.figure.symbols import RACK_DEPTH, draw_ground, draw_rack
+from kinegrade.figure.symbols.ground import draw_ground
+from kinegrade.figure.symbols.teeth import RACK_DEPTH, draw_rack
 from kinegrade.mechanics.vector import Vector
 
 _LEAST = 8.0  # millimetres of a track on either side of a contact

@@ -13,7 +13,7 @@ from kinegrade.figure.placing.place import Placed, Wish, place_label
 from kinegrade.figure.placing.wedge import rate_cut_off
 from kinegrade.figure.plane import parts, unit
 from kinegrade.figure.scene import Label
-from kinegrade.figure.symbols import reach_half_pin
+from kinegrade.figure.symbols.pins import reach_half_pin
 from kinegrade.mechanics.vector import Vector
 
 # Millimetres from which on a letter has a leader, and of paper at its two ends

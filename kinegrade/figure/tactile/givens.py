@@ -15,7 +15,7 @@ from kinegrade.figure.marks.sweep import find_sweep
 from kinegrade.figure.placing.mark import direction
 from kinegrade.figure.plane import angle_of, length, polar, unit
 from kinegrade.figure.scene import Bow, Outline, Primitive, Strokes
-from kinegrade.figure.symbols import HEADS
+from kinegrade.figure.symbols.arrows import HEADS
 from kinegrade.figure.tactile.letters import alone, list_along_arc, list_beside
 from kinegrade.figure.tactile.parts import Skeleton
 from kinegrade.figure.tactile.piece import Way

@@ -13,7 +13,7 @@ from kinegrade.figure.mechanism.stands import choose_upright
 from kinegrade.figure.mechanism.straight_parts import Bar, GenevaWheel, Part, Rod, SlottedDisc
 from kinegrade.figure.plane import SIDE_VECTORS, unit
 from kinegrade.figure.scene import Disc, Outline, Primitive, Strokes
-from kinegrade.figure.symbols import SLOT_WIDTH, trace_round
+from kinegrade.figure.symbols.bars import SLOT_WIDTH, trace_round
 from kinegrade.figure.tactile.piece import Way
 from kinegrade.figure.tactile.sizes import (
     BLOCK,

@@ -13,7 +13,7 @@ from kinegrade.figure.mechanism.paper import scale_to_paper
 from kinegrade.figure.mechanism.view import crop_to_view
 from kinegrade.figure.placing.obstacles import Segment
 from kinegrade.figure.scene import BOLD, Disc, Primitive, Strokes, find_common_box
-from kinegrade.figure.symbols import PIN
+from kinegrade.figure.symbols.pins import PIN
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import FigureHints

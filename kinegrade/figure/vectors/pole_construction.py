@@ -19,7 +19,8 @@ from kinegrade.figure.placing.obstacles import Segment
 from kinegrade.figure.placing.place import Wish, list_spots_around
 from kinegrade.figure.plane import angle_of, length, mean, on_line, unit
 from kinegrade.figure.scene import THIN, Outline, Pen, Primitive, Scene, Strokes
-from kinegrade.figure.symbols import draw_arrowhead, draw_dot
+from kinegrade.figure.symbols.arrows import draw_arrowhead
+from kinegrade.figure.symbols.pins import draw_dot
 from kinegrade.figure.vectors.arrows import VectorArrow
 from kinegrade.figure.vectors.mechanism import PointArrow, add_arrows, add_symbols, place_arrows
 from kinegrade.figure.vectors.plain_mechanism import PICTURE, BareMechanism, find_bold_lines

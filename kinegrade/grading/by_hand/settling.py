@@ -9,8 +9,8 @@ from functools import cached_property
 
 import msgspec
 
+from kinegrade.exam.folder.asks import list_questions
 from kinegrade.exam.folder.exam_folder import ExamFolder
-from kinegrade.exam.folder.keys import list_questions
 from kinegrade.exam.folder.records import ExamHead
 from kinegrade.files.cell_text import is_answered
 from kinegrade.files.tables import Complaint

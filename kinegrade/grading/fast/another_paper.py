@@ -25,7 +25,9 @@ from math import prod
 import numpy as np
 from numpy.typing import NDArray
 
-from kinegrade.exam.folder.keys import Ask, Paper, Sitting
+from kinegrade.exam.folder.asks import Ask
+from kinegrade.exam.folder.papers import Paper
+from kinegrade.exam.folder.sitting import Sitting
 from kinegrade.grading.fast.bounds import Flags, Numbers, Places
 from kinegrade.grading.fast.intervals import Intervals, SortedIntervals, list_intervals
 from kinegrade.grading.fast.paper_cells import PaperCells, list_cells

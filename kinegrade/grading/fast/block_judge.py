@@ -16,8 +16,10 @@ from operator import itemgetter
 
 import numpy as np
 
+from kinegrade.exam.folder.asks import Ask
 from kinegrade.exam.folder.columns.gathering import list_rules, read_mistakes
-from kinegrade.exam.folder.keys import Ask, Key, Paper
+from kinegrade.exam.folder.keys import Key
+from kinegrade.exam.folder.papers import Paper
 from kinegrade.grading.fast.another_paper import PapersAnswered
 from kinegrade.grading.fast.bounds import Flags, Places, Rules, tabulate_rules
 from kinegrade.grading.fast.compared_cells import compare_cells

@@ -12,7 +12,7 @@ from fractions import Fraction
 from math import isfinite, isqrt, nan, sqrt
 from typing import NamedTuple
 
-from kinegrade.exam.folder.keys import Ask
+from kinegrade.exam.folder.asks import Ask
 from kinegrade.grading.typed.answers import Reading, read_behind
 from kinegrade.grading.typed.number_and_unit import split_unit
 from kinegrade.grading.typed.number_text import DecimalStyle

@@ -14,7 +14,8 @@ from numpy.typing import NDArray
 
 from kinegrade.exam.folder.columns.gathering import read_right_answers
 from kinegrade.exam.folder.columns.runs import list_runs
-from kinegrade.exam.folder.keys import RightAnswers, Sitting
+from kinegrade.exam.folder.papers import RightAnswers
+from kinegrade.exam.folder.sitting import Sitting
 from kinegrade.grading.fast.bounds import Flags, Numbers, Places, tabulate_rules
 
 SAME = 1e-9  # relative: values further apart than this are different

@@ -15,7 +15,7 @@ from typing import assert_never
 
 import numpy as np
 
-from kinegrade.exam.folder.keys import Ask
+from kinegrade.exam.folder.asks import Ask
 from kinegrade.grading.fast.bounds import Flags, Numbers
 from kinegrade.grading.fast.glanced_numbers import (
     BLANK,

@@ -15,7 +15,8 @@ from collections.abc import Callable, Collection, Iterator, Sequence, Set
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
-from kinegrade.exam.folder.keys import Ask, Key
+from kinegrade.exam.folder.asks import Ask
+from kinegrade.exam.folder.keys import Key
 from kinegrade.grading.judging.decision import Decision
 from kinegrade.grading.judging.judge import Verdict, is_right, judge
 from kinegrade.grading.judging.own_answers import EarlierAnswers, find_followed, select_used

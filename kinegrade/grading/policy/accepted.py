@@ -15,8 +15,10 @@ from types import MappingProxyType
 from typing import Any, assert_never
 
 from kinegrade.errors import ExpressionError, PolicyError
+from kinegrade.exam.folder.asks import Ask
 from kinegrade.exam.folder.exam_folder import ExamFolder
-from kinegrade.exam.folder.keys import Ask, Paper, Sitting
+from kinegrade.exam.folder.papers import Paper
+from kinegrade.exam.folder.sitting import Sitting
 from kinegrade.expressions.evaluation import evaluate, make_elementary_functions
 from kinegrade.expressions.reading import read_expression
 from kinegrade.expressions.tree import find_names
@@ -167,7 +169,7 @@ def _find_numbers(
         if other.question == ask.question and other.ask in used:
             found[other.ask] = paper.key(number, ()).value, other.unit
     if used - found.keys():
-        drawn = folder.parameters(paper.student, ask.question)
+        drawn = folder.keys.parameters(paper.student, ask.question)
         found |= {name: (each.text, each.unit) for name, each in drawn.items() if name in used}
     return found
 

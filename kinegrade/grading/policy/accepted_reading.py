@@ -10,8 +10,8 @@ from dataclasses import dataclass
 from functools import partial
 
 from kinegrade.errors import ExpressionError, FieldError, find_nearest, suggest
+from kinegrade.exam.folder.asks import Ask
 from kinegrade.exam.folder.exam_folder import ExamFolder
-from kinegrade.exam.folder.keys import Ask
 from kinegrade.exam.value_dimension import require_countable
 from kinegrade.expressions.angular import is_angle
 from kinegrade.expressions.reading import read_expression
@@ -108,7 +108,7 @@ class AcceptedReader:
         units = {each.ask: each.unit for each in self.exam.asks if each.question == ask.question}
         if set(used) <= units.keys():
             return units
-        drawn = self.exam.parameters(self.exam.students[0], ask.question)
+        drawn = self.exam.keys.parameters(self.exam.students[0], ask.question)
         return units | {name: each.unit for name, each in drawn.items()}
 
 

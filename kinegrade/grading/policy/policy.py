@@ -11,7 +11,8 @@ from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from typing import Literal, assert_never
 
-from kinegrade.exam.folder.keys import Ask, Key
+from kinegrade.exam.folder.asks import Ask
+from kinegrade.exam.folder.keys import Key
 from kinegrade.expressions.tree import Expression
 from kinegrade.grade_scale.stated import StatedScale
 from kinegrade.grading.lateness.rule import NO_PENALTIES, Penalties

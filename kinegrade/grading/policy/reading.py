@@ -16,8 +16,8 @@ from pathlib import Path
 from typing import get_args
 
 from kinegrade.errors import PolicyError, suggest
+from kinegrade.exam.folder.asks import Ask, add_counted, list_questions
 from kinegrade.exam.folder.exam_folder import ExamFolder
-from kinegrade.exam.folder.keys import Ask, add_counted, list_questions
 from kinegrade.files.fields.document import FileKind, parsed_table, read_text, toml_table
 from kinegrade.files.fields.table import Table
 from kinegrade.files.fields.values import amount, choice, whole

@@ -6,7 +6,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from kinegrade.exam.folder.keys import Ask, Paper
+from kinegrade.exam.folder.asks import Ask
+from kinegrade.exam.folder.papers import Paper
 from kinegrade.files.cell_text import is_answered, shorten, trim
 from kinegrade.files.tables import Complaint
 from kinegrade.grading.sheets.entries import ListedEntries

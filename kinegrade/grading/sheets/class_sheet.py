@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from kinegrade.exam.folder.keys import Sitting
+from kinegrade.exam.folder.sitting import Sitting
 from kinegrade.files.answer_file import AnswerFile, LeftOut
 from kinegrade.files.tables import Complaint, Table
 from kinegrade.grading.sheets.attempts import find_unordered, leave_out_blank, order_attempts

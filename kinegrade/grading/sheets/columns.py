@@ -10,7 +10,7 @@ from unicodedata import normalize
 
 from kinegrade.ask_names import AskNames
 from kinegrade.errors import TableError
-from kinegrade.exam.folder.keys import Ask
+from kinegrade.exam.folder.asks import Ask
 from kinegrade.exam.roster.known_columns import (
     list_code_columns,
     list_columns_of_people,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
-from kinegrade.exam.folder.keys import Sitting
+from kinegrade.exam.folder.sitting import Sitting
 from kinegrade.files.cell_text import make_header_key, shorten, trim
 from kinegrade.files.tables import Complaint, Table
 from kinegrade.grading.sheets.columns import Columns, strip_unit

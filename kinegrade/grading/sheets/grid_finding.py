@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from kinegrade.exam.folder.keys import Sitting
+from kinegrade.exam.folder.sitting import Sitting
 from kinegrade.exam.roster.student_ids import StudentIds
 from kinegrade.files.answer_file import AnswerFile
 from kinegrade.files.rows.cell_grid import CellGrid

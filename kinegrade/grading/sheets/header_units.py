@@ -7,7 +7,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
-from kinegrade.exam.folder.keys import Ask
+from kinegrade.exam.folder.asks import Ask
 from kinegrade.files.assumed_unit import in_unit
 from kinegrade.files.tables import Complaint, Table
 from kinegrade.grading.sheets.columns import Columns, find_unit

@@ -11,7 +11,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from functools import reduce
 from itertools import chain
 
-from kinegrade.exam.folder.keys import Ask
+from kinegrade.exam.folder.asks import Ask
 from kinegrade.files.cell_text import is_answered, shorten, trim
 from kinegrade.files.tables import Complaint
 from kinegrade.grading.sheets.attempts import leave_out_blank

@@ -10,7 +10,7 @@ from collections import defaultdict
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
-from kinegrade.exam.folder.keys import Sitting
+from kinegrade.exam.folder.sitting import Sitting
 from kinegrade.exam.roster.student_ids import StudentIds
 from kinegrade.exam.roster.student_names import StudentNames, find_name_columns
 from kinegrade.exam.roster.students import make_student_key
@@ -25,11 +25,7 @@ from kinegrade.grading.sheets.grid_entries import GridEntries
 from kinegrade.grading.sheets.grid_finding import find_grid_entries
 from kinegrade.grading.sheets.header_units import find_stated_units
 from kinegrade.grading.sheets.sheet import Part, quote_cells
-from kinegrade.language.message import (
-    Message,
-    Quoted,
-    list_choices,
-)
+from kinegrade.language.message import Message, Quoted, list_choices
 
 
 @dataclass(frozen=True)

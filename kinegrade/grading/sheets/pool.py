@@ -10,9 +10,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 
+from kinegrade.exam.folder.asks import Ask
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.key.exact_keys import ListedKeys
-from kinegrade.exam.folder.keys import Ask, Paper, Sitting
+from kinegrade.exam.folder.papers import Paper
+from kinegrade.exam.folder.sitting import Sitting
 from kinegrade.exam.keyed_exam import Examinee, KeyedExam
 from kinegrade.grading.sheets.entry import Entry
 from kinegrade.grading.sheets.sheet import Sheet

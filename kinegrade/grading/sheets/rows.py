@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import overload
 
 from kinegrade.exam.folder.columns.blocks import ListedPapers
-from kinegrade.exam.folder.keys import Paper, PaperBlock
+from kinegrade.exam.folder.papers import Paper, PaperBlock
 from kinegrade.grading.sheets.entries import Entries, ListedEntries
 from kinegrade.grading.sheets.entry import Entry
 

@@ -9,12 +9,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from kinegrade.language.html_text import (
-    write_display_html,
-    write_math_html,
-    write_plain_html,
-)
-from kinegrade.language.math.mathml import write_mathml
+from kinegrade.language.html_text import write_display_html, write_math_html, write_plain_html
+from kinegrade.language.math.mathml.formula import write_mathml
 from kinegrade.language.math.reading import read_math
 from kinegrade.language.message import Location
 from kinegrade.language.prose.writing import ProseWriter, TextRenderer

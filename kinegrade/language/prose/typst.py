@@ -15,8 +15,8 @@ from kinegrade.language.math.equation_line import begins_with_relation, split_eq
 from kinegrade.language.math.printed_size import measure_printed
 from kinegrade.language.math.reading import read_math
 from kinegrade.language.math.tree import Row
-from kinegrade.language.math.typst import write_typst_row
-from kinegrade.language.math.typst_equation import write_display, write_equation
+from kinegrade.language.math.typst.equation import write_display, write_equation
+from kinegrade.language.math.typst.formula import write_typst_row
 from kinegrade.language.message import Location
 from kinegrade.language.prose.writing import ProseWriter, TextRenderer
 from kinegrade.language.typst_text import write_literal

@@ -23,7 +23,7 @@ def right_answers(exam: ExamFolder, student: str) -> Mapping[str, float]:
     """The right answers on a student's paper by column; none where the key has no line for the
     student. Raises ExamError.
     """
-    line = exam.find_line(student)
+    line = exam.keys.find_line(student)
     return {
         f"{question.question}.{name}": float(answer.value)
         for question in (line.questions if line else ())

@@ -32,7 +32,7 @@ _ADVICE = Message("responses.download-texts")
 
 def pool_of(exam: ExamFolder) -> Variants | None:
     """The pool that was made from an exam, None where none was made. Raises ExamError."""
-    if not exam.has_pool:
+    if not exam.keys.has_pool:
         return None
     from kinegrade.exam.quiz.variants import read_variants  # noqa: PLC0415  # takes seconds to load
 
@@ -80,7 +80,7 @@ def put_to(
     TableError where that is not certain.
     """
     if not any(any(each.right) or any(each.texts) for each, _ in pairs) and pairs:
-        pool = str(exam.pool)
+        pool = str(exam.keys.pool_file)
         raise TableError(
             Fault(
                 file,

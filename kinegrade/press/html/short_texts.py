@@ -11,7 +11,7 @@ from html import escape
 from markupsafe import Markup
 
 from kinegrade.errors import TypesetError
-from kinegrade.language.math.mathml import write_mathml
+from kinegrade.language.math.mathml.formula import write_mathml
 from kinegrade.language.prose.html import write_page_line
 
 

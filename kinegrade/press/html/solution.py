@@ -15,22 +15,13 @@ from typing import assert_never
 from kinegrade.figure.back_ends.svg import to_svg
 from kinegrade.language import Language
 from kinegrade.language.catalogue import Catalogue, open_catalogue
-from kinegrade.language.html_text import (
-    write_display_html,
-    write_plain_html,
-    write_row_html,
-)
-from kinegrade.language.math.mathml import write_mathml_row
+from kinegrade.language.html_text import write_display_html, write_plain_html, write_row_html
+from kinegrade.language.math.mathml.formula import write_mathml_row
 from kinegrade.language.math.spoken.speaking import speak_row
 from kinegrade.language.math.tree import Environment, Group, LineBreak, Mark, Row, Sign
 from kinegrade.language.message import Location, Message
 from kinegrade.language.prose import plain
-from kinegrade.language.prose.html import (
-    write_line,
-    write_page_line,
-    write_page_prose,
-    write_prose,
-)
+from kinegrade.language.prose.html import write_line, write_page_line, write_page_prose, write_prose
 from kinegrade.worked.document import (
     Block,
     Display,

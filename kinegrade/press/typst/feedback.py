@@ -11,7 +11,7 @@ from functools import lru_cache
 from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.gathering import convert_each, gather
-from kinegrade.language.math.typst_equation import write_formula
+from kinegrade.language.math.typst.equation import write_formula
 from kinegrade.language.message import Location, Message
 from kinegrade.language.prose.typst import write_line
 from kinegrade.press.join import join_pages

@@ -9,7 +9,7 @@ from kinegrade.figure.back_ends.typst import write_typst
 from kinegrade.language import Language
 from kinegrade.language.catalogue import Catalogue, open_catalogue
 from kinegrade.language.gathering import convert_each, gather
-from kinegrade.language.math.typst_equation import write_formula
+from kinegrade.language.math.typst.equation import write_formula
 from kinegrade.language.message import Location
 from kinegrade.language.prose.typst import write_line
 from kinegrade.press.figure_text import describe_figure

@@ -6,27 +6,15 @@ from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.gathering import convert_each, gather
 from kinegrade.language.math.reading import read_math
-from kinegrade.language.math.typst_equation import write_formula
+from kinegrade.language.math.typst.equation import write_formula
 from kinegrade.language.math.units import write_unit
 from kinegrade.language.math.width import measure_row
 from kinegrade.language.message import Location
 from kinegrade.language.prose.typst import write_line
 from kinegrade.language.typst_text import write_literal
 from kinegrade.press.places import locate_paper, locate_question
-from kinegrade.press.sheet import (
-    KeyAnswer,
-    KeyBook,
-    KeyEntry,
-    KeyPaper,
-    KeyParameter,
-    PaperSize,
-)
-from kinegrade.press.typst.layout_call import (
-    Sheet,
-    write_layout_call,
-    write_signed,
-    write_value,
-)
+from kinegrade.press.sheet import KeyAnswer, KeyBook, KeyEntry, KeyPaper, KeyParameter, PaperSize
+from kinegrade.press.typst.layout_call import Sheet, write_layout_call, write_signed, write_value
 from kinegrade.press.typst.room import is_wide_symbol
 from kinegrade.question_numbers import find_bank_number
 

@@ -14,7 +14,7 @@ from kinegrade.figure.back_ends.typst import write_typst_picture
 from kinegrade.language import Language
 from kinegrade.language.catalogue import Catalogue, open_catalogue
 from kinegrade.language.gathering import convert_each, gather
-from kinegrade.language.math.typst_equation import write_formula
+from kinegrade.language.math.typst.equation import write_formula
 from kinegrade.language.math.units import write_unit
 from kinegrade.language.message import Location
 from kinegrade.language.prose.typst import write_line, write_prose

@@ -15,19 +15,15 @@ from kinegrade.language import Language
 from kinegrade.language.catalogue import Catalogue, open_catalogue
 from kinegrade.language.gathering import convert_each, gather
 from kinegrade.language.math.tree import Row, Sign
-from kinegrade.language.math.typst import write_typst_row
-from kinegrade.language.math.typst_equation import write_display, write_equation
+from kinegrade.language.math.typst.equation import write_display, write_equation
+from kinegrade.language.math.typst.formula import write_typst_row
 from kinegrade.language.message import Location
 from kinegrade.language.prose.typst import write_line, write_prose
 from kinegrade.press.figure_text import describe_figure
 from kinegrade.press.places import locate_part
 from kinegrade.press.sheet import PaperSize, SolutionSheet, WorkedQuestion
 from kinegrade.press.solutions.chains import UNKNOWN, name_question
-from kinegrade.press.solutions.course import (
-    Courses,
-    Part,
-    arrange_courses,
-)
+from kinegrade.press.solutions.course import Courses, Part, arrange_courses
 from kinegrade.press.solutions.drawing_rows import Drawing, DrawingRow
 from kinegrade.press.solutions.equations import Equations
 from kinegrade.press.solutions.settings import (

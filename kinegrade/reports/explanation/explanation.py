@@ -11,10 +11,11 @@ from dataclasses import dataclass
 from itertools import groupby
 
 from kinegrade.errors import ExamError, suggest
+from kinegrade.exam.folder.asks import Ask
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.faults import decoding, name_paper
 from kinegrade.exam.folder.key.exact_keys import read_exact_keys
-from kinegrade.exam.folder.keys import Ask, Key
+from kinegrade.exam.folder.keys import Key
 from kinegrade.exam.folder.records import Candidate
 from kinegrade.exam.follow_through import FollowThrough
 from kinegrade.exam.roster.student_ids import StudentIds
@@ -181,8 +182,8 @@ class _Explaining:
         question came.
         """
         source = self._find_source(answer.student, ask.column)
-        line = self.exam.line_of(source)
-        with decoding(self.exam.key, name_paper(source)):
+        line = self.exam.keys.line_of(source)
+        with decoding(self.exam.keys.file, name_paper(source)):
             keys = read_exact_keys(self.exam.asks, line, self.exam.head.choices)
         return keys[self.exam.asks.index(ask)]
 

@@ -14,8 +14,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from kinegrade.exam.folder.asks import Ask
 from kinegrade.exam.folder.columns.gathering import read_mistakes
-from kinegrade.exam.folder.keys import Ask, Paper, Sitting
+from kinegrade.exam.folder.papers import Paper
+from kinegrade.exam.folder.sitting import Sitting
 from kinegrade.grading.fast.bounds import Numbers, Rules, tabulate_rules
 from kinegrade.reports.sharing.fits import Windows, find_windows
 

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from kinegrade.exam.folder.keys import list_questions
+from kinegrade.exam.folder.asks import list_questions
 from kinegrade.grading.fast.bounds import Flags, Numbers, Places
 from kinegrade.grading.poisson import QUESTIONS_THAT_TELL, find_tail
 from kinegrade.reports.sharing.class_keys import ClassKeys, Person

@@ -22,7 +22,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 from kinegrade.exam.folder.exam_folder import ExamFolder
-from kinegrade.exam.folder.keys import Sitting
+from kinegrade.exam.folder.sitting import Sitting
 from kinegrade.exam.keyed_exam import read_whole
 from kinegrade.grading.same_key import require_same_key
 from kinegrade.grading.sheets.pool import make_exam_as_put

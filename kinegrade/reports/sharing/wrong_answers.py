@@ -9,7 +9,7 @@ from math import isfinite
 import numpy as np
 
 from kinegrade.errors import ExamError
-from kinegrade.exam.folder.keys import Sitting
+from kinegrade.exam.folder.sitting import Sitting
 from kinegrade.grading.fast.bounds import Numbers
 from kinegrade.language.message import Fault, Message, Quoted
 from kinegrade.marks_folder.cells import explain_edited

@@ -23,7 +23,7 @@ from kinegrade.mechanics.frames import build_frames
 from kinegrade.mechanics.motion import Motion
 from kinegrade.mechanics.plan import Plan
 from kinegrade.numbers.doubles import Doubles, convert_number
-from kinegrade.problem.assemble import Assembly, assemble
+from kinegrade.problem.assembling.assemble import Assembly, assemble
 from kinegrade.problem.quantities.motion_functions import MOTION_FUNCTIONS
 from kinegrade.problem.quantities.reader import MotionReader, find_body_names
 from kinegrade.problem.template.template import Ask, Template

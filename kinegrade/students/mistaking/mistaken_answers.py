@@ -19,7 +19,7 @@ from kinegrade.mechanics.motion import Motion, pose_mechanism, solve_motion
 from kinegrade.mechanics.plan import Plan
 from kinegrade.numbers.angle import Angle
 from kinegrade.numbers.number import Arithmetic
-from kinegrade.problem.assemble import Assembly, assemble
+from kinegrade.problem.assembling.assemble import Assembly, assemble
 from kinegrade.problem.centrode import Centrodes, find_circle
 from kinegrade.problem.quantities.functions import make_quantities
 from kinegrade.problem.quantities.reader import find_body_names

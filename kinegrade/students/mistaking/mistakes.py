@@ -21,7 +21,7 @@ from kinegrade.mechanics.plan import Plan
 from kinegrade.numbers.doubles import convert_number
 from kinegrade.numbers.floats import Floats
 from kinegrade.numbers.number import Arithmetic
-from kinegrade.problem.assemble import read_parameter
+from kinegrade.problem.assembling.parameters import read_parameter
 from kinegrade.problem.template.template import Ask, Parameter, Template
 from kinegrade.students.mistaking.mistake_kinds import Mistake, find_candidates
 from kinegrade.students.mistaking.mistake_outcomes import RIGHT, SAME, find_outcomes

@@ -19,7 +19,7 @@ from kinegrade.expressions.reading import read_expression
 from kinegrade.expressions.tree import Call, Expression, Name, find_names
 from kinegrade.numbers.floats import Floats
 from kinegrade.numbers.number import Arithmetic
-from kinegrade.problem.assemble import read_parameter
+from kinegrade.problem.assembling.parameters import read_parameter
 from kinegrade.problem.template.template import Parameter, Template
 from kinegrade.students.mistaking.misreadings import Givens, Reading, find_radii
 from kinegrade.students.mistaking.mistake_names import MistakeName

@@ -23,7 +23,7 @@ from kinegrade.mechanics.relations.reading import Reading
 from kinegrade.mechanics.relations.terms import Chain, Term
 from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.number import Arithmetic
-from kinegrade.problem.assemble import assemble
+from kinegrade.problem.assembling.assemble import assemble
 from kinegrade.problem.quantities.functions import make_quantities, needs_configurations
 from kinegrade.problem.quantities.reader import find_body_names
 from kinegrade.problem.template.template import Ask, Template

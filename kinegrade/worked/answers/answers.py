@@ -16,11 +16,7 @@ from kinegrade.problem.template.template import Ask
 from kinegrade.problem.template.translated import Translated
 from kinegrade.sign_conventions import UNSIGNED
 from kinegrade.worked.answers.angles_between import explain_between
-from kinegrade.worked.answers.asked_vectors import (
-    explain_prerequisites,
-    find_fact,
-    is_vector_call,
-)
+from kinegrade.worked.answers.asked_vectors import explain_prerequisites, find_fact, is_vector_call
 from kinegrade.worked.answers.centrodes import explain_centrode
 from kinegrade.worked.answers.directions import explain_turn, is_turn
 from kinegrade.worked.answers.projections import Working
@@ -40,7 +36,7 @@ from kinegrade.worked.formulas.rotational_speeds import (
 )
 from kinegrade.worked.formulas.symbols import read_symbol
 from kinegrade.worked.senses import state_rotation_sense, state_way
-from kinegrade.worked.steps.poles import explain_pole
+from kinegrade.worked.steps.poles.poles import explain_pole
 
 
 def explain_answer(ask: Ask, case: Case) -> Iterator[Block]:

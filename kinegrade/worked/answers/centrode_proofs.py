@@ -16,9 +16,10 @@ from kinegrade.worked.formulas.atoms import Symbol
 from kinegrade.worked.formulas.equation import Equation, Link, equate
 from kinegrade.worked.formulas.measures import bearing, length
 from kinegrade.worked.formulas.numbers import measure, state_number
-from kinegrade.worked.steps.poles import name_pole
+from kinegrade.worked.steps.poles.poles import name_pole
 from kinegrade.worked.vectors.arms import name_length
-from kinegrade.worked.vectors.inclinations import Cosine, find_cosine, name_along
+from kinegrade.worked.vectors.slopes.cosines import Cosine, find_cosine
+from kinegrade.worked.vectors.slopes.directions import name_along
 
 _RIGHT = 90.0
 

@@ -14,16 +14,17 @@ from kinegrade.worked.document import Block
 from kinegrade.worked.findings import Fact
 from kinegrade.worked.formulas.atoms import AXES, Measured, Number, Symbol, add_terms
 from kinegrade.worked.formulas.equation import Equation, approximate, equate
-from kinegrade.worked.formulas.formula import Formula, Function
+from kinegrade.worked.formulas.formula import Formula
+from kinegrade.worked.formulas.functions import Function
 from kinegrade.worked.formulas.measures import bearing, double
 from kinegrade.worked.formulas.numbers import measure, state_angle, state_number
 from kinegrade.worked.formulas.symbols import name_angle
 from kinegrade.worked.vectors.components import find_heading
-from kinegrade.worked.vectors.inclinations import Inclination
+from kinegrade.worked.vectors.slopes.inclination import Inclination
 from kinegrade.worked.vectors.summands import name_component
 
 _X = Symbol((Letter("x"),))
-_FULL, _RIGHT = 360.0, 90.0  # degrees
+_FULL, RIGHT = 360.0, 90.0  # degrees
 _DIGITS, _EXACT = 2, 1e-9  # of an angle in degrees
 
 
@@ -87,8 +88,8 @@ def _find_sign(number: float) -> int:
 
 def _add_right_angles(heading: Inclination, degrees: float) -> Formula:
     """A direction of so many degrees as a named angle and right angles."""
-    quarters = round((degrees - heading.sign * heading.value) / _RIGHT)
-    turned = _state_degrees(abs(quarters) * _RIGHT).signed(1 if quarters >= 0 else -1)
+    quarters = round((degrees - heading.sign * heading.value) / RIGHT)
+    turned = _state_degrees(abs(quarters) * RIGHT).signed(1 if quarters >= 0 else -1)
     angles = () if heading.angle is None else (heading.angle.signed(heading.sign),)
     return add_terms((*angles, *((turned,) if quarters or not angles else ())))
 

@@ -9,15 +9,17 @@ from kinegrade.expressions.tree import Call, Expression, Name, Number, Operation
 from kinegrade.mechanics.vector import Vector
 from kinegrade.worked.case import Case
 from kinegrade.worked.formulas.atoms import AXES, AxisName, Symbol, add_squares, add_terms
-from kinegrade.worked.formulas.formula import Formula, Function
+from kinegrade.worked.formulas.formula import Formula
+from kinegrade.worked.formulas.functions import Function
 from kinegrade.worked.formulas.leaves import formulate
 from kinegrade.worked.formulas.measures import bearing, double, tidy
 from kinegrade.worked.formulas.numbers import measure, state_angle
 from kinegrade.worked.formulas.symbols import name_coordinate, name_point
-from kinegrade.worked.steps.poles import name_pole
-from kinegrade.worked.vectors.inclinations import Inclination, find_cosine
+from kinegrade.worked.steps.poles.poles import name_pole
+from kinegrade.worked.vectors.slopes.cosines import find_cosine
+from kinegrade.worked.vectors.slopes.inclination import Inclination
 
-_RIGHT, _CLOSE = 90.0, 1e-7  # degrees
+RIGHT, CLOSE = 90.0, 1e-7  # degrees
 
 
 def state_place(tree: Expression, case: Case) -> Formula:
@@ -66,16 +68,16 @@ def state_component(
     first of two points from the second, by their coordinates: in symbols and in numbers.
     """
     symbols, numbers = list[Formula](), list[Formula]()
-    for number, (axis, quarter) in enumerate(zip(AXES, (0.0, _RIGHT), strict=True)):
+    for number, (axis, quarter) in enumerate(zip(AXES, (0.0, RIGHT), strict=True)):
         apart = abs((bearing(direction) - quarter + 180) % 360 - 180)
-        if abs(apart - _RIGHT) < _CLOSE or not double(ends[0][1][number] - ends[1][1][number]):
+        if abs(apart - RIGHT) < CLOSE or not double(ends[0][1][number] - ends[1][1][number]):
             continue
         cosine = find_cosine(Inclination(1, None, 0.0, number), named) if named else None
         if cosine is not None:
             for told, size in zip((symbols, numbers), _subtract(axis, ends, case), strict=True):
                 told.append((size * cosine.state(told is numbers)).signed(cosine.sign))
             continue
-        acute, sign = tidy(min(apart, 180 - apart)), (1 if apart < _RIGHT else -1)
+        acute, sign = tidy(min(apart, 180 - apart)), (1 if apart < RIGHT else -1)
         for told, size in zip((symbols, numbers), _subtract(axis, ends, case), strict=True):
             told.append(_turn(size, axis, acute).signed(sign))
     return add_terms(symbols), add_terms(numbers)
@@ -85,13 +87,13 @@ def _turn(size: Formula, axis: AxisName, acute: float) -> Formula:
     """A coordinate times the cosine of the acute angle of its axis with a direction; of y the sine
     of what is left to a right angle.
     """
-    if acute < _CLOSE:
+    if acute < CLOSE:
         return size
     match axis:
         case "x":
             return size * Function("cos", state_angle(acute))
         case "y":
-            return size * Function("sin", state_angle(tidy(_RIGHT - acute)))
+            return size * Function("sin", state_angle(tidy(RIGHT - acute)))
         case _:
             assert_never(axis)
 

@@ -10,7 +10,7 @@ from kinegrade.language.message import Message
 from kinegrade.numbers.angle import Angle
 from kinegrade.worked.answers.pose_working import AXIS_X, AXIS_Y, Working
 from kinegrade.worked.formulas.atoms import Symbol
-from kinegrade.worked.formulas.formula import Function
+from kinegrade.worked.formulas.functions import Function
 from kinegrade.worked.formulas.symbols import name_angle, name_vector
 from kinegrade.worked.positions.algebra import Pair, cross, dot, over, times
 from kinegrade.worked.positions.axes import length_of

@@ -10,24 +10,20 @@ from kinegrade.mechanics.vector import Vector
 from kinegrade.worked.case import Case
 from kinegrade.worked.findings import Fact, Piece
 from kinegrade.worked.formulas.atoms import ZERO, add_terms
-from kinegrade.worked.formulas.formula import Formula, Function
+from kinegrade.worked.formulas.formula import Formula
+from kinegrade.worked.formulas.functions import Function
 from kinegrade.worked.formulas.measures import bearing, double, tidy
 from kinegrade.worked.formulas.numbers import state_angle
 from kinegrade.worked.positions.bisectors import find_bisector_angle
 from kinegrade.worked.vectors.by_components import project_components, split
 from kinegrade.worked.vectors.components import state_signed
-from kinegrade.worked.vectors.inclinations import (
-    Inclination,
-    is_inclination_known,
-    is_line_found,
-    name_along,
-    name_axis,
-    relate,
-)
+from kinegrade.worked.vectors.slopes.derived_angles import is_line_found
+from kinegrade.worked.vectors.slopes.directions import is_inclination_known, name_along
+from kinegrade.worked.vectors.slopes.inclination import Inclination, name_axis, relate
 from kinegrade.worked.vectors.stage import multiply_by_cosine
 
 _QUARTER = 90.0  # degrees
-_RIGHT = 1e-7  # degrees from a right angle that count as a right angle
+RIGHT = 1e-7  # degrees from a right angle that count as a right angle
 
 
 @dataclass(frozen=True)
@@ -70,7 +66,7 @@ def project(fact: Fact, direction: Vector, case: Case, named: Inclination | None
     symbols, numbers = list[Formula](), list[Formula]()
     for piece in split(fact) if fact.by_components else fact.parts:
         angle = abs((bearing(piece.positive) - axis + 180) % 360 - 180)
-        if abs(angle - 90) > _RIGHT and double(piece.positive.squared()):
+        if abs(angle - 90) > RIGHT and double(piece.positive.squared()):
             sign, acute = (1 if angle < 90 else -1), tidy(min(angle, 180 - angle))
             symbols.append(_turn_to_axis(piece.symbol, piece, acute, case).signed(sign))
             number = state_signed(piece, case)

@@ -19,30 +19,19 @@ from kinegrade.worked.answers.asked_vectors import (
 from kinegrade.worked.answers.dimensions import find_unit
 from kinegrade.worked.answers.directions import is_turn, state_turn
 from kinegrade.worked.answers.places import is_pole, state_component, state_distance, state_place
-from kinegrade.worked.answers.projections import (
-    Working,
-    name_known_axis,
-    project,
-    project_on,
-)
+from kinegrade.worked.answers.projections import Working, name_known_axis, project, project_on
 from kinegrade.worked.case import Case
 from kinegrade.worked.findings import Fact
-from kinegrade.worked.formulas.atoms import (
-    AXES,
-    ZERO,
-    AxisName,
-    Measured,
-    add_squares,
-    add_terms,
-)
+from kinegrade.worked.formulas.atoms import AXES, ZERO, AxisName, Measured, add_squares, add_terms
 from kinegrade.worked.formulas.atoms import Number as Numeral
-from kinegrade.worked.formulas.formula import Formula, Function
+from kinegrade.worked.formulas.formula import Formula
+from kinegrade.worked.formulas.functions import Function
 from kinegrade.worked.formulas.measures import bearing, double, length
 from kinegrade.worked.formulas.numbers import measure, round_number, state_angle
 from kinegrade.worked.rates.speeds import find_rotation_value, name_rotation
 from kinegrade.worked.vectors.by_components import split
 from kinegrade.worked.vectors.components import find_heading, list_component, state_signed
-from kinegrade.worked.vectors.inclinations import Inclination
+from kinegrade.worked.vectors.slopes.inclination import Inclination
 from kinegrade.worked.vectors.summands import name_component
 from kinegrade.worked.vectors.vectors import UNITS
 

@@ -12,11 +12,7 @@ from kinegrade.language.message import Message, Text
 from kinegrade.mechanics.relations.terms import Term
 from kinegrade.mechanics.vector import Vector, add_vectors
 from kinegrade.mechanics.vector_equation import Level
-from kinegrade.worked.answers.point_vectors import (
-    Found,
-    explain_point_vector,
-    keep_fact,
-)
+from kinegrade.worked.answers.point_vectors import Found, explain_point_vector, keep_fact
 from kinegrade.worked.case import Case
 from kinegrade.worked.document import Block
 from kinegrade.worked.findings import Fact, Piece
@@ -31,7 +27,7 @@ from kinegrade.worked.vectors.arms import introduce_lengths, name_length
 from kinegrade.worked.vectors.by_components import state_size
 from kinegrade.worked.vectors.components import add_components
 from kinegrade.worked.vectors.coriolis import Turned, explain_directions
-from kinegrade.worked.vectors.points import list_relative_parts
+from kinegrade.worked.vectors.relative_parts import list_relative_parts
 from kinegrade.worked.vectors.relatives import Relative, find_relative, index_relative
 from kinegrade.worked.vectors.summands import PLACES, name_component
 from kinegrade.worked.vectors.vectors import name_by_role, name_coriolis

@@ -30,12 +30,9 @@ from kinegrade.worked.unlettered import is_lettered
 from kinegrade.worked.vectors.arms import name_length
 from kinegrade.worked.vectors.components import find_heading, name_signed, state_signed
 from kinegrade.worked.vectors.facts import make_key
-from kinegrade.worked.vectors.inclinations import (
-    find_cosine,
-    is_inclination_known,
-    is_line_found,
-    name_along,
-)
+from kinegrade.worked.vectors.slopes.cosines import find_cosine
+from kinegrade.worked.vectors.slopes.derived_angles import is_line_found
+from kinegrade.worked.vectors.slopes.directions import is_inclination_known, name_along
 from kinegrade.worked.vectors.summands import PLACES, name_component
 from kinegrade.worked.vectors.vectors import UNITS
 

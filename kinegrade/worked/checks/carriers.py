@@ -25,7 +25,7 @@ from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.measures import double, length
 from kinegrade.worked.formulas.numbers import measure
 from kinegrade.worked.rates.rims import state_radii
-from kinegrade.worked.rates.rolling import state_rolled_radius
+from kinegrade.worked.rates.rolled_motion import state_rolled_radius
 from kinegrade.worked.rates.speeds import name_relative_rotation, state_radius
 from kinegrade.worked.vectors.arms import name_length
 from kinegrade.worked.vectors.vectors import UNITS

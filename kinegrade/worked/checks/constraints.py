@@ -14,11 +14,7 @@ from kinegrade.language.message import Message
 from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.relations.terms import Term
 from kinegrade.mechanics.vector import Vector
-from kinegrade.worked.checks.amounts import (
-    Amount,
-    Multiplier,
-    point_along,
-)
+from kinegrade.worked.checks.amounts import Amount, Multiplier, point_along
 from kinegrade.worked.checks.arms import find_normal_from, point_from_base
 from kinegrade.worked.checks.check import Check
 from kinegrade.worked.checks.forms import Told
@@ -30,11 +26,9 @@ from kinegrade.worked.formulas.measures import double, find_sign, is_zero, lengt
 from kinegrade.worked.formulas.numbers import measure
 from kinegrade.worked.formulas.symbols import join_letters
 from kinegrade.worked.vectors.arms import name_length
-from kinegrade.worked.vectors.magnitudes import find_track_ends
 from kinegrade.worked.vectors.stage import Stage
-from kinegrade.worked.vectors.vectors import (
-    UNITS,
-)
+from kinegrade.worked.vectors.table.tracks import find_track_ends
+from kinegrade.worked.vectors.vectors import UNITS
 
 
 def list_constraint_checks(stage: Stage, told: Told) -> Iterator[Check]:

@@ -17,15 +17,13 @@ from kinegrade.worked.checks.arms import point_from, point_from_base
 from kinegrade.worked.formulas.atoms import TWO
 from kinegrade.worked.formulas.measures import bearing, double, find_sign, length
 from kinegrade.worked.formulas.numbers import measure
-from kinegrade.worked.vectors.inclinations import (
-    find_cosine,
-    is_line_found,
-    name_axis,
-    name_direction,
-)
 from kinegrade.worked.vectors.known_vectors import find_positive_sense
-from kinegrade.worked.vectors.magnitudes import find_track_ends
 from kinegrade.worked.vectors.relatives import find_relative, index_relative
+from kinegrade.worked.vectors.slopes.cosines import find_cosine
+from kinegrade.worked.vectors.slopes.derived_angles import is_line_found
+from kinegrade.worked.vectors.slopes.directions import name_direction
+from kinegrade.worked.vectors.slopes.inclination import name_axis
+from kinegrade.worked.vectors.table.tracks import find_track_ends
 from kinegrade.worked.vectors.vectors import UNITS, name_by_role, name_part
 
 

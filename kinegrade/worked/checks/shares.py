@@ -22,7 +22,7 @@ from kinegrade.worked.findings import Fact, Piece
 from kinegrade.worked.formulas.atoms import TWO, AxisName
 from kinegrade.worked.formulas.measures import double, find_sign
 from kinegrade.worked.formulas.numbers import measure
-from kinegrade.worked.rates.rolling import state_rolled_radius
+from kinegrade.worked.rates.rolled_motion import state_rolled_radius
 from kinegrade.worked.rates.speeds import find_rotation_value
 from kinegrade.worked.vectors.components import find_heading, list_component
 from kinegrade.worked.vectors.facts import make_key

@@ -19,11 +19,12 @@ from kinegrade.worked.formulas.measures import bearing, size
 from kinegrade.worked.formulas.numbers import measure
 from kinegrade.worked.steps.couplers import Coupler, choose_method, find_coupler
 from kinegrade.worked.vectors.facts import make_key
-from kinegrade.worked.vectors.inclinations import is_direction_told, is_line_found
-from kinegrade.worked.vectors.magnitudes import find_heading
 from kinegrade.worked.vectors.projection import Projection, Share
+from kinegrade.worked.vectors.slopes.derived_angles import is_line_found
+from kinegrade.worked.vectors.slopes.directions import is_direction_told
 from kinegrade.worked.vectors.stage import Stage, find_share_cosine
 from kinegrade.worked.vectors.summands import PLACES, name_component
+from kinegrade.worked.vectors.table.tracks import find_heading
 from kinegrade.worked.vectors.vectors import UNITS
 
 _AXES: Mapping[float, AxisName] = {0.0: "x", 90.0: "y"}

@@ -20,11 +20,12 @@ from kinegrade.worked.formulas.equation import Equation, lead_to
 from kinegrade.worked.formulas.measures import bearing
 from kinegrade.worked.senses import find_axis_sense
 from kinegrade.worked.vectors.alignments import explain_alignments
-from kinegrade.worked.vectors.inclinations import find_ends, introduce_angle
-from kinegrade.worked.vectors.magnitudes import find_heading
 from kinegrade.worked.vectors.projection import Deduction, Projection
 from kinegrade.worked.vectors.results import state_results, state_rotation_result
+from kinegrade.worked.vectors.slopes.directions import find_ends
+from kinegrade.worked.vectors.slopes.introduced_angles import introduce_angle
 from kinegrade.worked.vectors.stage import Stage, find_share_cosine
+from kinegrade.worked.vectors.table.tracks import find_heading
 from kinegrade.worked.vectors.vectors import name_part
 
 _RIGHT_ANGLE = 90.0

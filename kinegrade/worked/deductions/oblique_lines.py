@@ -11,19 +11,14 @@ from kinegrade.worked.formulas.atoms import Symbol
 from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.measures import bearing
 from kinegrade.worked.formulas.symbols import draw_arrow, join_letters
-from kinegrade.worked.vectors.inclinations import (
-    Inclination,
-    find_ends,
-    name_along,
-    name_axis,
-    name_direction,
-)
-from kinegrade.worked.vectors.magnitudes import find_heading
 from kinegrade.worked.vectors.projection import Projection
+from kinegrade.worked.vectors.slopes.directions import find_ends, name_along, name_direction
+from kinegrade.worked.vectors.slopes.inclination import Inclination, name_axis
+from kinegrade.worked.vectors.table.tracks import find_heading
 from kinegrade.worked.vectors.vectors import name_part
 
-_RIGHT, _HALF = 90.0, 180.0
-_CLOSE = 1e-6  # degrees
+RIGHT, _HALF = 90.0, 180.0
+CLOSE = 1e-6  # degrees
 
 
 @dataclass(frozen=True)
@@ -39,7 +34,7 @@ class ObliqueLine:
 
     def is_across(self, direction: float) -> bool:
         """Whether a direction along or normal to the line is normal to it."""
-        return round((direction - self.direction) / _RIGHT) % 2 == 1
+        return round((direction - self.direction) / RIGHT) % 2 == 1
 
 
 def find_line(part: Part, projection: Projection, case: Case) -> ObliqueLine | None:
@@ -94,7 +89,7 @@ def direct_lines(
     obtuse, as lines make no obtuse angle.
     """
     between = abs((first.direction - second.direction + _HALF) % (2 * _HALF) - _HALF)
-    as_they_are, obtuse = abs(between - angle) < _CLOSE, angle > _RIGHT + _CLOSE
+    as_they_are, obtuse = abs(between - angle) < CLOSE, angle > RIGHT + CLOSE
     turned = [False, False]
     if not as_they_are:
         turned = [second.ends is None, second.ends is not None]

@@ -27,14 +27,11 @@ from kinegrade.worked.formulas.symbols import join_letters
 from kinegrade.worked.positions.marked_angles import find_marked_parallel
 from kinegrade.worked.vectors.angle_sums import explain_sums, tell_sum
 from kinegrade.worked.vectors.components import find_heading as find_piece_heading
-from kinegrade.worked.vectors.inclinations import (
-    Cosine,
-    find_cosine,
-    find_term_ends,
-)
-from kinegrade.worked.vectors.magnitudes import find_heading
 from kinegrade.worked.vectors.projection import Projection
+from kinegrade.worked.vectors.slopes.cosines import Cosine, find_cosine
+from kinegrade.worked.vectors.slopes.directions import find_term_ends
 from kinegrade.worked.vectors.stage import Stage, find_axis, find_share_cosine
+from kinegrade.worked.vectors.table.tracks import find_heading
 from kinegrade.worked.vectors.vectors import name_part
 
 _RIGHT, _HALF = 90.0, 180.0

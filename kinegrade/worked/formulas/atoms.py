@@ -10,8 +10,10 @@ from operator import add
 from typing import ClassVar, Literal, TypeAlias
 
 from kinegrade.language.math.tree import DEGREE, Letter, Lettering, Row, Scripts, Sign, Space, Unit
-from kinegrade.worked.formulas.formula import Formula, Kind, Negative, Product, Root, Sum
+from kinegrade.worked.formulas.formula import Formula, Negative, Product, Sum
+from kinegrade.worked.formulas.functions import Root
 from kinegrade.worked.formulas.notation import DIGITS, PLAIN, Notation
+from kinegrade.worked.formulas.printed import Kind
 from kinegrade.worked.formulas.rows import enclose, print_decimal, raise_last
 
 AxisName: TypeAlias = Literal["x", "y"]

@@ -8,7 +8,8 @@ from kinegrade.numbers.angle import Angle
 from kinegrade.numbers.surd import Real
 from kinegrade.numbers.text import Term, count_turns_beside, expand_radicals
 from kinegrade.worked.formulas.atoms import Number, add_terms, multiply_factors
-from kinegrade.worked.formulas.formula import Formula, Function, Root
+from kinegrade.worked.formulas.formula import Formula
+from kinegrade.worked.formulas.functions import Function, Root
 from kinegrade.worked.formulas.symbols import PI
 
 

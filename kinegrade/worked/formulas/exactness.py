@@ -5,16 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from kinegrade.worked.formulas.atoms import Exact, Measured, Number
-from kinegrade.worked.formulas.formula import (
-    Formula,
-    Function,
-    Negative,
-    Power,
-    Product,
-    Quotient,
-    Root,
-    Sum,
-)
+from kinegrade.worked.formulas.formula import Formula, Negative, Power, Product, Quotient, Sum
+from kinegrade.worked.formulas.functions import Function, Root
 from kinegrade.worked.formulas.symbols import PI
 
 _NUMERIC = (Number, Measured, Exact, Negative, Sum, Product, Quotient, Power, Root, Function)

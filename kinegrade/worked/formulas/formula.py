@@ -16,50 +16,28 @@ letters, `a.dot(b)` sets a dot between them, as where lengths of two letters or 
 
 from __future__ import annotations
 
-from abc import abstractmethod
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import ClassVar, Literal, TypeAlias
+from typing import ClassVar
 
-from kinegrade.language.math.tree import Fenced, Letter, Row, Scripts, Space, list_nodes
-from kinegrade.language.math.tree import Function as FunctionMark
-from kinegrade.language.math.tree import Number as Digits
+from kinegrade.language.math.tree import Fenced, Row, Scripts
 from kinegrade.language.math.tree import Quotient as Fraction
-from kinegrade.language.math.tree import Root as Radical
 from kinegrade.worked.formulas.notation import PLAIN, Notation
-from kinegrade.worked.formulas.rows import DOT, MINUS, OPEN, PLUS, enclose, ends_raised, raise_last
+from kinegrade.worked.formulas.printed import Kind, Printed
+from kinegrade.worked.formulas.rows import (
+    DOT,
+    MINUS,
+    PLUS,
+    enclose,
+    ends_raised,
+    is_segment,
+    raise_last,
+)
+from kinegrade.worked.formulas.separators import choose_separator
 
-Kind: TypeAlias = Literal[
-    "number", "measured", "symbol", "function", "closed", "fraction", "product", "sum"
-]
-FunctionName: TypeAlias = Literal["sin", "cos", "tan", "arcsin", "arccos", "arctan"]
-_THIN, _ONE = Space(","), (Digits("1"),)
 
-
-class Formula:
-    """A formula; where a sign, a bracket or a dot stands is decided when it is printed.
-
-    It is no ABC: of these, `isinstance` takes ten times as long, and formulas are asked often.
-    """
-
-    @abstractmethod
-    def print(self, notation: Notation = PLAIN) -> Row:
-        """The math tree, in this notation."""
-
-    @property
-    def kind(self) -> Kind:
-        """How it behaves next to others."""
-        return "closed"
-
-    @property
-    def begins_with_minus(self) -> bool:
-        """Whether the first that is printed is a minus sign."""
-        return False
-
-    @property
-    def is_decimal(self) -> bool:
-        """Whether it is nothing but a decimal, which its value says again."""
-        return False
+class Formula(Printed):
+    """A formula; where a sign, a bracket or a dot stands is decided when it is printed."""
 
     @property
     def sign(self) -> int:
@@ -103,24 +81,6 @@ class Formula:
 
     def __pow__(self, exponent: Formula) -> Power:
         return Power(self, exponent)
-
-    def print_after_sign(self, notation: Notation) -> Row:
-        """How it is printed after another term: in brackets where it begins with a minus sign."""
-        row = self.print(notation)
-        return enclose(row) if self.begins_with_minus else row
-
-    def print_subtracted(self, notation: Notation) -> Row:
-        """How it is printed after a minus sign."""
-        return (
-            enclose(self.print(notation)) if self.kind == "sum" else self.print_after_sign(notation)
-        )
-
-    def print_factor(self, notation: Notation, leads: bool) -> Row:
-        """How it is printed in a product: a sum in brackets, and a negative factor that does not
-        lead.
-        """
-        bracketed = self.kind == "sum" or (self.begins_with_minus and not leads)
-        return enclose(self.print(notation)) if bracketed else self.print(notation)
 
 
 @dataclass(frozen=True)
@@ -197,7 +157,7 @@ class Product(Formula):
     def _print(self, notation: Notation, leads: bool) -> Row:
         row = self.factors[0].print_factor(notation, leads)
         for before, factor in pairwise(self.factors):
-            separator = (DOT,) if self.dotted else _choose_separator(before, factor)
+            separator = (DOT,) if self.dotted else choose_separator(before, factor)
             row += (*separator, *factor.print_factor(notation, leads=False))
         return row
 
@@ -206,41 +166,15 @@ class Product(Formula):
         return self._print(notation, leads=False)
 
     @property
+    def last(self) -> Printed:
+        """The last factor."""
+        return self.factors[-1].last
+
+    @property
     def begins_with_minus(self) -> bool:
         """Whether the first that is printed is a minus sign."""
         first = self.factors[0]
         return first.begins_with_minus and first.kind != "sum"
-
-
-def _choose_separator(before: Formula, factor: Formula) -> Row:
-    """What stands between two factors: a dot where they would run into one another, else a thin
-    space or nothing.
-    """
-    first, second = before.kind, factor.kind
-    if "measured" in (_end(before).kind, second):
-        return (DOT,)
-    operator = isinstance(factor.base if isinstance(factor, Power) else factor, Function)
-    one = first == "number" and before.print() == _ONE
-    if second == "number" or one or (first == "function" and not operator):
-        return (DOT,)
-    if first in ("number", "fraction") and second == "fraction":
-        return (DOT,)
-    if operator or (first == "number" and (second == "symbol" or isinstance(factor, Root))):
-        return ()
-    if _end(before).kind in ("number", "symbol") and _is_enclosed(factor):
-        return ()
-    return (_THIN,)
-
-
-def _end(factor: Formula) -> Formula:
-    """The last that is printed of a factor."""
-    return _end(factor.factors[-1]) if isinstance(factor, Product) else factor
-
-
-def _is_enclosed(factor: Formula) -> bool:
-    """Whether a factor that does not lead is printed between brackets or bars."""
-    row = factor.print_factor(PLAIN, leads=False)
-    return isinstance(row[0], Fenced) or row[0] == OPEN
 
 
 @dataclass(frozen=True)
@@ -266,40 +200,28 @@ class Power(Formula):
     @property
     def kind(self) -> Kind:
         """How it behaves next to others."""
-        return self.base.kind if self._is_plain or isinstance(self.base, Function) else "closed"
+        return self.base.kind if self._is_plain or self.base.is_function else "closed"
 
     def print(self, notation: Notation = PLAIN) -> Row:
         """The math tree."""
         exponent, row = self.exponent.print(notation), self.base.print(notation)
-        if isinstance(self.base, Function) and not self.exponent.begins_with_minus:
+        if self.base.is_function and not self.exponent.begins_with_minus:
             return (Scripts(row[0], None, 0, exponent), *row[1:])
         return raise_last(row if self._is_plain else enclose(row), exponent)
+
+    @property
+    def is_operator(self) -> bool:
+        """Whether it is a power of a sine, cosine ..."""
+        return self.base.is_function
 
     @property
     def _is_plain(self) -> bool:
         """Whether the base needs no brackets."""
         row = self.base.print()
-        if self.base.kind == "symbol" and len(row) > 1 and not _is_segment(row):
+        if self.base.kind == "symbol" and len(row) > 1 and not is_segment(row):
             return False
         letter = self.base.kind in ("number", "symbol") and not self.base.begins_with_minus
         return letter and DOT not in row and not ends_raised(row)
-
-
-def _is_segment(row: Row) -> bool:
-    """Whether letters side by side are the ends of a line, as OA, and no product, as kb."""
-    letters = ([one for one in list_nodes((node,)) if isinstance(one, Letter)] for node in row)
-    return all(of_one and of_one[0].name.isupper() for of_one in letters)
-
-
-@dataclass(frozen=True)
-class Root(Formula):
-    """A square root."""
-
-    radicand: Formula
-
-    def print(self, notation: Notation = PLAIN) -> Row:
-        """The math tree."""
-        return (Radical(self.radicand.print(notation), None),)
 
 
 @dataclass(frozen=True)
@@ -311,33 +233,3 @@ class Absolute(Formula):
     def print(self, notation: Notation = PLAIN) -> Row:
         """The math tree."""
         return (Fenced("|", self.inner.print(notation), "|"),)
-
-
-@dataclass(frozen=True)
-class Function(Formula):
-    """A sine, cosine ... of its argument."""
-
-    name: FunctionName
-    argument: Formula
-
-    @property
-    def kind(self) -> Kind:
-        """How it behaves next to others."""
-        return "function" if self._is_plain else "closed"
-
-    def print(self, notation: Notation = PLAIN) -> Row:
-        """The math tree."""
-        argument = self.argument.print(notation)
-        return (FunctionMark(self.name), *(argument if self._is_plain else enclose(argument)))
-
-    @property
-    def _is_plain(self) -> bool:
-        """Whether the argument needs no brackets: a product only where nothing parts it."""
-        if self.argument.kind in ("function", "closed", "sum"):
-            return False
-        return not self.argument.begins_with_minus and not any(
-            node in (OPEN, DOT) or isinstance(node, Fenced | Radical | FunctionMark)
-            for node in (
-                list_nodes(self.argument.print()) if self.argument.kind == "product" else ()
-            )
-        )

@@ -10,17 +10,8 @@ from functools import reduce
 from operator import mul
 
 from kinegrade.worked.formulas.atoms import Exact, Measured, Number, Symbol
-from kinegrade.worked.formulas.formula import (
-    Formula,
-    Function,
-    FunctionName,
-    Negative,
-    Power,
-    Product,
-    Quotient,
-    Root,
-    Sum,
-)
+from kinegrade.worked.formulas.formula import Formula, Negative, Power, Product, Quotient, Sum
+from kinegrade.worked.formulas.functions import Function, FunctionName, Root
 from kinegrade.worked.formulas.notation import PLAIN, Notation
 from kinegrade.worked.formulas.symbols import PI
 

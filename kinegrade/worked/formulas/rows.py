@@ -6,6 +6,7 @@ from msgspec.structs import replace
 
 from kinegrade.language.math.tree import (
     Fenced,
+    Letter,
     Lettering,
     Node,
     Number,
@@ -13,6 +14,7 @@ from kinegrade.language.math.tree import (
     Row,
     Scripts,
     Sign,
+    list_nodes,
 )
 
 PLUS, MINUS, DOT = Sign("+"), Sign("-"), Sign(r"\cdot")
@@ -62,3 +64,9 @@ def raise_last(row: Row, exponent: Row) -> Row:
     if isinstance(last, Scripts) and last.upper is None:
         return (*before, replace(last, upper=exponent))
     return (*before, Scripts(last, None, 0, exponent))
+
+
+def is_segment(row: Row) -> bool:
+    """Whether letters side by side are the ends of a line, as OA, and no product, as kb."""
+    letters = ([one for one in list_nodes((node,)) if isinstance(one, Letter)] for node in row)
+    return all(of_one and of_one[0].name.isupper() for of_one in letters)

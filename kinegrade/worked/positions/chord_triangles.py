@@ -11,7 +11,7 @@ from kinegrade.language.math.tree import Row
 from kinegrade.language.message import Message
 from kinegrade.worked.findings import Seen
 from kinegrade.worked.formulas.atoms import Symbol
-from kinegrade.worked.formulas.formula import Function
+from kinegrade.worked.formulas.functions import Function
 from kinegrade.worked.formulas.symbols import join_letters, name_quantity
 from kinegrade.worked.positions.algebra import (
     Pair,

@@ -1,7 +1,8 @@
 """The construction of a point in textbook words and equations: where it lies, and how its
 coordinates are worked out.
 
-Lines, circles and feet of perpendiculars are in `kinegrade.worked.positions.intersections`.
+Lines, circles and feet of perpendiculars are in
+`kinegrade.worked.positions.meetings.intersections`.
 """
 
 from __future__ import annotations
@@ -20,9 +21,9 @@ from kinegrade.worked.formulas.atoms import Symbol
 from kinegrade.worked.formulas.measures import is_zero
 from kinegrade.worked.positions.algebra import ZERO, minus, over, plus
 from kinegrade.worked.positions.axes import length_of, scale
-from kinegrade.worked.positions.circles_meeting import find_direction
 from kinegrade.worked.positions.instance import Instance
-from kinegrade.worked.positions.intersections import explain_foot, explain_meeting
+from kinegrade.worked.positions.meetings.circles_meeting import find_direction
+from kinegrade.worked.positions.meetings.intersections import explain_foot, explain_meeting
 from kinegrade.worked.positions.parts import Coordinates, Derived, Part, Stated, write_parts
 from kinegrade.worked.positions.polar import (
     derive_inclination,

@@ -6,20 +6,18 @@ x_{A} &= r \\cos\\varphi = 0.25 \\cos 60^\\circ = 0.125\\,\\unit{m}
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable, Mapping
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
-from kinegrade.expressions.evaluation import evaluate, make_elementary_functions
 from kinegrade.expressions.tree import Call, Expression, Name, Number, find_names
 from kinegrade.language.math.tree import Row
 from kinegrade.language.message import Message
-from kinegrade.mechanics.geometry import make_constructions
 from kinegrade.mechanics.vector import Vector
 from kinegrade.numbers.angle import Angle
-from kinegrade.numbers.balls import PRECISIONS, Balls, is_ball
+from kinegrade.numbers.balls import PRECISIONS, Balls
 from kinegrade.numbers.refusals import Inexact
 from kinegrade.numbers.rounded_text import write_decimal
 from kinegrade.numbers.units import Unit, read_unit
@@ -37,6 +35,7 @@ from kinegrade.worked.formulas.numbers import state_quantity, substitute
 from kinegrade.worked.formulas.symbols import join_letters, name_coordinate, name_point
 from kinegrade.worked.positions.algebra import ZERO, Pair, make_positive
 from kinegrade.worked.positions.axes import Axes, choose_axes, length_of
+from kinegrade.worked.positions.evaluation import Evaluation, enclose, has_ball
 from kinegrade.worked.positions.parts import Derived
 
 METRE, RADIAN, DEGREE, PURE = read_unit("m"), read_unit("rad"), read_unit("deg"), read_unit("1")
@@ -79,7 +78,7 @@ class Instance:
         """
         # No exact number is put together with an enclosure
         mixed = self.arithmetic.exact and any(
-            _has_ball(self.values.get(name)) for name in find_names(tree)
+            has_ball(self.values.get(name)) for name in find_names(tree)
         )
         if not mixed:
             with suppress(Inexact), self.arithmetic.context():
@@ -88,16 +87,16 @@ class Instance:
             return self._enclosed.evaluate(tree)
 
     @cached_property
-    def _exactly(self) -> _Evaluation:
+    def _exactly(self) -> Evaluation:
         """The values as they are."""
-        return _Evaluation.of(self.values, self.arithmetic)
+        return Evaluation.of(self.values, self.arithmetic)
 
     @cached_property
-    def _enclosed(self) -> _Evaluation:
+    def _enclosed(self) -> Evaluation:
         """The values as enclosures."""
         balls = Balls(PRECISIONS[0])
-        enclosed = {name: _enclose(value, balls) for name, value in self.values.items()}
-        return _Evaluation.of(enclosed, balls)
+        enclosed = {name: enclose(value, balls) for name, value in self.values.items()}
+        return Evaluation.of(enclosed, balls)
 
     def sign(self, tree: Expression) -> int:
         """The sign of an expression's value: -1, 0 or 1."""
@@ -220,41 +219,3 @@ def add_steps(instance: Instance, more: Iterable[Step]) -> Instance:
             place = instance.value(step.tree)
             instance = instance.named(step.point, name_point(step.point), Vector(place.x, place.y))
     return instance
-
-
-@dataclass(frozen=True)
-class _Evaluation:
-    """How expressions are evaluated in one arithmetic: the values of names, and functions."""
-
-    values: Mapping[str, Any]
-    functions: Mapping[str, Callable[..., Any]]
-    arithmetic: Any
-
-    @staticmethod
-    def of(values: Mapping[str, Any], arithmetic: Any) -> _Evaluation:
-        """The evaluation with elementary functions, and constructions of the points."""
-        points = {name: value for name, value in values.items() if isinstance(value, Vector)}
-        functions: dict[str, Callable[..., Any]] = {
-            **make_elementary_functions(arithmetic),
-            **make_constructions(arithmetic, points),
-        }
-        return _Evaluation(values, functions, arithmetic)
-
-    def evaluate(self, tree: Expression) -> Any:
-        """The value of an expression."""
-        return evaluate(tree, self.values, self.functions, self.arithmetic)
-
-
-def _has_ball(value: Any) -> bool:
-    """Whether a number is an enclosure, or a coordinate of a point is."""
-    parts = (value.x, value.y) if isinstance(value, Vector) else (value,)
-    return any(map(is_ball, parts))
-
-
-def _enclose(value: Any, balls: Balls) -> Any:
-    """An exact value as an enclosure; an enclosure as it is."""
-    if isinstance(value, Vector):
-        return Vector(_enclose(value.x, balls), _enclose(value.y, balls))
-    if isinstance(value, Angle):
-        return value.ball()
-    return value if isinstance(value, str) or is_ball(value) else balls.number(value)

@@ -21,9 +21,9 @@ from kinegrade.worked.senses import (
 )
 from kinegrade.worked.unlettered import find_translating_body
 from kinegrade.worked.vectors.known_vectors import find_free_axis, find_given_sign
-from kinegrade.worked.vectors.magnitudes import orient_track
 from kinegrade.worked.vectors.relatives import find_relative, index_relative
 from kinegrade.worked.vectors.summands import name_component
+from kinegrade.worked.vectors.table.tracks import orient_track
 from kinegrade.worked.vectors.vectors import name_by_role, name_point_vector
 
 

@@ -8,41 +8,30 @@ from typing import Literal, assert_never
 from kinegrade.language.message import Message, Text, list_all
 from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.laws import NoSlip
-from kinegrade.mechanics.rates import make_turning
 from kinegrade.mechanics.relations.relation import Relation
 from kinegrade.mechanics.relations.terms import Term
 from kinegrade.mechanics.vector_equation import Level
 from kinegrade.worked.case import Case
-from kinegrade.worked.formulas.atoms import ZERO, add_terms
-from kinegrade.worked.formulas.equation import Equation, equate, lead_to
-from kinegrade.worked.formulas.formula import Formula
-from kinegrade.worked.formulas.measures import double
-from kinegrade.worked.formulas.numbers import measure
+from kinegrade.worked.formulas.equation import Equation, equate
 from kinegrade.worked.rates.drums import is_drum
 from kinegrade.worked.rates.kinds import describe_track
-from kinegrade.worked.rates.speeds import (
-    Statement,
-    find_rotation_value,
-    find_term,
-    name_carried_rotation,
-    name_relative_rotation,
-    name_rotation,
-    name_speed,
-    state_radius,
+from kinegrade.worked.rates.rolled_motion import (
+    find_linked_term,
+    find_slip_sign,
+    state_rolled_radius,
 )
+from kinegrade.worked.rates.speeds import Statement, find_term, name_relative_rotation, name_speed
 from kinegrade.worked.senses import describe_direction
 from kinegrade.worked.vectors.known_vectors import find_positive_sense, find_stated_sense
-from kinegrade.worked.vectors.stage import measure_along_direction
-from kinegrade.worked.vectors.vectors import UNITS
 
 
 def state_rolling(roll: NoSlip, relation: Relation, case: Case, level: Level) -> Statement:
     """No slip: the centre's speed along the track is the radius times the relative rotation."""
-    term = _find_linked_term(roll, relation, case)
+    term = find_linked_term(roll, relation, case)
     body, other = case.naming.body(roll.body), describe_track(roll, case)
     rotation = name_relative_rotation(roll.body, roll.of, case, level)
     right = (state_rolled_radius(roll, case) * rotation).signed(
-        _find_slip_sign(roll, relation, case, level)
+        find_slip_sign(roll, relation, case, level)
     )
     equation = Equation(name_speed(term, case, level), equate(right))
     if roll.joint in case.findings.rim_tracks:
@@ -158,86 +147,6 @@ def _describe_positive_sense(term: Term, case: Case, level: Level) -> Message:
             return describe_direction(find_positive_sense(term, case, level), case)
         case _:
             assert_never(term.kind)
-
-
-def _find_linked_term(roll: NoSlip, relation: Relation, case: Case) -> Term:
-    """The motion that goes with a rotation: of a track with the speed of the rim, else of the
-    centre.
-    """
-    track = case.findings.rim_tracks.get(roll.joint)
-    return track or find_term(relation.turning[0][0], case)
-
-
-def _find_slip_sign(roll: NoSlip, relation: Relation, case: Case, level: Level) -> int:
-    """1 where the rotation has the sign of the speed that goes with it as stated, else -1."""
-    turning = make_turning(roll.body)
-    factor = double(next(factor for rate, factor in relation.turning if rate == turning))
-    term, centre = _find_linked_term(roll, relation, case), find_term(relation.turning[0][0], case)
-    if term != centre:
-        # Seen from the track, its wheel moves the opposite way
-        factor *= -double(term.coefficient().dot(centre.coefficient()))
-    return -1 if factor * find_stated_sense(term, case, level) > 0 else 1
-
-
-def solve_rolling(
-    roll: NoSlip, relation: Relation, result: Equation, case: Case, level: Level
-) -> Equation | None:
-    """What no slip says of the speed that goes with the body's rotation, or of this, which `result`
-    gives: in symbols, with numbers unless they are zero, and the value. None for other rates.
-    """
-    term = _find_linked_term(roll, relation, case)
-    if result.left == name_speed(term, case, level):
-        working = _state_centre_speed(roll, relation, case, level)
-    elif result.left == name_rotation(roll.body, case, level):
-        working = _state_rotation(roll, relation, case, level)
-    else:
-        return None
-    return Equation(result.left, lead_to(result.left, working, result.links), result.aside)
-
-
-def _state_centre_speed(
-    roll: NoSlip, relation: Relation, case: Case, level: Level
-) -> tuple[Formula, ...]:
-    """The radius times the rotation relative to the track, in symbols and in numbers."""
-    sign = _find_slip_sign(roll, relation, case, level)
-    other = find_rotation_value(roll.of, case, level)
-    symbols = state_rolled_radius(roll, case) * name_relative_rotation(
-        roll.body, roll.of, case, level
-    )
-    turned = measure(find_rotation_value(roll.body, case, level), UNITS[level, True])
-    if turned == ZERO and not double(other):
-        return (symbols.signed(sign),)
-    rotation = turned - measure(other, UNITS[level, True]) if double(other) else turned
-    numbers = measure(roll.circle.radius, "m").dot(rotation)
-    return symbols.signed(sign), numbers.signed(sign)
-
-
-def _state_rotation(
-    roll: NoSlip, relation: Relation, case: Case, level: Level
-) -> tuple[Formula, ...]:
-    """The rotation of the track and the speed of the centre over the radius, in symbols and in
-    numbers.
-    """
-    sign = _find_slip_sign(roll, relation, case, level)
-    term = _find_linked_term(roll, relation, case)
-    other = find_rotation_value(roll.of, case, level)
-    symbol: Formula = name_speed(term, case, level)
-    value = measure_along_direction(term, case, level) * find_stated_sense(term, case, level)
-    turned = (symbol.size / state_rolled_radius(roll, case)).signed(sign * symbol.sign)
-    carried = name_carried_rotation(roll.of, case, level)
-    symbols = add_terms((carried, turned) if carried != ZERO else (turned,))
-    known = measure(value * sign, UNITS[level, False])
-    if known == ZERO:
-        return (symbols,)
-    rest = (known.size / measure(roll.circle.radius, "m")).signed(known.sign)
-    track = measure(other, UNITS[level, True])
-    return symbols, add_terms((track, rest) if double(other) else (rest,))
-
-
-def state_rolled_radius(roll: NoSlip, case: Case) -> Formula:
-    """The radius of the rolling circle."""
-    circle = case.template.scheme.joints[roll.joint].circle
-    return state_radius(circle, roll.circle.radius, case)
 
 
 def tell_rolls(rolls: Sequence[NoSlip], case: Case) -> Message:

@@ -29,7 +29,8 @@ from kinegrade.worked.document import Block
 from kinegrade.worked.formulas.equation import Equation, equate
 from kinegrade.worked.rates.driven import solve_relative, state_imposed
 from kinegrade.worked.rates.rims import solve_rims, state_belt, state_meshing
-from kinegrade.worked.rates.rolling import explain_rolls, group_rolls, solve_rolling, state_rolling
+from kinegrade.worked.rates.rolling import explain_rolls, group_rolls, state_rolling
+from kinegrade.worked.rates.solved_rolling import solve_rolling
 from kinegrade.worked.rates.speeds import Statement, name_rotation, state_rate
 
 

@@ -21,10 +21,10 @@ from kinegrade.worked.formulas.measures import double
 from kinegrade.worked.formulas.numbers import measure, state_number
 from kinegrade.worked.senses import state_sense_along, state_way_round
 from kinegrade.worked.vectors.known_vectors import find_stated_sense
-from kinegrade.worked.vectors.magnitudes import orient_track
 from kinegrade.worked.vectors.relatives import find_relative, index_relative
 from kinegrade.worked.vectors.results import state_rotation_result
 from kinegrade.worked.vectors.stage import measure_along_direction
+from kinegrade.worked.vectors.table.tracks import orient_track
 from kinegrade.worked.vectors.vectors import UNITS, name_by_role, name_point_vector
 
 

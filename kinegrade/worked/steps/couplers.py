@@ -22,8 +22,8 @@ from kinegrade.worked.senses import state_way, state_way_about
 from kinegrade.worked.steps.rigid import find_rigid_triangle, name_triangle
 from kinegrade.worked.vectors.facts import has_been_told
 from kinegrade.worked.vectors.known_vectors import is_stated_negative
-from kinegrade.worked.vectors.magnitudes import state_magnitude
 from kinegrade.worked.vectors.stage import Stage
+from kinegrade.worked.vectors.table.magnitudes import state_magnitude
 from kinegrade.worked.vectors.vectors import name_part, vanishes
 
 

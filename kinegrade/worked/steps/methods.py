@@ -20,19 +20,12 @@ from kinegrade.worked.deductions.deductions import (
 )
 from kinegrade.worked.deductions.projected_angles import explain_angles
 from kinegrade.worked.document import Block
-from kinegrade.worked.steps.couplers import (
-    Coupler,
-    choose_method,
-    explain_base_speed,
-    find_coupler,
-)
-from kinegrade.worked.steps.pole_method import explain_by_pole
+from kinegrade.worked.steps.couplers import Coupler, choose_method, explain_base_speed, find_coupler
+from kinegrade.worked.steps.poles.pole_method import explain_by_pole
+from kinegrade.worked.steps.remarks import explain_remarks
 from kinegrade.worked.steps.rigid import explain_rigid_triangle, find_rigid_triangle
-from kinegrade.worked.steps.steps import (
-    explain_remarks,
-    introduce_with_lengths,
-    make_term_table,
-)
+from kinegrade.worked.steps.steps import introduce_with_lengths
+from kinegrade.worked.steps.term_tables import make_term_table
 from kinegrade.worked.vectors.projection import Deduction, find_deductions
 from kinegrade.worked.vectors.stage import Stage
 

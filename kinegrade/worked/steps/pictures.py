@@ -21,7 +21,7 @@ from kinegrade.problem.template.hints import Turning
 from kinegrade.worked.case import Case
 from kinegrade.worked.document import Picture, Pictures, Prose
 from kinegrade.worked.steps.couplers import choose_method, find_coupler
-from kinegrade.worked.steps.poles import name_pole
+from kinegrade.worked.steps.poles.poles import name_pole
 from kinegrade.worked.steps.polygons import (
     describe,
     draw_equation,

@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator, Set
-from dataclasses import replace
-from functools import reduce
+from collections.abc import Collection, Iterator
 from itertools import chain
 from typing import assert_never
 
-from kinegrade.language.message import Message, Text
+from kinegrade.language.message import Message
 from kinegrade.mechanics.plan import Step
 from kinegrade.mechanics.rates import Rate
 from kinegrade.mechanics.vector_equation import (
@@ -20,45 +18,33 @@ from kinegrade.mechanics.vector_equation import (
     write_vector_equation,
 )
 from kinegrade.worked.case import Case
-from kinegrade.worked.coincident_points import name_place
 from kinegrade.worked.deductions.deductions import explain_deduction
-from kinegrade.worked.document import Block, Term, TermTable
-from kinegrade.worked.formulas.atoms import ZERO, VectorSymbol
+from kinegrade.worked.document import Block
+from kinegrade.worked.formulas.atoms import VectorSymbol
 from kinegrade.worked.formulas.equation import Equation, equate
 from kinegrade.worked.formulas.measures import length
 from kinegrade.worked.formulas.numbers import state_number
 from kinegrade.worked.rates.scalars import explain_scalar_step, state_relations
 from kinegrade.worked.senses import state_way
 from kinegrade.worked.steps.base_points import start_from_known
-from kinegrade.worked.steps.compositions import describe_meanings
 from kinegrade.worked.steps.flat_faces import explain_flat_face
-from kinegrade.worked.steps.polygons import (
-    has_corner,
-    name_shared_corner,
-    order_vectors,
-    spans_polygon,
-    write_corner,
+from kinegrade.worked.steps.remarks import (
+    explain_corner,
+    explain_mark,
+    explain_remarks,
+    list_equations,
+    say_meanings,
 )
+from kinegrade.worked.steps.term_tables import make_term_table
 from kinegrade.worked.steps.titles import introduce_equation, select_scalars
-from kinegrade.worked.translations import say_translation
 from kinegrade.worked.vectors.arms import find_arms, introduce_lengths
-from kinegrade.worked.vectors.by_components import find_components
-from kinegrade.worked.vectors.coriolis import explain_absences, explain_directions, list_turned
+from kinegrade.worked.vectors.coriolis import explain_directions, list_turned
 from kinegrade.worked.vectors.facts import has_been_told
-from kinegrade.worked.vectors.magnitudes import (
-    describe_direction,
-    describe_magnitude,
-    state_magnitude,
-)
 from kinegrade.worked.vectors.points import find_point
 from kinegrade.worked.vectors.projection import find_deductions
 from kinegrade.worked.vectors.stage import Stage
-from kinegrade.worked.vectors.vectors import (
-    UNITS,
-    name_part,
-    name_point_vector,
-    vanishes,
-)
+from kinegrade.worked.vectors.table.magnitudes import state_magnitude
+from kinegrade.worked.vectors.vectors import UNITS, name_part, name_point_vector
 
 
 def find_stage(step: Step, case: Case, level: Level, known: Collection[Rate]) -> Stage:
@@ -86,11 +72,11 @@ def explain_step(step: Step, stage: Stage) -> Iterator[Block]:
     for equation in stage.equations:
         yield from explain_flat_face(equation, case)
         yield case.say(introduce_with_lengths(equation, stage))
-        yield from _explain_mark(equation, case)
-        yield from _say_meanings(equation, case)
+        yield from explain_mark(equation, case)
+        yield from say_meanings(equation, case)
         yield make_term_table(equation, case)
         yield from explain_remarks(equation, case)
-        yield from _explain_corner(equation, case)
+        yield from explain_corner(equation, case)
     yield from explain_directions(list_turned(stage), case)
     for reason, equations in state_relations(scalars, case, stage.level):
         yield case.say(reason)
@@ -113,7 +99,7 @@ def introduce_with_lengths(equation: VectorEquation, stage: Stage) -> Message:
     lengths = tuple(map(case.tell, introduce_lengths(arms, case)))
     if not lengths:
         return said
-    here = Message("solution.here", equations=_list_equations(lengths))
+    here = Message("solution.here", equations=list_equations(lengths))
     return Message("solution.sentences", first=said, next=here)
 
 
@@ -170,134 +156,3 @@ def _state_known(equation: VectorEquation, part: Part, case: Case) -> Equation:
     size = state_number(length(part.value, case.arithmetic), UNITS[equation.level, False])
     links = (*(equate(formula) if formula else ()), *size)
     return Equation(name_part(equation, part, case), links, state_way(part.value, case))
-
-
-def make_term_table(equation: VectorEquation, case: Case) -> TermTable:
-    """The equation term by term with magnitudes and directions; terms that vanish at this instant
-    are left out, the others stand as in its polygon.
-    """
-    ordered = order_vectors(equation, case)
-    left, right = (
-        [_make_term(equation, part, case) for part in side if not vanishes(part)]
-        for side in (ordered.left, ordered.right)
-    )
-    nothing = Term("", ZERO.print(), "", "")
-    first, *added = left or [nothing]
-    second, *others = right or [nothing]
-    return TermTable(
-        (
-            first,
-            *(replace(term, sign="+") for term in added),
-            replace(second, sign="="),
-            *(replace(term, sign="+") for term in others),
-        )
-    )
-
-
-def _make_term(equation: VectorEquation, part: Part, case: Case) -> Term:
-    """A column of the table; a vector found by its components has these in place of a magnitude."""
-    symbol = name_part(equation, part, case, bold=True).print()
-    pieces = find_components(part, equation.level, case)
-    if pieces:
-        first, second = (case.text(piece.symbol) for piece in pieces)
-        known = case.write(Message("solution.found-by-components"))
-        return Term("", symbol, rf"${first},\;{second}$", known)
-    magnitude = describe_magnitude(equation, part, case)
-    return Term("", symbol, magnitude, describe_direction(equation, part, case))
-
-
-def _say_meanings(equation: VectorEquation, case: Case) -> Iterator[Block]:
-    """What a composition's vectors consist of, and what they have been called before."""
-    listed = tuple(describe_meanings(equation, case))
-    if listed:
-        yield case.say(Message("solution.here", equations=_list_equations(listed)))
-
-
-def explain_remarks(equation: VectorEquation, case: Case) -> Iterator[Block]:
-    """Which parts of an equation vanish, and why."""
-    shifted = _find_shifted(equation, case)
-    for name in sorted(shifted):
-        yield from _say_translation(name, equation.level, case)
-    gone = [
-        part
-        for part in equation.parts
-        if vanishes(part)
-        and not _turns_with_held_body(part, case)
-        and not (shifted and part.role == "coriolis")
-    ]
-    zeros = dict.fromkeys(
-        _state_zero(equation, part, case) for part in gone if part.role != "coriolis"
-    )
-    if zeros:
-        yield case.say(Message("solution.zero-parts", zeros=_list_equations(zeros)))
-    absent = [(part, _state_zero(equation, part, case)) for part in gone if part.role == "coriolis"]
-    yield from map(case.say, explain_absences(absent, case))
-
-
-def _state_zero(equation: VectorEquation, part: Part, case: Case) -> str:
-    return case.tell(Equation(name_part(equation, part, case), equate(ZERO)))
-
-
-def _say_translation(name: str, level: Level, case: Case) -> Iterator[Block]:
-    """What follows for the points of a body that translates."""
-    match level:
-        case "velocity":
-            yield from say_translation(name, level, case)
-        case "acceleration":
-            frame = case.naming.body(name)
-            yield case.say(Message("solution.shifted-acceleration", frame=frame))
-        case _:
-            assert_never(level)
-
-
-def _turns_with_held_body(part: Part, case: Case) -> bool:
-    """Whether a part is the rotation of a body of which has been said that it translates."""
-    return part.role == "rotation" and part.term is not None and part.term.rate in case.held_rates
-
-
-def _find_shifted(equation: VectorEquation, case: Case) -> Set[str]:
-    """The bodies that translate and of which a point is meant that coincides with another."""
-    meant = {part.term.rate.body for part in equation.parts if part.coincident and part.term}
-    return meant & case.translating
-
-
-def _explain_mark(equation: VectorEquation, case: Case) -> Iterator[Block]:
-    """Which point a primed letter denotes, said once."""
-    marked = next((part for part in equation.parts if part.coincident), None)
-    if marked and marked.term and not _find_shifted(equation, case):
-        mark = case.text(name_place(marked, case))
-        if mark in case.findings.coincident:
-            return
-        case.findings.coincident.add(mark)
-        yield case.say(
-            Message(
-                "solution.coincident",
-                mark=mark,
-                point=case.naming.point(marked.point),
-                frame=case.naming.body(marked.term.rate.body),
-            )
-        )
-
-
-def _explain_corner(equation: VectorEquation, case: Case) -> Iterator[Block]:
-    """Which points the primed letters in a polygon stand for, said once, unless the letters of the
-    points themselves have been explained.
-    """
-    if not spans_polygon(equation):
-        return
-    explained = {write_corner(mark) for mark in case.findings.coincident} | case.findings.corners
-    for relative in equation.compositions:
-        corner = name_shared_corner(relative, equation, case)
-        if corner not in explained and has_corner(corner, equation, case):
-            case.findings.corners.add(corner)
-            point, frame = case.naming.point(relative.point), case.naming.body(relative.frame)
-            said = case.say(Message("solution.corner", corner=corner, point=point, frame=frame))
-            yield replace(said, on_polygon=True)
-
-
-def _list_equations(equations: Iterable[Text]) -> Text:
-    """Equations in a sentence, one after another."""
-    return reduce(
-        lambda first, following: Message("solution.equation-list", first=first, next=following),
-        equations,
-    )

@@ -26,7 +26,7 @@ from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.measures import double, find_sign, length
 from kinegrade.worked.formulas.numbers import measure, state_number
 from kinegrade.worked.rates.kinds import describe_track, is_cord
-from kinegrade.worked.rates.rolling import state_rolled_radius
+from kinegrade.worked.rates.rolled_motion import state_rolled_radius
 from kinegrade.worked.senses import find_axis_sense, state_sense_along
 from kinegrade.worked.steps.titles import select_scalars
 from kinegrade.worked.steps.track_contacts import Contact, find_contact

@@ -18,8 +18,9 @@ from kinegrade.worked.document import Block
 from kinegrade.worked.formulas.atoms import Symbol
 from kinegrade.worked.formulas.measures import bearing
 from kinegrade.worked.formulas.symbols import join_letters
-from kinegrade.worked.vectors.inclinations import find_ends, name_axis
 from kinegrade.worked.vectors.projection import Projection
+from kinegrade.worked.vectors.slopes.directions import find_ends
+from kinegrade.worked.vectors.slopes.inclination import name_axis
 from kinegrade.worked.vectors.vectors import vanishes
 
 _Line: TypeAlias = tuple[str, str]  # through two points

@@ -9,7 +9,7 @@ from kinegrade.worked.case import Case
 from kinegrade.worked.formulas.atoms import Number, add_terms
 from kinegrade.worked.formulas.equation import Equation, approximate, equate
 from kinegrade.worked.formulas.numbers import state_angle
-from kinegrade.worked.vectors.inclinations import Cosine
+from kinegrade.worked.vectors.slopes.cosines import Cosine
 
 _PLACES = 6  # decimals of a degree by which angles are told apart
 

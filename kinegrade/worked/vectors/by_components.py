@@ -17,7 +17,8 @@ from kinegrade.worked.formulas.measures import double, is_zero, length
 from kinegrade.worked.formulas.numbers import measure, state_number
 from kinegrade.worked.vectors.components import find_heading, name_signed, state_signed
 from kinegrade.worked.vectors.facts import make_key
-from kinegrade.worked.vectors.inclinations import Inclination, find_cosine
+from kinegrade.worked.vectors.slopes.cosines import find_cosine
+from kinegrade.worked.vectors.slopes.inclination import Inclination
 from kinegrade.worked.vectors.summands import name_component
 
 

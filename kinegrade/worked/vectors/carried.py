@@ -35,12 +35,9 @@ from kinegrade.worked.vectors.components import (
     list_component,
     list_turning_summands,
 )
-from kinegrade.worked.vectors.inclinations import (
-    Inclination,
-    find_cosine,
-    is_inclination_known,
-    name_along,
-)
+from kinegrade.worked.vectors.slopes.cosines import find_cosine
+from kinegrade.worked.vectors.slopes.directions import is_inclination_known, name_along
+from kinegrade.worked.vectors.slopes.inclination import Inclination
 from kinegrade.worked.vectors.summands import PLACES, add_summands, name_component
 from kinegrade.worked.vectors.vectors import UNITS
 

@@ -22,15 +22,14 @@ from kinegrade.worked.formulas.numbers import measure
 from kinegrade.worked.formulas.symbols import name_coordinate
 from kinegrade.worked.positions.algebra import ZERO
 from kinegrade.worked.positions.axes import Axes, choose_axes
-from kinegrade.worked.vectors.inclinations import (
-    Inclination,
-    find_cosine,
+from kinegrade.worked.vectors.known_vectors import list_ways
+from kinegrade.worked.vectors.slopes.cosines import find_cosine
+from kinegrade.worked.vectors.slopes.directions import (
     find_term_ends,
     is_inclination_known,
     name_along,
-    name_axis,
 )
-from kinegrade.worked.vectors.known_vectors import list_ways
+from kinegrade.worked.vectors.slopes.inclination import Inclination, name_axis
 from kinegrade.worked.vectors.summands import PLACES, Summand, add_summands, name_component
 from kinegrade.worked.vectors.vectors import UNITS
 

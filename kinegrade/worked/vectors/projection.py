@@ -16,7 +16,7 @@ from kinegrade.mechanics.relations.relation import Relation
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Part, VectorEquation
 from kinegrade.worked.formulas.measures import bearing, size, tidy
-from kinegrade.worked.vectors.magnitudes import find_heading
+from kinegrade.worked.vectors.table.tracks import find_heading
 from kinegrade.worked.vectors.vectors import vanishes
 
 PARALLEL = 1e-9  # sine of the angle below which two directions count as parallel

@@ -12,11 +12,7 @@ from kinegrade.mechanics.rates import Rate
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Level, Part
 from kinegrade.worked.case import Case
-from kinegrade.worked.formulas.equation import (
-    Equation,
-    Link,
-    equate,
-)
+from kinegrade.worked.formulas.equation import Equation, Link, equate
 from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.measures import double, length
 from kinegrade.worked.formulas.numbers import measure, state_number
@@ -29,11 +25,8 @@ from kinegrade.worked.senses import (
     state_way_round,
 )
 from kinegrade.worked.vectors.arms import name_length
-from kinegrade.worked.vectors.magnitudes import find_path_ends
-from kinegrade.worked.vectors.stage import (
-    Stage,
-    measure_along_direction,
-)
+from kinegrade.worked.vectors.stage import Stage, measure_along_direction
+from kinegrade.worked.vectors.table.tracks import find_path_ends
 from kinegrade.worked.vectors.vectors import UNITS, name_value
 
 

@@ -13,21 +13,17 @@ from kinegrade.worked.case import Case
 from kinegrade.worked.findings import Piece
 from kinegrade.worked.formulas.atoms import ONE, ZERO, add_terms, multiply_factors
 from kinegrade.worked.formulas.equation import Equation, equate
-from kinegrade.worked.formulas.formula import Formula, Function
+from kinegrade.worked.formulas.formula import Formula
+from kinegrade.worked.formulas.functions import Function
 from kinegrade.worked.formulas.measures import length
 from kinegrade.worked.formulas.numbers import measure, state_angle
 from kinegrade.worked.vectors.arms import name_length
 from kinegrade.worked.vectors.by_components import find_components, project_components
-from kinegrade.worked.vectors.inclinations import (
-    Cosine,
-    Inclination,
-    find_cosine,
-    find_inclination,
-    name_axis,
-    name_direction,
-)
-from kinegrade.worked.vectors.magnitudes import state_magnitude
 from kinegrade.worked.vectors.projection import Deduction, Projection, Share
+from kinegrade.worked.vectors.slopes.cosines import Cosine, find_cosine
+from kinegrade.worked.vectors.slopes.directions import find_inclination, name_direction
+from kinegrade.worked.vectors.slopes.inclination import Inclination, name_axis
+from kinegrade.worked.vectors.table.magnitudes import state_magnitude
 from kinegrade.worked.vectors.vectors import UNITS, name_value
 
 

@@ -34,7 +34,7 @@ def test_what_format_2_keeps_is_read(tmp_path: Path) -> None:
     opened = open_exam(folder(tmp_path, head, {"place": 3, "version": "B", "questions": [drawn]}))
     assert (opened.head.format, opened.head.paper_size, opened.head.engine) == (2, "a4", "typst")
     assert opened.head.editable == {"a.tex": "0f"}
-    line = opened.line_of("S9")
+    line = opened.keys.line_of("S9")
     assert (line.student, line.place, line.version) == ("S9", 3, "B")
     assert line.questions[0].values == {"phi": "pi/6"}
 
@@ -49,7 +49,7 @@ def test_what_format_1_does_not_keep_is_empty_and_its_values_are_those_of_the_ke
     question = {"question": "q1", "asks": {}, "parameters": stated}
     opened = open_exam(folder(tmp_path, {}, {"questions": [question]}))
     assert (opened.head.paper_size, opened.head.engine) == ("", "")
-    line = opened.line_of("007")
+    line = opened.keys.line_of("007")
     assert (line.place, line.version, line.questions[0].drawn) == (None, "", {})
     assert line.questions[0].values == {"r": "7/20", "h": "1.2"}
 
@@ -65,7 +65,7 @@ def test_numbers_keep_the_digits_that_stand_there(tmp_path: Path) -> None:
         encoding="utf-8",
     )
     opened = open_exam(path)
-    stated = opened.line_of("12").questions[0].asks["v_B"]
+    stated = opened.keys.line_of("12").questions[0].asks["v_B"]
     assert stated.tolerance.relative == Decimal("0.0100000000000000000001")
     assert opened.asks[2].points == Fraction("2.50000000000000000001")
 
@@ -107,21 +107,23 @@ def test_a_line_is_found_wherever_it_stands(tmp_path: Path) -> None:
     (path / "variants.jsonl").write_text(json.dumps(paper("gone")) + "\n", encoding="utf-8")
     opened = open_exam(path)
     assert [
-        student for student in (*STUDENTS, "gone") if opened.line_of(student).student != student
+        student
+        for student in (*STUDENTS, "gone")
+        if opened.keys.line_of(student).student != student
     ] == []
-    assert [line.student for line in opened.lines()] == list(reversed(STUDENTS))
-    assert [line.student for line in opened.pool_lines()] == ["gone"]
+    assert [line.student for line in opened.keys.lines()] == list(reversed(STUDENTS))
+    assert [line.student for line in opened.keys.pool_lines()] == ["gone"]
     assert opened.papers_of(["12", "gone"]).keys() == {"12", "gone"}
-    assert opened.find_line("nobody") is None
+    assert opened.keys.find_line("nobody") is None
 
 
 def test_a_student_without_a_line_is_refused_where_one_is_needed(tmp_path: Path) -> None:
     opened = open_exam(folder(tmp_path, {}, {}))
     message = (
-        f'{opened.key}: no paper of student "x" - expected one for every student who is marked - name '
+        f'{opened.keys.file}: no paper of student "x" - expected one for every student who is marked - name '
         "the exam folder by which these marks were made"
     )
-    for look in (opened.line_of, lambda student: opened.papers_of([student])):
+    for look in (opened.keys.line_of, lambda student: opened.papers_of([student])):
         with pytest.raises(ExamError) as caught:
             look("x")
         assert str(caught.value) == message
@@ -142,7 +144,7 @@ def test_a_damaged_line_is_named(tmp_path: Path, name: str, line: bytes, fault: 
     (path / name).write_bytes(four + line + b"\n")
     opened = open_exam(path)
     with pytest.raises(ExamError) as caught:
-        opened.line_of("x")
+        opened.keys.line_of("x")
     assert str(caught.value).startswith(f"{path / name}: {fault}")
     assert str(caught.value).endswith(f" - expected it as kinegrade generate wrote it - {RESTORE}")
 
@@ -152,7 +154,7 @@ def test_a_line_that_is_not_utf_8_is_refused(tmp_path: Path, name: str) -> None:
     path = folder(tmp_path, {}, {})
     (path / name).write_bytes(b'{"student": "x", "questions": [], "a": "\xff"}\n')
     opened = open_exam(path)
-    for look in (opened.line_of, lambda student: opened.papers_of([student])):
+    for look in (opened.keys.line_of, lambda student: opened.papers_of([student])):
         with pytest.raises(ExamError, match=rf"{name}: cannot be read \(not UTF-8\) - expected an"):
             look("x")
 
@@ -161,22 +163,22 @@ def test_damaged_lines_are_named_by_their_number_when_all_are_read(tmp_path: Pat
     path = folder(tmp_path, {}, {})
     (path / "variants.jsonl").write_bytes(b"\n7\n")
     opened = open_exam(path)
-    for read in (opened.pool_lines, opened.variants):
+    for read in (opened.keys.pool_lines, opened.variants):
         with pytest.raises(
             ExamError, match=r"variants.jsonl: line 2: is broken \(Expected `object"
         ):
             list(read())
     (path / "variants.jsonl").write_bytes(b"\xff\n")
-    for read in (opened.pool_lines, opened.variants):
+    for read in (opened.keys.pool_lines, opened.variants):
         with pytest.raises(ExamError, match=r"variants.jsonl: cannot be read \(not UTF-8\)"):
             list(read())
 
 
 def test_files_that_are_missing_are_named(tmp_path: Path) -> None:
     opened = open_exam(folder(tmp_path, {}, {}))
-    opened.key.unlink()
+    opened.keys.file.unlink()
     reads = {
-        "key.jsonl": (lambda: opened.line_of("7"), lambda: list(opened.lines())),
+        "key.jsonl": (lambda: opened.keys.line_of("7"), lambda: list(opened.keys.lines())),
         "bank.toml": (lambda: opened.bank,),
     }
     reads["key.jsonl"] += (opened.printed_orders, lambda: list(opened.papers()))  # type: ignore[assignment]
@@ -255,10 +257,10 @@ def test_orders_are_told_where_they_differ_from_the_bank_s(tmp_path: Path) -> No
     ]
     opened = open_exam(write_exam(tmp_path / "EXAM", exam(), papers))
     assert opened.printed_orders() == {"0012": ("q2", "q1"), "12": ("q2", "q1")}
-    assert opened.line_of("0012").order == ("q2", "q1")
+    assert opened.keys.line_of("0012").order == ("q2", "q1")
     plain = open_exam(folder(tmp_path / "EXAM", {}, {}))
     assert plain.printed_orders() == {}
-    assert plain.line_of("0012").order == ("q1", "q2")
+    assert plain.keys.line_of("0012").order == ("q1", "q2")
 
 
 def test_what_does_not_print_does_not_break_a_message(tmp_path: Path) -> None:
@@ -267,8 +269,8 @@ def test_what_does_not_print_does_not_break_a_message(tmp_path: Path) -> None:
     with pytest.raises(ExamError) as caught:
         list(opened.papers())
     assert str(caught.value) == (
-        f'{opened.key}: student "x·y·[2J" is not in exam.json - expected only its students - '
+        f'{opened.keys.file}: student "x·y·[2J" is not in exam.json - expected only its students - '
         f"{RESTORE}"
     )
     with pytest.raises(ExamError, match='no paper of student "a·b" - expected'):
-        opened.line_of("a\nb")
+        opened.keys.line_of("a\nb")

@@ -21,7 +21,8 @@ from kinegrade.exam.folder.columns.part import PartKeys
 from kinegrade.exam.folder.contents import HEAD, KEY, KEY_COLUMNS
 from kinegrade.exam.folder.exam_folder import ExamFolder, open_exam
 from kinegrade.exam.folder.key.exact_keys import ListedKeys
-from kinegrade.exam.folder.keys import Key, Paper
+from kinegrade.exam.folder.keys import Key
+from kinegrade.exam.folder.papers import Paper
 from kinegrade.numbers.tolerance import Tolerance
 
 STUDENTS = 25

@@ -12,6 +12,7 @@ import msgspec
 import pytest
 
 from kinegrade.exam.choices import Choice
+from kinegrade.exam.folder.asks import Ask
 from kinegrade.exam.folder.contents import CONTENTS
 from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.exam.folder.key.exact_keys import read_key_line
@@ -22,7 +23,6 @@ from kinegrade.exam.folder.key.lines import (
     StatedNumber,
     StatedTolerance,
 )
-from kinegrade.exam.folder.keys import Ask
 from kinegrade.exam.folder.records import (
     Candidate,
     ExamHead,

@@ -9,7 +9,8 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from kinegrade.exam.folder.keys import NOT_ASKED, Paper
+from kinegrade.exam.folder.keys import NOT_ASKED
+from kinegrade.exam.folder.papers import Paper
 from kinegrade.exam.keyed_exam import KeyedExam
 from kinegrade.grading.fast.another_paper import PapersAnswered
 from tests.grading.sitting_class import SittingClass, honest_slips, sitting_class

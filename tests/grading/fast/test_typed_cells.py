@@ -8,7 +8,7 @@ from math import isnan
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kinegrade.exam.folder.keys import Ask
+from kinegrade.exam.folder.asks import Ask
 from kinegrade.grading.fast.bounds import ROUNDING
 from kinegrade.grading.fast.typed_cells import CellReader, TypedCells
 from kinegrade.grading.typed.answers import Reading, read

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from kinegrade.language.known import known_languages
 from kinegrade.language.math.latex import TEX, write_latex_math
-from kinegrade.language.math.mathml import write_mathml
+from kinegrade.language.math.mathml.formula import write_mathml
 from kinegrade.language.math.plain import write_plain_math
 from kinegrade.language.math.runs import Run, split_symbol
 from kinegrade.language.math.spoken.speaking import speak_math
-from kinegrade.language.math.typst import write_typst_math
+from kinegrade.language.math.typst.formula import write_typst_math
 from tests.golden_files import Hold
 from tests.language.math.formulas import list_formulas
 

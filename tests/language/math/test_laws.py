@@ -9,11 +9,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from kinegrade.language.math.latex import MATHJAX, PANDOC, TEX, write_latex_row
-from kinegrade.language.math.mathml import write_mathml_row
+from kinegrade.language.math.mathml.formula import write_mathml_row
 from kinegrade.language.math.plain import write_plain_row
 from kinegrade.language.math.reading import read_math
 from kinegrade.language.math.tree import Row
-from kinegrade.language.math.typst import write_typst_row
+from kinegrade.language.math.typst.formula import write_typst_row
 from tests.language.math.formulas import SOURCE, TREES
 
 

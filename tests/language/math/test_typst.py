@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 from kinegrade.errors import TypesetError
 from kinegrade.language.math.tokens import COMMANDS
-from kinegrade.language.math.typst import write_typst_math
+from kinegrade.language.math.typst.formula import write_typst_math
 from kinegrade.language.math.units import write_unit
 from kinegrade.language.typst_text import write_literal
 

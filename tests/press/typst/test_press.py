@@ -13,10 +13,10 @@ from pypdf import PdfReader
 
 from kinegrade.errors import TypesetError
 from kinegrade.figure.scene import Scene
-from kinegrade.language.math import typst_equation
 from kinegrade.language.math.reading import read_math
 from kinegrade.language.math.tree import Row
-from kinegrade.language.math.typst import write_typst_row
+from kinegrade.language.math.typst import equation as typst_equation
+from kinegrade.language.math.typst.formula import write_typst_row
 from kinegrade.press.binding.part import count_pages
 from kinegrade.press.join import join_pages
 from kinegrade.press.sheet import AnswerRow, Paper, PaperSize, SolutionSheet

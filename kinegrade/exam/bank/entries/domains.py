@@ -21,7 +21,7 @@ from kinegrade.files.fields.values import found
 from kinegrade.language.message import Listing, Message, list_plainly
 from kinegrade.numbers.field import Field
 from kinegrade.numbers.refusals import Inexact
-from kinegrade.problem.assemble import read_parameter
+from kinegrade.problem.assembling.parameters import read_parameter
 from kinegrade.problem.template.domain import read_choices
 from kinegrade.problem.template.template import Parameter, Template
 

@@ -4,36 +4,30 @@ family or tag.
 
 from __future__ import annotations
 
-import re
-from collections.abc import Iterable, Sequence
-from functools import cached_property, partial
-from pathlib import Path
+from collections.abc import Sequence
+from functools import partial
 from typing import NamedTuple, assert_never
 
 from msgspec import Struct
 from msgspec.structs import replace
 
-from kinegrade.errors import FieldError, KinegradeError, suggest
+from kinegrade.errors import FieldError, suggest
 from kinegrade.exam.bank.blueprint import BankAsk, BankQuestion, Chosen, Dealing, Slot
 from kinegrade.exam.bank.by_hand import HandQuestion, read_hand_question
 from kinegrade.exam.bank.entries.alternatives import require_different, require_equal_points
 from kinegrade.exam.bank.entries.asks import read_asks, read_kind, weigh_asks
 from kinegrade.exam.bank.entries.domains import read_domains
 from kinegrade.exam.bank.entries.kinds import ENTRY_KEYS, find_kind, read_dealing
-from kinegrade.exam.bank.shipped_templates import Grouping, Shelf, read_shelf
+from kinegrade.exam.bank.entries.named_templates import NamedTemplates
+from kinegrade.exam.bank.shipped_templates import Grouping
 from kinegrade.exam.bank.terms import BankTolerance, read_bank_tolerance, read_room
-from kinegrade.files.fields.document import read_text, toml_table
-from kinegrade.files.fields.faults import Faults
 from kinegrade.files.fields.table import Table
 from kinegrade.files.fields.values import flag, found, text, whole
 from kinegrade.language.message import Message, Quoted
-from kinegrade.problem.template.library.library import load_kept_template, load_template
-from kinegrade.problem.template.sections.opening import TEMPLATE
 from kinegrade.problem.template.template import Template
 
 MAX_QUESTIONS = 50
 _ANY_EXAMPLE = '["slider-crank", "four-bar-parallel-coupler"]'
-_TEMPLATE_FILE = re.compile(r"[\w. -]{1,100}\.toml")
 
 
 class _Terms(NamedTuple):
@@ -61,17 +55,9 @@ class Entry(Struct, frozen=True):
 
 
 class Entries(Struct, frozen=True, dict=True):
-    """Reads entries; `folder` holds the shipped templates, others are in the folder `beside`.
+    """Reads entries; `space` is the room for working where an entry states none."""
 
-    For a bank that is `kept` with an exam, `folder` holds exactly the templates that were chosen,
-    including those that were beside the bank; rules introduced after the exam do not refuse them.
-    `space` is the room for working where an entry states none.
-    """
-
-    faults: Faults
-    folder: Path
-    beside: Path
-    kept: bool = False
+    templates: NamedTemplates
     space: float = 0.0
 
     def read(self, entry: Table, first: int, wider: BankTolerance) -> Entry:
@@ -100,11 +86,11 @@ class Entries(Struct, frozen=True, dict=True):
 
     def _named(self, entry: Table, identifier: str, wider: BankTolerance) -> tuple[Slot, ...]:
         """The question of a template that the bank names."""
-        template = entry.required("template", self._template)
+        template = entry.required("template", self.templates.named)
         if template is None:
             return ()
         asks = read_asks(entry, template, read_bank_tolerance(entry, wider))
-        domains = read_domains(entry, template, kept=self.kept)
+        domains = read_domains(entry, template, kept=self.templates.kept)
         question = BankQuestion(
             identifier, template, asks, domains, *self._read_terms(entry, "template")
         )
@@ -117,7 +103,9 @@ class Entries(Struct, frozen=True, dict=True):
 
         stated = read_bank_tolerance(entry, wider)
         terms = self._read_terms(entry, "steps")
-        own = read_own_question(entry, stated, self.folder if self.kept else None)
+        own = read_own_question(
+            entry, stated, self.templates.folder if self.templates.kept else None
+        )
         if own is None:
             return ()
         question = BankQuestion(identifier, own.template, own.asks, {}, *terms)
@@ -151,7 +139,7 @@ class Entries(Struct, frozen=True, dict=True):
         """The question of which each student gets one of the templates that the bank names."""
         entry_tolerance = read_bank_tolerance(entry, wider)
         terms, kind = self._read_terms(entry, "any"), read_kind(entry)
-        templates = entry.listing("any", self._template, _ANY_EXAMPLE)
+        templates = entry.listing("any", self.templates.named, _ANY_EXAMPLE)
         require_different(entry, templates)
         if kind is None or len(templates) < 2:
             return ()
@@ -174,73 +162,23 @@ class Entries(Struct, frozen=True, dict=True):
 
     def _pool(self, entry: Table, by: Grouping) -> list[Template]:
         """The templates of a family or with a tag, without those that the entry leaves out."""
-        pool = entry.required(by, partial(self._having, by)) if self._shelf.templates else None
+        pool = (
+            entry.required(by, partial(self.templates.having, by))
+            if self.templates.has_shipped
+            else None
+        )
         if not pool:
             return []
         names = [template.name for template in pool]
-        named = text if self.kept else partial(_read_left_out, names)
+        named = text if self.templates.kept else partial(_read_left_out, names)
         without = entry.listing("without", named, '["slider-crank"]')
         if set(names) <= set(without):
             what = Message(f"bank.none-of-{by}-left", name=Quoted(str(entry.value(by))))
             entry.fault("without", what, do=Message("bank.leave-out-fewer"))
         left = [template for template in pool if template.name not in without]
-        if not self.kept:
-            self._check_statements(left)
+        if not self.templates.kept:
+            self.templates.check_statements(left)
         return left
-
-    def _check_statements(self, templates: Iterable[Template]) -> None:
-        """Notes what the statements of templates lack that may be drawn; others are not held up."""
-        # An exam's own copies have been checked
-        from kinegrade.problem.statement_faults import check_statements  # noqa: PLC0415
-
-        for template in templates:
-            try:
-                check_statements(template)
-            except KinegradeError as error:
-                self.faults.note_error((), error)
-
-    def _having(self, by: Grouping, word: object) -> tuple[Template, ...]:
-        """The shipped templates of a family or with a tag."""
-        having = self._shelf.having(by, str(word))
-        if not having:
-            what = Message(f"bank.unknown-{by}", name=found(word))
-            raise FieldError(what, do=suggest(str(word), self._shelf.known(by)))
-        return having
-
-    @cached_property
-    def _shelf(self) -> Shelf:
-        """All shipped templates, read when an entry first draws from them; none after a fault."""
-        try:
-            return read_shelf(self.folder, kept=self.kept)
-        except KinegradeError as error:
-            self.faults.note_error((), error)
-        return Shelf({}, {"family": {}, "tag": {}})
-
-    def _template(self, value: object) -> Template:
-        """A shipped template, or a file beside the bank; the exam's copy where the bank is kept."""
-        name = text(value)
-        beside = name.endswith(".toml")
-        if beside and not _TEMPLATE_FILE.fullmatch(name):
-            raise FieldError(found(name), Message("bank.file-beside"))
-        if self.kept:
-            return load_kept_template(name.removesuffix(".toml"), self.folder)
-        template = load_template(str(self.beside / name) if beside else name, self.folder)
-        if not beside:
-            _require_alone(template, self.beside / f"{name}.toml")
-        from kinegrade.problem.statement_faults import check_statements  # noqa: PLC0415
-
-        check_statements(template)
-        return template
-
-
-def _require_alone(shipped: Template, own: Path) -> None:
-    """Raises FieldError where a file beside the bank has the name of a shipped template, and
-    another text: it may be the one that is meant, unless it is a bank itself.
-    """
-    text = read_text(own, TEMPLATE) if own.exists() else shipped.file.text
-    if text != shipped.file.text and "questions" not in toml_table(own.name, text, TEMPLATE):
-        what = Message("bank.own-and-shipped", file=Quoted(own.name))
-        raise FieldError(what, do=Message("bank.name-own", file=Quoted(own.name)))
 
 
 def _make_slot(

@@ -9,7 +9,8 @@ from itertools import islice
 from typing import overload
 
 from kinegrade.exam.folder.columns.part import KeyPart, PartKeys
-from kinegrade.exam.folder.keys import Keys, Paper, PaperBlock
+from kinegrade.exam.folder.keys import Keys
+from kinegrade.exam.folder.papers import Paper, PaperBlock
 from kinegrade.exam.folder.records import Candidate
 from kinegrade.numbers.tolerance import Tolerance
 

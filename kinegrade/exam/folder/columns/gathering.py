@@ -18,7 +18,9 @@ from kinegrade.exam.folder.columns.part import KeyPart, PartKeys
 from kinegrade.exam.folder.columns.record import PART
 from kinegrade.exam.folder.columns.runs import list_runs
 from kinegrade.exam.folder.key.stated_keys import StatedKeys, read_stated_mistakes
-from kinegrade.exam.folder.keys import Keys, Paper, RightAnswers, Sitting
+from kinegrade.exam.folder.keys import Keys
+from kinegrade.exam.folder.papers import Paper, RightAnswers
+from kinegrade.exam.folder.sitting import Sitting
 from kinegrade.numbers.decimals import FEW_DIGITS
 from kinegrade.numbers.tolerance import Tolerance
 

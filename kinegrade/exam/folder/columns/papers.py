@@ -19,7 +19,7 @@ from kinegrade.exam.folder.key.decoding import PaperDecoder
 from kinegrade.exam.folder.key.index import KeyIndex
 from kinegrade.exam.folder.key.stated_keys import Place
 from kinegrade.exam.folder.key.stream import stream_papers
-from kinegrade.exam.folder.keys import Paper, PaperBlock, RightAnswers
+from kinegrade.exam.folder.papers import Paper, PaperBlock, RightAnswers
 from kinegrade.exam.folder.records import ExamHead
 
 

@@ -32,7 +32,7 @@ from kinegrade.exam.folder.columns.record import (
     read_terms,
 )
 from kinegrade.exam.folder.key.stated_keys import Terms
-from kinegrade.exam.folder.keys import RightAnswers
+from kinegrade.exam.folder.papers import RightAnswers
 from kinegrade.exam.folder.records import ExamHead
 
 DAMAGED = (

@@ -27,7 +27,7 @@ from kinegrade.exam.folder.columns.record import (
 )
 from kinegrade.exam.folder.key.stated_keys import StatedKeys, Terms, read_stated_mistakes
 from kinegrade.exam.folder.key.stream import stream_papers
-from kinegrade.exam.folder.keys import Paper
+from kinegrade.exam.folder.papers import Paper
 from kinegrade.exam.folder.records import ExamHead
 
 _Arrays = dict[str, NDArray[np.generic]]

@@ -23,6 +23,7 @@ import msgspec
 from msgspec.structs import astuple
 
 from kinegrade.errors import FieldError
+from kinegrade.exam.folder.asks import Ask
 from kinegrade.exam.folder.key.exact_keys import (
     ListedKeys,
     read_exact_keys,
@@ -31,8 +32,8 @@ from kinegrade.exam.folder.key.exact_keys import (
 )
 from kinegrade.exam.folder.key.lines import StatedTolerance
 from kinegrade.exam.folder.key.stated_keys import Entry, Place, StatedKeys, Terms
-from kinegrade.exam.folder.keys import Ask, Paper
 from kinegrade.exam.folder.numbers import MOST_DIGITS, require_not_negative
+from kinegrade.exam.folder.papers import Paper
 from kinegrade.exam.folder.records import ExamHead
 from kinegrade.files.csv_writing import encode
 

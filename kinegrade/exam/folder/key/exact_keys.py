@@ -16,10 +16,11 @@ import msgspec
 
 from kinegrade.errors import FieldError
 from kinegrade.exam.choices import Choice, fits_paper
+from kinegrade.exam.folder.asks import Ask, list_questions
 from kinegrade.exam.folder.contents import HEAD
 from kinegrade.exam.folder.faults import describe_damage
 from kinegrade.exam.folder.key.lines import KeyLine, StatedAnswer, StatedTolerance
-from kinegrade.exam.folder.keys import NOT_ASKED, Ask, Key, StatedKey, list_questions
+from kinegrade.exam.folder.keys import NOT_ASKED, Key, StatedKey
 from kinegrade.exam.folder.numbers import (
     RATIONAL,
     require_double,

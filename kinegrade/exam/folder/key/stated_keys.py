@@ -19,9 +19,10 @@ from typing import NamedTuple
 import msgspec
 
 from kinegrade.errors import ExamError, FieldError, Problem
+from kinegrade.exam.folder.asks import Ask
 from kinegrade.exam.folder.faults import describe_damage, explain_broken, name_line
 from kinegrade.exam.folder.key.exact_keys import read_mistakes as read_exact_mistakes
-from kinegrade.exam.folder.keys import Ask, StatedKey
+from kinegrade.exam.folder.keys import StatedKey
 from kinegrade.exam.folder.numbers import RATIONAL
 from kinegrade.language.message import Fault, Message, Quoted
 from kinegrade.numbers.tolerance import Tolerance

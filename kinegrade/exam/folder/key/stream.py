@@ -12,8 +12,8 @@ from kinegrade.errors import FieldError, Problem
 from kinegrade.exam.folder.faults import explain_broken, explain_unreadable, name_line
 from kinegrade.exam.folder.key.decoding import PaperDecoder
 from kinegrade.exam.folder.key.stated_keys import Place
-from kinegrade.exam.folder.keys import Paper
 from kinegrade.exam.folder.ownership import find_ownership_faults
+from kinegrade.exam.folder.papers import Paper
 from kinegrade.exam.folder.records import ExamHead
 from kinegrade.language.message import Fault
 

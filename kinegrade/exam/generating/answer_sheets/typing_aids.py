@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from xml.sax.saxutils import escape, quoteattr
 
-from kinegrade.exam.folder.keys import Ask
+from kinegrade.exam.folder.asks import Ask
 from kinegrade.language.catalogue import Catalogue
 from kinegrade.language.message import Message
 

@@ -15,8 +15,8 @@ from typing import NamedTuple
 from xml.sax.saxutils import escape
 from zipfile import ZIP_DEFLATED, ZipFile, ZipInfo
 
+from kinegrade.exam.folder.asks import Ask
 from kinegrade.exam.folder.contents import FINDER
-from kinegrade.exam.folder.keys import Ask
 from kinegrade.exam.generating.answer_sheets.typing_aids import (
     HEADER_ROW,
     find_row_formula,

@@ -18,8 +18,8 @@ from kinegrade.exam.bank.blueprint import Blueprint
 from kinegrade.exam.folder.contents import ANSWER_WORKBOOK, KEY, PAPERS, SOLUTIONS
 from kinegrade.exam.folder.exam_folder import ExamFolder, open_exam
 from kinegrade.exam.folder.records import Candidate, ExamHead
+from kinegrade.exam.generating.complaints import list_complaints, require_none
 from kinegrade.exam.generating.exam_files import write_blank_workbook, write_head, write_papers
-from kinegrade.exam.generating.generate import list_complaints, require_none
 from kinegrade.exam.generating.growing.added_answers import write_grown_answers
 from kinegrade.exam.generating.growing.grown_class import LateClass, late_class
 from kinegrade.exam.generating.growing.grown_folder import (

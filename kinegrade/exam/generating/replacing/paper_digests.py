@@ -14,7 +14,7 @@ def paper_digests(exam: ExamFolder) -> dict[str, bytes]:
     """For each student of the key a digest of what the paper asks and what is right on it. Raises
     ExamError.
     """
-    return {line.student: _paper_digest(line) for line in exam.lines()}
+    return {line.student: _paper_digest(line) for line in exam.keys.lines()}
 
 
 def _paper_digest(line: KeyLine) -> bytes:

@@ -125,7 +125,7 @@ def read_replaced(exam: ExamFolder) -> ReplacedExam:
     secret = required_secret(exam)
     exam.require_sound_key()
     papers = paper_digests(exam)
-    kept = {line.student: line for line in (*exam.lines(), *exam.spare_lines())}
+    kept = {line.student: line for line in (*exam.keys.lines(), *exam.keys.spare_lines())}
     _require_places(exam, kept)
     return ReplacedExam(exam.path, exam.head, secret, papers, kept)
 
@@ -150,7 +150,7 @@ def _require_places(exam: ExamFolder, kept: Mapping[str, KeyLine]) -> None:
         first = whose.setdefault(line.place, student)
         if first != student or not 0 <= line.place < _MOST_PLACES * len(kept):
             what = Message("exam.strange-place", student=Quoted(student), place=line.place)
-            raise ExamError(Fault(str(exam.key), what))
+            raise ExamError(Fault(str(exam.keys.file), what))
 
 
 def settle(

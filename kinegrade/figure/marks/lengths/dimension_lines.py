@@ -15,7 +15,7 @@ from kinegrade.figure.placing.ownership import rate_beside_line
 from kinegrade.figure.placing.place import Wish, list_spots_beside
 from kinegrade.figure.plane import NEAR, length, nearest_of, polar, unit
 from kinegrade.figure.scene import THIN, Primitive, Strokes
-from kinegrade.figure.symbols import HEAD_LENGTH, draw_arrowhead
+from kinegrade.figure.symbols.arrows import HEAD_LENGTH, draw_arrowhead
 from kinegrade.mechanics.vector import Vector
 
 _LEFT = 4.2  # millimetres from a point in which its own bars leave beside an extension line

@@ -11,7 +11,7 @@ from kinegrade.figure.mechanism.straight_parts import Bar, Rod, find_half_width,
 from kinegrade.figure.placing.obstacles import Obstacles
 from kinegrade.figure.plane import NEAR, length, unit
 from kinegrade.figure.scene import BOLD
-from kinegrade.figure.symbols import measure_in_sleeve
+from kinegrade.figure.symbols.sliding import measure_in_sleeve
 from kinegrade.mechanics.vector import Vector
 
 _LEAVING = 1.6  # millimetres from a point to its extension line, where nothing is in the way

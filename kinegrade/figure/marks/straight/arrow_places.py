@@ -16,7 +16,7 @@ from kinegrade.figure.mechanism.rails import Rail
 from kinegrade.figure.mechanism.straight_parts import Bar, Part, Rod, is_slender, list_ways
 from kinegrade.figure.placing.mark import direction
 from kinegrade.figure.plane import NEAR, length, mean, unit
-from kinegrade.figure.symbols import PIN
+from kinegrade.figure.symbols.pins import PIN
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import Moving

@@ -19,7 +19,8 @@ from kinegrade.figure.placing.place import (
 )
 from kinegrade.figure.plane import NEAR, length
 from kinegrade.figure.scene import THIN, Disc, Outline, Primitive, Strokes
-from kinegrade.figure.symbols import HEAD_LENGTH, HEADS, PIN, draw_arrow
+from kinegrade.figure.symbols.arrows import HEAD_LENGTH, HEADS, draw_arrow
+from kinegrade.figure.symbols.pins import PIN
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import Moving
 

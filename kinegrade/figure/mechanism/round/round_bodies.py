@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import assert_never
 
-from kinegrade.figure import symbols
 from kinegrade.figure.joints.symbol import Rim, find_fixed_pin
 from kinegrade.figure.mechanism.anatomy import Anatomy
 from kinegrade.figure.mechanism.wheels.outlines import (
@@ -26,6 +25,8 @@ from kinegrade.figure.scene import (
     Primitive,
     Strokes,
 )
+from kinegrade.figure.symbols.bars import draw_round_slot
+from kinegrade.figure.symbols.ground import draw_round_ground
 from kinegrade.figure.teeth import TOOTH_ROOT, trace_gear
 from kinegrade.mechanics.joints import GROUND
 
@@ -59,7 +60,7 @@ def _draw_slotted(anatomy: Anatomy, rim: Rim) -> tuple[Primitive, ...]:
     pin = find_fixed_pin(anatomy.symbols, rim.body)
     pivot = anatomy.mechanism.points[pin] if pin else None
     on_ring = pivot and abs(length(pivot - rim.at) - rim.radius) < NEAR
-    return symbols.draw_round_slot(rim.at, rim.radius, pivot if on_ring else None)
+    return draw_round_slot(rim.at, rim.radius, pivot if on_ring else None)
 
 
 def _draw_rim(anatomy: Anatomy, rim: Rim) -> tuple[Primitive, ...]:
@@ -99,7 +100,7 @@ def _draw_fixed_rim(anatomy: Anatomy, rim: Rim) -> tuple[Primitive, ...]:
         case "gear":
             return _draw_fixed_gear(anatomy, rim)
         case "wheel" | "slot" | "cam":
-            return symbols.draw_round_ground(rim.at, rim.radius, rim.ring, rim.find_arc())
+            return draw_round_ground(rim.at, rim.radius, rim.ring, rim.find_arc())
         case _:
             assert_never(rim.kind)
 
@@ -112,10 +113,10 @@ def _draw_fixed_gear(anatomy: Anatomy, rim: Rim) -> tuple[Primitive, ...]:
     contact = angle_of(rim.touch - rim.at) if named else None
     if rim.ring:
         back = rim.radius + TOOTH_ROOT + _BAND
-        ground = symbols.draw_round_ground(rim.at, back, outward=True, open_at=contact)
+        ground = draw_round_ground(rim.at, back, outward=True, open_at=contact)
         return (*ground, Disc(rim.at, back, FIRM, "grey"), *_draw_gear(rim, "white"))
     back = rim.radius - TOOTH_ROOT - min(_BAND, rim.radius / 3)
-    ground = symbols.draw_round_ground(rim.at, back, outward=False, open_at=contact)
+    ground = draw_round_ground(rim.at, back, outward=False, open_at=contact)
     return (*_draw_gear(rim, "grey"), Disc(rim.at, back, FIRM, "white"), *ground)
 
 

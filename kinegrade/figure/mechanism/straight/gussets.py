@@ -14,7 +14,8 @@ from kinegrade.figure.mechanism.straight.welded_rods import is_welded
 from kinegrade.figure.mechanism.straight_parts import Bar, Part, Rod, is_slender, list_ways
 from kinegrade.figure.plane import NEAR, length, unit
 from kinegrade.figure.scene import Outline, Primitive
-from kinegrade.figure.symbols import SLEEVE_WIDTH, WIDTH_ABOUT_PIN
+from kinegrade.figure.symbols.bars import SLEEVE_WIDTH
+from kinegrade.figure.symbols.sliding import WIDTH_ABOUT_PIN
 from kinegrade.mechanics.joints import Line
 from kinegrade.mechanics.vector import Vector
 

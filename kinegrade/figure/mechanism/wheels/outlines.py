@@ -10,7 +10,7 @@ from math import pi
 from kinegrade.figure.joints.symbol import Kind, Rim, Symbol, find_fixed_pin
 from kinegrade.figure.mechanism.wheels.cam import trace_cam_profile
 from kinegrade.figure.plane import hull, polar
-from kinegrade.figure.symbols import BAR_WIDTH
+from kinegrade.figure.symbols.bars import BAR_WIDTH
 from kinegrade.figure.teeth import TOOTH_TIP
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector

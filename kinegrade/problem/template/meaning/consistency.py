@@ -9,37 +9,23 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Any
 
 from kinegrade.errors import ExpressionError, FieldError
-from kinegrade.expressions.tree import SUMS, Expression, Name, Operation, find_names, walk
+from kinegrade.expressions.tree import Expression, Name, find_names
 from kinegrade.files.fields.faults import Faults
 from kinegrade.files.fields.place import Place, key_path
-from kinegrade.language.message import Message, Quoted, list_choices
+from kinegrade.language.message import Message, Quoted
 from kinegrade.mechanics.branches import BRANCHES
 from kinegrade.mechanics.joints import GROUND
-from kinegrade.problem.kinds.dimension import (
-    ACCELERATION,
-    CHANGE,
-    LENGTH,
-    NUMBER,
-    RATE,
-    SPEED,
-    Dimension,
-    describe_dimension,
-    find_dimension,
-)
+from kinegrade.problem.kinds.dimension import LENGTH, NUMBER, find_dimension
 from kinegrade.problem.kinds.kinds import (
     Arrow,
     BodyKind,
     Kind,
-    Ring,
     Scalar,
     Side,
-    Straight,
     Unknown,
-    advise_on_units,
-    describe_kind,
     require_unit,
     unite_dimensions,
 )
@@ -47,12 +33,16 @@ from kinegrade.problem.kinds.signatures import CONSTRUCTIONS, ELEMENTARY, Signat
 from kinegrade.problem.quantities.functions import QUANTITIES
 from kinegrade.problem.template.draft import Draft
 from kinegrade.problem.template.meaning.meaning import Scope
-from kinegrade.problem.template.meaning.radians import evaluate_literals, require_no_radians
+from kinegrade.problem.template.meaning.required_kinds import list_units, require_number
 from kinegrade.problem.template.meaning.senses import require_fitting_sign
-from kinegrade.problem.template.sentences import DriverSentence, JointSentence
-from kinegrade.problem.template.template import Ask, Condition, Published, Wording
-
-_Having = Literal["coordinates", "velocity", "acceleration", "direction"]
+from kinegrade.problem.template.meaning.stated_parts import (
+    check_ask,
+    check_condition,
+    check_driver,
+    check_joint,
+    check_point,
+)
+from kinegrade.problem.template.template import Ask, Published, Wording
 
 
 @dataclass(frozen=True)
@@ -113,18 +103,18 @@ class _Consistency:
         yield from self.points(places)
         scope = self.scope(places, CONSTRUCTIONS)
         for number, joint in self.draft.joints.items():
-            yield from _try_kinds(("joints", number), self.joint, scope, joint)
+            yield from _try_kinds(("joints", number), check_joint, scope, joint)
         for number, driver in self.draft.drivers.items():
-            yield from _try_kinds(("inputs", number), self.driver, scope, driver)
+            yield from _try_kinds(("inputs", number), check_driver, scope, driver)
         for number, condition in self.draft.conditions.items():
-            yield from _try_kinds(("conditions", number), self.condition, scope, condition)
+            yield from _try_kinds(("conditions", number), check_condition, scope, condition)
         for name, wordings in self.draft.texts.items():
             yield from self._wordings(name, wordings)
         bodies = {name: BodyKind() for name in (GROUND, *self.draft.bodies)}
         scope = self.scope({**bodies, **places}, QUANTITIES)
         stated = "unit" if self.draft.steps else "quantity"
         for name, ask in self.draft.asks.items():
-            yield from _try_kinds(("asks", name, stated), self.ask, scope, ask)
+            yield from _try_kinds(("asks", name, stated), check_ask, scope, ask)
             yield from _try_kinds(("asks", name, "sign"), require_fitting_sign, ask)
         for number, result in self.draft.published.items():
             yield from self.published(number, result)
@@ -169,47 +159,7 @@ class _Consistency:
         for name, tree in self.draft.points.items():
             scope = self.scope(dict(places), CONSTRUCTIONS)
             places[name] = Arrow(LENGTH, name)
-            yield from _try_kinds(("points", name), self.point, scope, tree)
-
-    def point(self, scope: Scope, tree: Expression) -> None:
-        """A point: its coordinates are lengths."""
-        kind = scope.kind(tree)
-        if not isinstance(kind, Arrow | Unknown):
-            raise FieldError(describe_kind(kind), Message("template.point-like"))
-        _require_dimension(kind, LENGTH, "coordinates")
-
-    def joint(self, scope: Scope, sentence: JointSentence) -> None:
-        """A joint: its lines and circles."""
-        for shape in (sentence.circle, sentence.on):
-            kind = scope.kind(shape) if shape is not None else Unknown()
-            if not isinstance(kind, Straight | Ring | Unknown):
-                raise FieldError(describe_kind(kind), Message("template.a-shape"))
-
-    def driver(self, scope: Scope, sentence: DriverSentence) -> None:
-        """An input: a rotation in rad/s and rad/s^2, the motion of a point in m/s and m/s^2."""
-        velocity, acceleration = (RATE, CHANGE) if sentence.stated.TURNS else (SPEED, ACCELERATION)
-        _require_dimension(_require_number(scope.kind(sentence.velocity)), velocity, "velocity")
-        _require_dimension(
-            _require_number(scope.kind(sentence.acceleration)), acceleration, "acceleration"
-        )
-        if sentence.along is None:
-            return
-        require_no_radians(sentence.along)
-        direction = scope.kind(sentence.along)
-        if not isinstance(direction, Scalar | Unknown):
-            raise FieldError(
-                Message("template.moves-along", kind=describe_kind(direction)),
-                Message("template.a-direction"),
-            )
-        _require_dimension(direction, NUMBER, "direction")
-
-    def condition(self, scope: Scope, condition: Condition) -> None:
-        """A condition: two numbers of one dimension, made of what is known."""
-        unite_dimensions(
-            Quoted(condition.text),
-            _require_number(scope.kind(condition.left)),
-            _require_number(scope.kind(condition.right)),
-        )
+            yield from _try_kinds(("points", name), check_point, scope, tree)
 
     def _wordings(self, name: str, wordings: Mapping[int, Wording]) -> Iterator[_Inconsistency]:
         """The conditions by which the wording of a text is chosen."""
@@ -217,20 +167,7 @@ class _Consistency:
         for number, one in wordings.items():
             if one.condition is not None:
                 place = ("text", name, number, "if")
-                yield from _try_kinds(place, self.condition, scope, one.condition)
-
-    def ask(self, scope: Scope, ask: Ask) -> None:
-        """An ask: a number of the dimension of its unit."""
-        kind = scope.kind(ask.quantity)
-        if not isinstance(kind, Scalar | Unknown):
-            raise FieldError(
-                describe_kind(kind), Message("template.a-number"), Message("template.of-a-vector")
-            )
-        require_unit(kind, ask.unit, _list_units)
-        for part in walk(ask.quantity):
-            if isinstance(part, Operation) and part.sign in SUMS:
-                _require_no_number(scope, part.left, part.right)
-                _require_no_number(scope, part.right, part.left)
+                yield from _try_kinds(place, check_condition, scope, one.condition)
 
     def published(self, number: int, result: Published) -> Iterator[_Inconsistency]:
         """Published results, of the dimension of what they are results of.
@@ -257,9 +194,9 @@ class _Consistency:
 
     def result(self, scope: Scope, tree: Expression, ask: Ask | None) -> None:
         """A published result: a number, of the dimension of the ask's unit where that is known."""
-        kind = _require_number(scope.kind(tree))
+        kind = require_number(scope.kind(tree))
         if ask is not None:
-            require_unit(kind, ask.unit, _list_units)
+            require_unit(kind, ask.unit, list_units)
 
 
 def _try_kinds(
@@ -273,38 +210,3 @@ def _try_kinds(
     except ExpressionError as error:
         for problem in error.faults:
             yield _Inconsistency(place, FieldError(problem))
-
-
-def _require_number(kind: Kind) -> Kind:
-    """A kind that must be a number. Raises FieldError for anything else."""
-    if not isinstance(kind, Scalar | Unknown):
-        raise FieldError(describe_kind(kind), Message("template.a-number"))
-    return kind
-
-
-def _require_dimension(kind: Kind, expected: Dimension, having: _Having) -> None:
-    """Raises FieldError where a kind has another dimension than is expected."""
-    found = kind.dimension if isinstance(kind, Scalar | Arrow) else None
-    if found is not None and found != expected:
-        raise FieldError(
-            Message(f"template.its-{having}", dimension=describe_dimension(found)),
-            describe_dimension(expected),
-            advise_on_units(found, expected),
-        )
-
-
-def _require_no_number(scope: Scope, one: Expression, other: Expression) -> None:
-    """Raises FieldError for a number other than zero that is added to what has a dimension."""
-    number, kind = evaluate_literals(one), scope.kind(other)
-    found = kind.dimension if isinstance(kind, Scalar) else None
-    if number and found not in (None, NUMBER):
-        what = Message(
-            "template.added-number", number=str(number), dimension=describe_dimension(found)
-        )
-        raise FieldError(what, do=Message("template.added-with-unit"))
-
-
-def _list_units(found: Dimension) -> Message:
-    """The units in SI that a dimension may be counted in."""
-    units = ("rad", "deg", "1") if found == NUMBER else (found.unit,)
-    return Message("template.write-unit", units=list_choices(map(Quoted, units)))

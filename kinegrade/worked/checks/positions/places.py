@@ -10,15 +10,7 @@ from itertools import combinations
 from math import cos, degrees, radians, sin
 from typing import Any, Literal, assert_never
 
-from kinegrade.expressions.tree import (
-    Call,
-    Expression,
-    Name,
-    Number,
-    Operation,
-    find_names,
-    walk,
-)
+from kinegrade.expressions.tree import Call, Expression, Name, Number, Operation, find_names, walk
 from kinegrade.language.message import Message
 from kinegrade.problem.template.template import Ask
 from kinegrade.worked.answers.pose_working import AXIS_X, AXIS_Y
@@ -28,7 +20,8 @@ from kinegrade.worked.checks.check import Check, compare
 from kinegrade.worked.checks.positions.cosines import list_circles_on_lines, list_cosine_checks
 from kinegrade.worked.checks.sides import Side
 from kinegrade.worked.formulas.atoms import ZERO, add_squares
-from kinegrade.worked.formulas.formula import Formula, Function
+from kinegrade.worked.formulas.formula import Formula
+from kinegrade.worked.formulas.functions import Function
 from kinegrade.worked.formulas.measures import length
 from kinegrade.worked.formulas.numbers import measure, state_angle, state_quantity
 from kinegrade.worked.formulas.symbols import read_symbol

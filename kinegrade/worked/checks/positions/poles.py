@@ -17,7 +17,7 @@ from kinegrade.worked.formulas.symbols import join_letters, name_coordinate
 from kinegrade.worked.positions.algebra import ZERO as ORIGIN
 from kinegrade.worked.positions.axes import choose_axes
 from kinegrade.worked.steps.couplers import find_coupler
-from kinegrade.worked.steps.poles import name_pole
+from kinegrade.worked.steps.poles.poles import name_pole
 from kinegrade.worked.vectors.stage import Stage
 
 

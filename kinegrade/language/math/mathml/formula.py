@@ -6,24 +6,33 @@ Every character of a formula is escaped; the only tags are those made here.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
 from functools import lru_cache
 from html import escape
 from itertools import groupby
 from typing import assert_never
 
 from kinegrade.language.math.letters import SIGNS, find_letter
+from kinegrade.language.math.mathml.elements import (
+    ACCENTS,
+    FRACTIONS,
+    Face,
+    write_attached,
+    write_fence,
+    write_letters,
+    write_sign,
+    write_space,
+    write_text,
+    write_weight,
+)
 from kinegrade.language.math.reading import read_math
-from kinegrade.language.math.spacing import SPACE_WIDTHS, is_function, is_spaced
+from kinegrade.language.math.spacing import is_function, is_spaced
 from kinegrade.language.math.tree import (
     DEGREE,
     PRIME,
     Accent,
-    AccentName,
     Environment,
     EnvironmentName,
     Fenced,
-    FractionName,
     Function,
     Group,
     Letter,
@@ -38,55 +47,12 @@ from kinegrade.language.math.tree import (
     Scripts,
     Sign,
     Space,
-    SpaceName,
-    Style,
     Text,
     Unit,
     split_row,
 )
 from kinegrade.language.math.units import raise_exponents, write_unit
 from kinegrade.language.message import Location
-
-_FRACTIONS: dict[FractionName, str] = {
-    "frac": "",
-    "dfrac": ' displaystyle="true"',
-    "tfrac": ' displaystyle="false"',
-}
-_ACCENTS: dict[AccentName, str] = {
-    "vec": '<mo stretchy="false">→</mo>',
-    "bar": '<mo stretchy="false">¯</mo>',
-    "hat": '<mo stretchy="false">^</mo>',
-    "widehat": '<mo stretchy="true">^</mo>',
-    "tilde": '<mo stretchy="false">~</mo>',
-    "dot": "<mo>˙</mo>",
-    "ddot": "<mo>¨</mo>",
-    "overline": '<mo stretchy="true">‾</mo>',
-    "overrightarrow": '<mo stretchy="true">→</mo>',
-    "underbrace": '<mo stretchy="true">⏟</mo>',
-    "boxed": ' style="border: 1px solid; padding: 0.15em"',
-}
-
-
-@dataclass(frozen=True, slots=True)
-class _Face:
-    """How letters stand."""
-
-    upright: bool = False
-    bold: bool = False
-
-    def change(self, style: Style) -> _Face:
-        """The face inside a lettering."""
-        match style:
-            case "mathrm":
-                return replace(self, upright=True)
-            case "mathbf":
-                return _Face(upright=True, bold=True)
-            case "mathit":
-                return replace(self, upright=False)
-            case "boldsymbol":
-                return replace(self, bold=True)
-            case _:
-                assert_never(style)
 
 
 def write_mathml(latex: str, where: Location) -> str:
@@ -112,35 +78,35 @@ def write_mathml_row(row: Row, said: str = "") -> str:
     from the formula alone: not all that read pages aloud look into one for it.
     """
     label = f' aria-label="{escape(said)}"' if said else ""
-    return f"<math{label}>{_write_row(row, _Face())}</math>"
+    return f"<math{label}>{_write_row(row, Face())}</math>"
 
 
-def _write_row(row: Row, face: _Face) -> str:
+def _write_row(row: Row, face: Face) -> str:
     if any(isinstance(node, LineBreak | Mark) for node in row):
         return _write_table(row, face)
     return "".join(_write_pieces(row, face))
 
 
-def _write_pieces(row: Row, face: _Face) -> Iterator[str]:
+def _write_pieces(row: Row, face: Face) -> Iterator[str]:
     """The elements of a row; upright letters side by side are one word."""
     place = 0
     for are_letters, run in groupby(row, lambda node: face.upright and isinstance(node, Letter)):
         nodes = tuple(run)
         if are_letters:
             names = [node.name for node in nodes if isinstance(node, Letter)]
-            yield _write_letters("".join(map(find_letter, names)), face)
+            yield write_letters("".join(map(find_letter, names)), face)
         else:
             for shift, node in enumerate(nodes):
                 yield _write_piece(row, place + shift, node, face)
         place += len(nodes)
 
 
-def _write_piece(row: Row, place: int, node: Node, face: _Face) -> str:
+def _write_piece(row: Row, place: int, node: Node, face: Face) -> str:
     if isinstance(node, Sign) and SIGNS[node.latex].kind == "binary" and not is_spaced(row, place):
         return f'<mo form="prefix">{SIGNS[node.latex].character}</mo>'
     written = _write_node(node, face)
     if is_function(node) and not _closes_up(row[place + 1 : place + 2]):
-        written += _write_space(",")
+        written += write_space(",")
     return written
 
 
@@ -149,31 +115,22 @@ def _closes_up(following: Row) -> bool:
     return not following or isinstance(following[0], Fenced) or following[0] == Sign("(")
 
 
-def _write_letters(letters: str, face: _Face) -> str:
-    normal = ' mathvariant="normal"' if face.upright and len(letters) == 1 else ""
-    return f"<mi{normal}{_write_weight(face)}>{letters}</mi>"
-
-
-def _write_weight(face: _Face) -> str:
-    return ' style="font-weight: bold"' if face.bold else ""
-
-
-def _write_node(node: Node, face: _Face) -> str:
+def _write_node(node: Node, face: Face) -> str:
     match node:
         case Letter(name):
-            return _write_letters(find_letter(name), face)
+            return write_letters(find_letter(name), face)
         case Number(digits):
-            return f"<mn{_write_weight(face)}>{digits}</mn>"
+            return f"<mn{write_weight(face)}>{digits}</mn>"
         case Sign(latex):
-            return _write_sign(latex)
+            return write_sign(latex)
         case Function(name):
             return f"<mi>{name}</mi>"
         case Text(text):
-            return _write_text(raise_exponents(text))
+            return write_text(raise_exponents(text))
         case Unit(text):
-            return _write_text(write_unit(text))
+            return write_text(write_unit(text))
         case Space(name):
-            return _write_space(name)
+            return write_space(name)
         case LineBreak() | Mark():
             return ""
         case Lettering(style, row):
@@ -186,30 +143,7 @@ def _write_node(node: Node, face: _Face) -> str:
             return _write_structure(node, face)
 
 
-def _write_space(name: SpaceName) -> str:
-    return f'<mspace width="{SPACE_WIDTHS[name]:g}em"/>'
-
-
-def _write_sign(latex: str) -> str:
-    forms = SIGNS[latex]
-    character = escape(forms.character)
-    match forms.kind:
-        case "ordinary":
-            return f"<mi>{character}</mi>"
-        case "opening" | "closing":
-            return f'<mo stretchy="false">{character}</mo>'
-        case "relation" | "binary" | "punctuation" | "large":
-            return f"<mo>{character}</mo>"
-        case _:
-            assert_never(forms.kind)
-
-
-def _write_text(text: str) -> str:
-    printable = "".join(character if character.isprintable() else " " for character in text)
-    return f"<mtext>{escape(printable.replace(' ', chr(0xA0)))}</mtext>"
-
-
-def _write_grouped(row: Row, face: _Face) -> str:
+def _write_grouped(row: Row, face: Face) -> str:
     """A row as one element, whatever it holds."""
     inside = _write_row(row, face)
     return inside if len(row) == 1 and not _is_many(row[0]) else f"<mrow>{inside}</mrow>"
@@ -220,49 +154,43 @@ def _is_many(node: Node) -> bool:
     return isinstance(node, Scripts | LineBreak | Mark)
 
 
-def _write_structure(node: Quotient | Root | Accent | Fenced | Environment, face: _Face) -> str:
+def _write_structure(node: Quotient | Root | Accent | Fenced | Environment, face: Face) -> str:
     match node:
         case Quotient(name, above, below):
             parts = _write_grouped(above, face) + _write_grouped(below, face)
-            return f"<mfrac{_FRACTIONS[name]}>{parts}</mfrac>"
+            return f"<mfrac{FRACTIONS[name]}>{parts}</mfrac>"
         case Root(radicand, degree):
             inside = _write_grouped(radicand, face)
             if degree is None:
                 return f"<msqrt>{inside}</msqrt>"
             return f"<mroot>{inside}{_write_grouped(degree, face)}</mroot>"
         case Accent("underbrace", row):
-            return f"<munder>{_write_grouped(row, face)}{_ACCENTS['underbrace']}</munder>"
+            return f"<munder>{_write_grouped(row, face)}{ACCENTS['underbrace']}</munder>"
         case Accent("boxed", row):
-            return f"<mrow{_ACCENTS['boxed']}>{_write_row(row, face)}</mrow>"
+            return f"<mrow{ACCENTS['boxed']}>{_write_row(row, face)}</mrow>"
         case Accent(name, row):
-            mark = _ACCENTS[name]
+            mark = ACCENTS[name]
             return f'<mover accent="true">{_write_grouped(row, face)}{mark}</mover>'
         case Fenced(left, row, right):
             inside = _write_row(row, face)
-            return f"<mrow>{_write_fence(left)}{inside}{_write_fence(right)}</mrow>"
+            return f"<mrow>{write_fence(left)}{inside}{write_fence(right)}</mrow>"
         case Environment(name, row):
             return _write_environment(name, row, face)
         case _:
             assert_never(node)
 
 
-def _write_fence(bracket: str) -> str:
-    if bracket == ".":
-        return ""
-    return f'<mo fence="true" stretchy="true">{SIGNS[bracket].character}</mo>'
-
-
-def _write_environment(name: EnvironmentName, row: Row, face: _Face) -> str:
+def _write_environment(name: EnvironmentName, row: Row, face: Face) -> str:
     match name:
         case "aligned":
             return _write_table(row, face)
         case "cases":
-            return f"<mrow>{_write_fence(chr(92) + '{')}{_write_table(row, face, 'left')}</mrow>"
+            return f"<mrow>{write_fence(chr(92) + '{')}{_write_table(row, face, 'left')}</mrow>"
         case _:
             assert_never(name)
 
 
-def _write_table(row: Row, face: _Face, first: str = "right") -> str:
+def _write_table(row: Row, face: Face, first: str = "right") -> str:
     """Lines below each other; columns are aligned right and left in turn."""
     lines = "".join(
         f"<mtr>{_write_cells(line, face, first)}</mtr>" for line in split_row(row, LineBreak)
@@ -271,35 +199,23 @@ def _write_table(row: Row, face: _Face, first: str = "right") -> str:
     return f"<mtable{style}>{lines}</mtable>"
 
 
-def _write_cells(line: Row, face: _Face, first: str) -> str:
+def _write_cells(line: Row, face: Face, first: str) -> str:
     return "".join(
         f'<mtd style="text-align: {"left" if index % 2 else first}">{_write_row(cell, face)}</mtd>'
         for index, cell in enumerate(split_row(line, Mark))
     )
 
 
-def _write_scripts(node: Scripts, face: _Face) -> str:
+def _write_scripts(node: Scripts, face: Face) -> str:
     base = "<mrow></mrow>" if node.base is None else _write_grouped((node.base,), face)
     below = None if node.lower is None else _write_grouped(node.lower, face)
     if node.upper == DEGREE:
-        return _write_attached(base, below, _write_raised((PRIME,) * node.primes, face)) + (
+        return write_attached(base, below, _write_raised((PRIME,) * node.primes, face)) + (
             "<mi>°</mi>"
         )
     raised = (*(PRIME,) * node.primes, *(node.upper or ()))
-    return _write_attached(base, below, _write_raised(raised, face))
+    return write_attached(base, below, _write_raised(raised, face))
 
 
-def _write_raised(row: Row, face: _Face) -> str | None:
+def _write_raised(row: Row, face: Face) -> str | None:
     return _write_grouped(row, face) if row else None
-
-
-def _write_attached(base: str, below: str | None, above: str | None) -> str:
-    match below, above:
-        case None, None:
-            return base
-        case str(), None:
-            return f"<msub>{base}{below}</msub>"
-        case None, str():
-            return f"<msup>{base}{above}</msup>"
-        case _:
-            return f"<msubsup>{base}{below}{above}</msubsup>"

@@ -22,24 +22,20 @@ from kinegrade.worked.formulas.symbols import join_letters, name_coordinate
 from kinegrade.worked.steps.couplers import Coupler
 from kinegrade.worked.vectors.angle_sums import explain_sums
 from kinegrade.worked.vectors.arms import introduce_lengths, name_length
-from kinegrade.worked.vectors.inclinations import (
-    Cosine,
-    Inclination,
-    find_cosine,
-    introduce_angle,
-    name_axis,
-    name_direction,
-)
-from kinegrade.worked.vectors.magnitudes import find_heading
+from kinegrade.worked.vectors.slopes.cosines import Cosine, find_cosine
+from kinegrade.worked.vectors.slopes.directions import name_direction
+from kinegrade.worked.vectors.slopes.inclination import Inclination, name_axis
+from kinegrade.worked.vectors.slopes.introduced_angles import introduce_angle
 from kinegrade.worked.vectors.stage import divide_by
 from kinegrade.worked.vectors.summands import PLACES
+from kinegrade.worked.vectors.table.tracks import find_heading
 
-_RIGHT, _HALF = 90.0, 180.0
+RIGHT, _HALF = 90.0, 180.0
 _CORNERS: dict[tuple[Literal["sin", "cos"], int], tuple[float, int]] = {
     ("cos", 1): (0.0, 1),
     ("cos", -1): (_HALF, -1),
-    ("sin", 1): (_RIGHT, -1),
-    ("sin", -1): (_RIGHT, 1),
+    ("sin", 1): (RIGHT, -1),
+    ("sin", -1): (RIGHT, 1),
 }  # from a cosine to its angle: where to start, and with which sign the named angle counts
 _DIRECTIONS: dict[AxisName, float] = {"x": 0.0, "y": 90.0}
 
@@ -182,7 +178,7 @@ def _name_corner(side: Inclination, other: Inclination) -> Formula:
     """The angle between two sides of a triangle by named angles, a right one by its degrees."""
     cosine = find_cosine(side, other)
     if cosine is None:
-        return state_angle(_RIGHT)
+        return state_angle(RIGHT)
     start, turned = _CORNERS[cosine.function, cosine.sign]
     value = start + turned * cosine.value
     terms = [*([state_angle(start)] if start else []), cosine.angle.signed(turned)]

@@ -14,7 +14,8 @@ from kinegrade.worked.document import Block, Display
 from kinegrade.worked.findings import Seen
 from kinegrade.worked.formulas.atoms import Symbol, add_terms
 from kinegrade.worked.formulas.equation import approximate, equate
-from kinegrade.worked.formulas.formula import Formula, Function
+from kinegrade.worked.formulas.formula import Formula
+from kinegrade.worked.formulas.functions import Function
 from kinegrade.worked.formulas.numbers import state_quantity
 from kinegrade.worked.formulas.symbols import name_corner
 from kinegrade.worked.positions.algebra import (

@@ -8,7 +8,7 @@ from kinegrade.language import Language
 from kinegrade.language.math.reading import read_math
 from kinegrade.language.math.spoken.speaking import speak_row
 from kinegrade.language.math.tree import Row
-from kinegrade.language.math.typst import write_typst_row
+from kinegrade.language.math.typst.formula import write_typst_row
 from kinegrade.language.message import Location
 from kinegrade.language.typst_text import write_literal
 

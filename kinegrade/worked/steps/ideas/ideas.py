@@ -8,39 +8,33 @@ from collections.abc import Iterable, Iterator, Sequence, Set
 from typing import assert_never
 
 from kinegrade.language.message import Message, list_all
-from kinegrade.mechanics.drivers.imposed import select_imposed
 from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.laws import (
     EqualBeltSpeed,
     EqualPitchSpeed,
     EqualRotation,
     GuidedPoint,
-    Imposed,
     ImposedCircling,
     ImposedMotion,
     ImposedRotation,
     Law,
     NoSlip,
     SharedPoint,
-    find_rims,
     find_rolling,
 )
 from kinegrade.mechanics.plan import Step
-from kinegrade.mechanics.vector_equation import Part, VectorEquation
+from kinegrade.mechanics.vector_equation import VectorEquation
 from kinegrade.problem.quantities.functions import find_coordinate, find_motion_calls
 from kinegrade.problem.template.template import Ask
 from kinegrade.worked.case import Case
 from kinegrade.worked.document import Block, Heading
-from kinegrade.worked.formulas.measures import double
-from kinegrade.worked.formulas.symbols import join_letters
-from kinegrade.worked.rates.rims import say_of_carrier
 from kinegrade.worked.rates.rolling import group_rolls, tell_rolls
 from kinegrade.worked.steps.couplers import Coupler, choose_method, find_coupler, find_pole_body
-from kinegrade.worked.steps.flat_faces import find_profile
+from kinegrade.worked.steps.ideas.frames import explain_frames
+from kinegrade.worked.steps.ideas.links import explain_link
 from kinegrade.worked.steps.rigid import explain_choice, find_rigid_triangle
 from kinegrade.worked.steps.titles import find_rotations, select_scalars
 from kinegrade.worked.steps.two_tracks import find_two_tracks
-from kinegrade.worked.vectors.magnitudes import find_path_ends
 from kinegrade.worked.vectors.stage import Stage
 
 
@@ -92,7 +86,7 @@ def _find_reasons(step: Step, stage: Stage, accelerated: bool) -> Iterator[Messa
     rolls = filter(None, map(find_rolling, laws))
     yield from (tell_rolls(group, case) for group in group_rolls(rolls))
     for law in laws:
-        yield from _explain_link(law, case)
+        yield from explain_link(law, case)
     triangle = find_rigid_triangle(stage)
     if triangle is not None:
         yield explain_choice(triangle, case)
@@ -104,40 +98,7 @@ def _find_reasons(step: Step, stage: Stage, accelerated: bool) -> Iterator[Messa
     elif stage.equations and _joins_rotations(stage.equations[0]):
         yield _explain_common_point(stage.equations[0], case)
     elif stage.equations:
-        yield from _explain_frames(stage, accelerated)
-
-
-def _explain_link(law: Law | None, case: Case) -> Iterator[Message]:
-    """What a relation of rates alone links; nothing for what is given, or turns alike."""
-    if law is None:
-        return
-    imposed, rims = select_imposed(law), find_rims(law)
-    if imposed is not None:
-        yield from _explain_imposed(imposed, case)
-    if rims is not None:
-        what = "idea-belts" if rims.is_belt else "idea-meshes"
-        yield say_of_carrier(what, rims.carrier, case)
-
-
-def _explain_imposed(law: Imposed, case: Case) -> Iterator[Message]:
-    """What a given rotation of one body relative to another links; nothing for other givens."""
-    match law:
-        case ImposedRotation(body=body, of=of) if of != GROUND:
-            yield _explain_relative_rotation(body, of, case)
-        case ImposedRotation() | ImposedMotion() | ImposedCircling():
-            return
-        case _:
-            assert_never(law)
-
-
-def _explain_relative_rotation(body: str, of: str, case: Case) -> Message:
-    """What an imposed relative rotation links, and from where the body's points follow."""
-    return Message(
-        "solution.idea-relative-rotation",
-        body=case.naming.body(body),
-        other=case.naming.body(of),
-        base=case.naming.point(case.motion.frames.bases[body].point),
-    )
+        yield from explain_frames(stage, accelerated)
 
 
 def _explain_choice(coupler: Coupler, case: Case) -> Message:
@@ -209,78 +170,3 @@ def _explain_poles(by_normals: Set[str | None], case: Case) -> Iterator[Message]
     for body in sorted(case.findings.poles_sought - by_normals):
         if not case.findings.places_alone:
             yield Message("solution.idea-pole", body=case.naming.body(body))
-
-
-def _explain_frames(stage: Stage, accelerated: bool) -> Iterator[Message]:
-    """Why a moving frame serves, or two, where there are as many unknowns as these can give."""
-    case, compositions = stage.case, stage.equations[0].compositions
-    point = case.naming.point(compositions[0].point) if compositions else ""
-    frames = [case.naming.body(part.frame) for part in compositions]
-    unknown = len(stage.equations[0].unknowns)
-    yield from _replace_profiles(compositions, case)
-    if unknown == 1 and len(frames) == 1:
-        yield Message("solution.idea-composed-known", point=point, frame=frames[0])
-    if unknown != 2 or not frames:
-        return
-    way = {
-        "path": _describe_path(compositions, case),
-        "directions": _describe_directions(stage.equations[0], accelerated),
-    }
-    if len(frames) == 1:
-        yield Message("solution.idea-composed", point=point, frame=frames[0], **way)
-    elif len({part.point for part in compositions}) == 1:
-        every = list_all(frames)
-        yield Message("solution.idea-composed-twice", point=point, frames=every, **way)
-    else:
-        yield Message(
-            "solution.idea-composed-on",
-            first=point,
-            frame=frames[0],
-            second=case.naming.point(compositions[1].point),
-            other=frames[1],
-            **way,
-        )
-
-
-def _replace_profiles(compositions: Iterable[Part], case: Case) -> Iterator[Message]:
-    """Why the circle of curvature serves where no more of a profile is known."""
-    for relative in compositions:
-        profile = find_profile(relative, case)
-        if profile is not None and profile.of_curvature:
-            point, body = case.naming.point(relative.point), case.naming.body(profile.body)
-            yield Message("solution.idea-curvature", point=point, body=body)
-
-
-def _describe_directions(equation: VectorEquation, accelerated: bool) -> Message:
-    """What the paths say of relative velocities, and where they are straight of relative
-    accelerations too: in words, as their letters are explained at the composition.
-    """
-    terms = [part.term for part in equation.compositions if part.term is not None]
-    if all(term.kind == "sliding" for term in terms):
-        key = "straight-accelerated" if accelerated else "straight"
-    else:
-        key = "tangent" if all(term.kind == "arc" for term in terms) else "known"
-    return Message(f"solution.directions-{key}", count=len(equation.compositions))
-
-
-def _describe_path(relatives: Sequence[Part], case: Case) -> Message:
-    """Along what points move relative to frames: a line, which is named where there is one, or a
-    circle about a centre.
-    """
-    terms = [part.term for part in relatives if part.term is not None]
-    centres = {term.base for term in terms}
-    line = find_path_ends(relatives[0], case) if len(terms) == 1 else None
-    if line is not None:
-        start, end = (case.motion.points[point] for point in line)
-        off = double((end - start).cross(case.motion.points[terms[0].point] - start))
-        letters = case.text(join_letters(map(case.naming.letter, line)))
-        if off:
-            return Message("solution.path-parallel", line=letters)
-        return Message("solution.path-line", line=letters)
-    if all(term.kind == "sliding" for term in terms):
-        return Message("solution.path-straight")
-    if all(term.kind == "arc" for term in terms):
-        if len(centres) > 1:
-            return Message("solution.path-circles")
-        return Message("solution.path-circle", centre=case.naming.point(*centres))
-    return Message("solution.path-known")

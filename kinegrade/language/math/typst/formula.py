@@ -40,6 +40,7 @@ from kinegrade.language.math.tree import (
     Unit,
     split_row,
 )
+from kinegrade.language.math.typst.brackets import TYPED, find_bracket, find_matched
 from kinegrade.language.math.units import raise_exponents, write_unit
 from kinegrade.language.message import Location
 from kinegrade.language.typst_text import write_literal
@@ -79,7 +80,6 @@ _SPACES: dict[SpaceName, str] = {
     "quad": "quad",
     "qquad": "wide",
 }
-_TYPED = {sign: sign for sign in "()[]"} | {r"\{": "{", r"\}": "}"}  # Typst matches these itself
 _EMPTY = '""'
 _LINE_BREAK = "\\ "
 _NO_BLANK = frozenset('"| ')  # beside these a blank would be printed
@@ -111,29 +111,8 @@ def write_typst_row(row: Row) -> str:
     """
     while row and isinstance(row[-1], LineBreak):
         row = row[:-1]  # before what follows, its backslash would be an escape
-    typed = set(_find_matched(row))
+    typed = set(find_matched(row))
     return _join(_write_node(node, place in typed) for place, node in enumerate(row))
-
-
-def _find_matched(row: Row) -> Iterable[int]:
-    """The places of the brackets that have their other half in the same row."""
-    open_brackets: list[int] = []
-    for place, node in enumerate(row):
-        match _find_bracket(node):
-            case "opening":
-                open_brackets.append(place)
-            case "closing" if open_brackets:
-                yield from (open_brackets.pop(), place)
-
-
-def _find_bracket(node: Node) -> str:
-    """Which half of brackets a node is, with or without scripts; "" for all else."""
-    if isinstance(node, Sign) and node.latex in _TYPED:
-        return SIGNS[node.latex].kind
-    carrier = node.base if isinstance(node, Scripts) else None
-    if isinstance(carrier, Sign) and SIGNS[carrier.latex].kind == "closing":
-        return "closing"
-    return ""
 
 
 def _join(pieces: Iterable[str]) -> str:
@@ -152,7 +131,7 @@ def _write_node(node: Node, matched: bool = False) -> str:
         case Number(digits):
             return digits
         case Sign(latex):
-            return _TYPED[latex] if matched else SIGNS[latex].typst
+            return TYPED[latex] if matched else SIGNS[latex].typst
         case Function(name):
             return name
         case Text(text):
@@ -202,9 +181,9 @@ def _write_argument(row: Row) -> str:
 
 def _write_fenced(left: str, inside: str, right: str) -> str:
     """A row between brackets of its height, which those are that Typst itself matches."""
-    match _find_bracket(Sign(left)), _find_bracket(Sign(right)):
+    match find_bracket(Sign(left)), find_bracket(Sign(right)):
         case "opening", "closing":
-            return f"{_TYPED[left]}{inside}{_TYPED[right]}"
+            return f"{TYPED[left]}{inside}{TYPED[right]}"
         case _:
             return f"lr({_join((_write_fence(left), inside, _write_fence(right)))})"
 

@@ -20,8 +20,8 @@ from kinegrade.worked.formulas.measures import double, length, size
 from kinegrade.worked.formulas.numbers import measure, state_number
 from kinegrade.worked.senses import state_way_about
 from kinegrade.worked.steps.couplers import Coupler, explain_base_speed
-from kinegrade.worked.steps.pole_distances import PoleTriangle
-from kinegrade.worked.steps.poles import name_pole
+from kinegrade.worked.steps.poles.pole_distances import PoleTriangle
+from kinegrade.worked.steps.poles.poles import name_pole
 from kinegrade.worked.vectors.arms import introduce_lengths, name_length
 from kinegrade.worked.vectors.projection import PARALLEL
 from kinegrade.worked.vectors.results import state_rotation_result, state_sense

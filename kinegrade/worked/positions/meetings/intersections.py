@@ -2,29 +2,23 @@
 solved.
 
 A line along an axis gives a coordinate at once; a slanting one is parametrised by the distance s
-from its given point. Two circles are in `kinegrade.worked.positions.circles_meeting`.
+from its given point. Two circles are in `kinegrade.worked.positions.meetings.circles_meeting`.
 """
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 from kinegrade.expressions.tree import Call, Expression, Name, Operation, list_parts
 from kinegrade.language.math.tree import Row
 from kinegrade.language.message import Message
-from kinegrade.numbers.units import Unit
 from kinegrade.worked.construction_steps import Step
 from kinegrade.worked.document import Block, Display
-from kinegrade.worked.formulas.atoms import AXES, AxisName, Symbol
+from kinegrade.worked.formulas.atoms import AXES
 from kinegrade.worked.formulas.equation import Equation, equate
-from kinegrade.worked.formulas.symbols import name_coordinate, name_quantity
 from kinegrade.worked.positions.algebra import (
-    ONE,
     ZERO,
     Pair,
     cross,
     dot,
-    is_negated,
     minus,
     over,
     plus,
@@ -32,26 +26,23 @@ from kinegrade.worked.positions.algebra import (
     square,
     times,
 )
-from kinegrade.worked.positions.axes import find_line, length_of
+from kinegrade.worked.positions.axes import find_line
 from kinegrade.worked.positions.chord_triangles import find_triangle
-from kinegrade.worked.positions.circles_meeting import explain_circles
 from kinegrade.worked.positions.instance import METRE, PURE, Instance
+from kinegrade.worked.positions.meetings.along_lines import (
+    Line,
+    Way,
+    is_unit,
+    make_unit_line,
+    name_coordinate_of,
+    name_distance_along,
+    solve_along_line,
+)
+from kinegrade.worked.positions.meetings.circles_meeting import explain_circles
 from kinegrade.worked.positions.shapes import describe_chord_end, describe_line, describe_side
 from kinegrade.worked.positions.vectors import describe_vector
 
-_Line = tuple[Pair, Pair]  # a point and a direction
 _NOTHING: Pair = (ZERO, ZERO)
-
-
-class _Way(NamedTuple):
-    """A line, the unit of distances along it, metres where its direction is a unit vector, and what
-    the distance of the point sought is called; s where that is no side of a figure.
-    """
-
-    base: Pair
-    along: Pair
-    unit: Unit = METRE
-    side: Symbol | None = None
 
 
 def explain_meeting(step: Step, instance: Instance) -> tuple[Block, ...]:
@@ -87,21 +78,14 @@ def _explain_two_lines(
     if ZERO in first[1] + second[1]:
         solved = Display(_solve_two_lines(point, first, second, instance))
         return instance.say(sentence), solved
-    share, start = _name_distance_along(lines[0], instance)
+    share, start = name_distance_along(lines[0], instance)
     distance = Message("solution.lines-meet-distance", share=share, start=start)
     return instance.say(Message("solution.sentences", first=sentence, next=distance)), Display(
-        _solve_two_slanting_lines(point, _make_unit_line(first, instance), second, instance)
+        _solve_two_slanting_lines(point, make_unit_line(first, instance), second, instance)
     )
 
 
-def _name_distance_along(line: Call, instance: Instance) -> tuple[str, str]:
-    """The letter of the distance along a line, and the point from which it counts."""
-    return instance.case.text(_choose_letter("s", instance)), instance.text(line.arguments[0])
-
-
-def _solve_two_lines(
-    point: str, first: _Line, second: _Line, instance: Instance
-) -> tuple[Row, ...]:
+def _solve_two_lines(point: str, first: Line, second: Line, instance: Instance) -> tuple[Row, ...]:
     """Both coordinates, from a line along an axis and the other line."""
     (base, along), (other, across) = (first, second) if ZERO in first[1] else (second, first)
     level = along[1] == ZERO
@@ -109,9 +93,9 @@ def _solve_two_lines(
     place, slope = (1, over(across[0], across[1])) if level else (0, over(across[1], across[0]))
     rise = minus(_write_coordinate_formula(instance, known, point), other[place])
     return (
-        *instance.equation(_name_coordinate(instance, known, point), base[place]),
+        *instance.equation(name_coordinate_of(instance, known, point), base[place]),
         *instance.equation(
-            _name_coordinate(instance, sought, point),
+            name_coordinate_of(instance, sought, point),
             plus(other[1 - place], _multiply_by_slope(rise, slope)),
         ),
     )
@@ -125,47 +109,14 @@ def _multiply_by_slope(rise: Expression, slope: Expression) -> Expression:
 
 
 def _solve_two_slanting_lines(
-    point: str, first: _Line, second: _Line, instance: Instance
+    point: str, first: Line, second: Line, instance: Instance
 ) -> tuple[Row, ...]:
     """The distance s along the first line from its point, then both coordinates."""
     (base, along), (other, across) = first, second
     apart = minus(other[0], base[0]), minus(other[1], base[1])
     share = over(cross(apart, across), cross(along, across))
-    unit = METRE if _is_unit(along) else PURE
-    return _solve_along_line(point, _Way(base, along, unit), share, instance)
-
-
-def _choose_letter(name: str, instance: Instance) -> Symbol:
-    """The symbol of an auxiliary quantity, numbered where the template already uses that letter."""
-    return name_quantity(instance.free(name))
-
-
-def _solve_along_line(
-    point: str, way: _Way, share: Expression, instance: Instance
-) -> tuple[Row, ...]:
-    """The distance worked out, then the coordinates of the point at it from the line's given
-    point.
-    """
-    name = instance.free("s")
-    symbol = way.side or name_quantity(name)
-    further = instance.named(name, symbol, instance.value(share), way.unit)
-    if way.unit is METRE and further.sign(share) > 0:
-        _note_length(point, way.base, symbol, instance)
-    step = Name(name)
-    lines = further.equation(further.formula(step), share, way.unit)
-    for axis, start, part in zip(AXES, way.base, way.along, strict=True):
-        lines += further.equation(
-            _name_coordinate(further, axis, point), plus(start, times(step, part))
-        )
-    return lines
-
-
-def _note_length(point: str, base: Pair, symbol: Symbol, instance: Instance) -> None:
-    """Keep the distance of a point from the named point of its line as worked out."""
-    starts = (step.point for step in instance.steps if instance.axes.pair(Name(step.point)) == base)
-    start = next(starts, None)
-    if start is not None and start != point:
-        instance.case.findings.arms.setdefault(frozenset((start, point)), symbol)
+    unit = METRE if is_unit(along) else PURE
+    return solve_along_line(point, Way(base, along, unit), share, instance)
 
 
 def _solve_straight(
@@ -184,8 +135,8 @@ def _solve_straight(
     solved = (minus if beyond < 0 else plus)(centre[1 - place], reach)
     return Display((equation,)), Display(
         (
-            *instance.equation(_name_coordinate(instance, known, point), base[place]),
-            *instance.equation(_name_coordinate(instance, sought, point), solved),
+            *instance.equation(name_coordinate_of(instance, known, point), base[place]),
+            *instance.equation(name_coordinate_of(instance, sought, point), solved),
         )
     )
 
@@ -197,7 +148,7 @@ def _solve_slanting_chord(
     angle at this one, else from the projection of the centre and half the chord; then both
     coordinates.
     """
-    base, along = _make_unit_line(find_line(line, instance.axes), instance)
+    base, along = make_unit_line(find_line(line, instance.axes), instance)
     middle, radius = circle.arguments
     centre = instance.axes.pair(middle) or _NOTHING
     away = minus(centre[0], base[0]), minus(centre[1], base[1])
@@ -208,35 +159,16 @@ def _solve_slanting_chord(
     triangle = None if before else find_triangle(point, line, circle, away, instance)
     if triangle is not None:
         share = plus(middle_share, times(radius, Call("cos", (Name(triangle.name),))))
-        way = _Way(base, along, side=triangle.side)
-        solved = _solve_along_line(point, way, share, triangle.instance)
+        way = Way(base, along, side=triangle.side)
+        solved = solve_along_line(point, way, share, triangle.instance)
         return triangle.explain(), Display((*triangle.solve(), *solved))
     half = root(minus(square(radius), square(apart))) if instance.sign(apart) else radius
-    letter, start = _name_distance_along(line, instance)
+    letter, start = name_distance_along(line, instance)
     vector = describe_vector(Operation("-", middle, line.arguments[0]), instance)
     names = {"share": letter, "start": start, "vector": vector}
     said = Message("solution.chord-before" if before else "solution.chord-beyond", **names)
     run = (minus if before else plus)(middle_share, half)
-    return said, Display(_solve_along_line(point, _Way(base, along), run, instance))
-
-
-def _make_unit_line(line: _Line, instance: Instance) -> _Line:
-    """A line with a unit direction vector: as it is where given by an angle, else divided by its
-    length.
-    """
-    base, along = line
-    if _is_unit(along):
-        return line
-    size = length_of(Call("", along), instance.axes)
-    return base, (over(along[0], size), over(along[1], size))
-
-
-def _is_unit(along: Pair) -> bool:
-    """Whether a direction is given by an angle or an axis, and not by two points."""
-    sizes = [part.right if is_negated(part) else part for part in along]
-    return ONE in sizes or any(
-        isinstance(size, Call) and size.function in ("cos", "sin") for size in sizes
-    )
+    return said, Display(solve_along_line(point, Way(base, along), run, instance))
 
 
 def _write_circle_equation(point: str, circle: Call, instance: Instance) -> Row:
@@ -255,7 +187,7 @@ def explain_foot(step: Step, instance: Instance) -> tuple[Block, ...]:
     source, line = list_parts(step.tree)
     if not isinstance(line, Call):
         return ()
-    base, along = _make_unit_line(find_line(line, instance.axes), instance)
+    base, along = make_unit_line(find_line(line, instance.axes), instance)
     place = instance.axes.pair(source) or _NOTHING
     sentence = Message(
         "solution.foot",
@@ -263,21 +195,16 @@ def explain_foot(step: Step, instance: Instance) -> tuple[Block, ...]:
         source=instance.text(source),
         line=describe_line(line, instance),
     )
-    letter, start = _name_distance_along(line, instance)
+    letter, start = name_distance_along(line, instance)
     vector = describe_vector(Operation("-", source, line.arguments[0]), instance)
     distance = Message("solution.foot-distance", share=letter, start=start, vector=vector)
     share = dot((minus(place[0], base[0]), minus(place[1], base[1])), along)
     return (
         instance.say(Message("solution.sentences", first=sentence, next=distance)),
-        Display(_solve_along_line(step.point, _Way(base, along), share, instance)),
+        Display(solve_along_line(step.point, Way(base, along), share, instance)),
     )
 
 
 def _write_coordinate_formula(instance: Instance, axis: str, point: str) -> Expression:
     """A coordinate of a named point as a formula."""
     return instance.axes.coordinate(axis, point)
-
-
-def _name_coordinate(instance: Instance, axis: AxisName, point: str) -> Symbol:
-    """x_B or y_B, the left side of an equation."""
-    return name_coordinate(axis, instance.symbols[point])

@@ -1,0 +1,60 @@
+"""Fixed surfaces, straight and round, with their hatching."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from math import ceil, pi
+
+from kinegrade.figure.plane import length, polar, shorter_way, unit
+from kinegrade.figure.scene import FIRM, THIN, Bow, Disc, Primitive, Strokes
+from kinegrade.mechanics.vector import Vector
+
+HATCHING = 1.5  # depth of ground hatching
+_OPEN = (4.2, 3.0)  # millimetres before and after an angle without hatching, whose strokes lean
+
+
+def draw_ground(
+    start: Vector, end: Vector, side: Vector, share: float = 1.0
+) -> tuple[Primitive, ...]:
+    """A fixed straight surface with hatching on the given side, of that share of the usual size."""
+    along, size = unit(end - start), length(end - start)
+    count = max(3, ceil(size / (1.25 * share)))
+    steps = [start + along * (size * (index + 0.5) / count) for index in range(count)]
+    stroke = (side - along) * (HATCHING * 0.75 * share)
+    hatching = tuple((step, step + stroke) for step in steps)
+    return (Strokes(hatching, THIN), Strokes(((start, end),), FIRM))
+
+
+def draw_round_ground(
+    centre: Vector,
+    radius: float,
+    outward: bool,
+    arc: tuple[float, float] | None = None,
+    open_at: float | None = None,
+) -> tuple[Primitive, ...]:
+    """A fixed circular surface, or an arc of it from an angle onward, with hatching inside or
+    outside, which is open at an angle for the letter of a point there.
+    """
+    first, sweep = arc or (0.0, 2 * pi)
+    edge = Bow(centre, radius, first, sweep, FIRM) if arc else Disc(centre, radius, FIRM)
+    return (Strokes(tuple(list_round_hatching(centre, radius, outward, arc, open_at)), THIN), edge)
+
+
+def list_round_hatching(
+    centre: Vector,
+    radius: float,
+    outward: bool,
+    arc: tuple[float, float] | None = None,
+    open_at: float | None = None,
+) -> Iterator[tuple[Vector, Vector]]:
+    """The strokes of the hatching of a fixed circular surface, each from its edge."""
+    first, sweep = arc or (0.0, 2 * pi)
+    count = max(12, ceil(sweep * radius / 1.5))
+    depth = HATCHING if outward else -min(HATCHING, radius / 3)
+    for index in range(count):
+        angle = first + sweep * index / count
+        if open_at is not None and -_OPEN[0] < shorter_way(angle - open_at) * radius < _OPEN[1]:
+            continue
+        upward = polar(angle)
+        foot = centre + upward * radius
+        yield foot, foot + (upward + upward.turned() * 0.7) * depth
