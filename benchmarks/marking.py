@@ -29,7 +29,7 @@ from kinegrade.grading.grade import grade
 STUDENTS = 20_000
 # Of the answers: commas, units, roots, blanks, words
 FEW_ODD_SHARE, ODD_SHARE = 0.01, 0.1
-PLAIN_PROMISE, FEW_PROMISE, MIXED_PROMISE = 3.4, 2, 0.6
+PLAIN_PROMISE, FEW_PROMISE, MIXED_PROMISE = 3.4, 2.5, 1.3
 GRADE = "grade EXAM answers.csv -o MARKS"
 #: What is promised of whole commands; `grade` has exports and checks of what it has written.
 COMMANDS = {

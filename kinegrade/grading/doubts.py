@@ -5,7 +5,7 @@ that were read with a remark, and answers that are right on another paper.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from functools import partial
+from functools import cache, partial
 from itertools import groupby
 from typing import NamedTuple
 
@@ -39,17 +39,23 @@ def find_doubts(
         if not amiss and not reading.remark:  # as most are; the rest takes its time
             continue
         row, number = divmod(place, len(asks))
-        file, line = judged.rows[row][1].place(number)
+        file, line = judged.rows.entries.place(row, number)
         verdict = name_verdict(judged.kind(place))
         complain = partial(Complaint, file, line, columns[number], shorten(reading.typed))
         if amiss:
             points = judged.credits[judged.shares[place]] * asks[number].points
-            some = Message("marking.some-points", verdict=verdict)
-            none = Message("marking.no-points", verdict=verdict)
-            yield Doubt(complain(reading.reason, some if points else none))
+            yield Doubt(complain(reading.reason, _tell_points(verdict, any_points=bool(points))))
         if reading.remark:
             done = Message("marking.judged", verdict=verdict)
             yield Doubt(complain(reading.remark, done), _find_reason(reading.remark))
+
+
+@cache
+def _tell_points(verdict: Text, *, any_points: bool) -> Message:
+    """What was done with an answer that could not be read as it should be."""
+    if any_points:
+        return Message("marking.some-points", verdict=verdict)
+    return Message("marking.no-points", verdict=verdict)
 
 
 def find_rows_of_others(
@@ -81,7 +87,7 @@ def _find_shared(
     places = np.flatnonzero(judged.are("another paper")).tolist()
     for row, group in groupby(places, lambda place: place // len(columns)):
         numbers = [place % len(columns) for place in group]
-        file, line = judged.rows[row][1].place(numbers[0])
+        file, line = judged.rows.entries.place(row, numbers[0])
         questions = list_all(dict.fromkeys(asks[number].question for number in numbers))
         problem = Message("marking.of-another-paper", questions=questions)
         done = Message("marking.nothing-followed")

@@ -75,11 +75,17 @@ def _list_begins(
     """
     texts = [end.texts[0] for end in ends]
     numbers: dict[bytes, int] = {}
+    known: dict[tuple[int, tuple[str, ...], bool], int] = {}
     which = ways.copy()
     for place in np.flatnonzero(judged.said == 0).tolist():
-        end = _write_end(judged.find_mistakes(place), by_policy=bool(judged.by_policy[place]))
-        text = encode(_write_reason(judged.reason(place), words) + end)
-        which[place] = len(texts) + numbers.setdefault(text, len(numbers))
+        reason, mistakes = judged.reason(place), judged.find_mistakes(place)
+        by_policy = bool(judged.by_policy[place])
+        alike = id(reason), mistakes, by_policy  # as of all answers that say the same wrong
+        if alike not in known:
+            end = _write_end(mistakes, by_policy=by_policy)
+            text = encode(_write_reason(reason, words) + end)
+            known[alike] = len(texts) + numbers.setdefault(text, len(numbers))
+        which[place] = known[alike]
     return [*texts, *numbers], which
 
 

@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import partial
+from functools import lru_cache, partial
 from pathlib import Path
 
 from kinegrade.files.csv_writing import (
@@ -29,6 +29,7 @@ from kinegrade.files.tables import Complaint
 from kinegrade.grade_scale.scale import Scale
 from kinegrade.language import Language
 from kinegrade.language.catalogue import Catalogue, open_catalogue
+from kinegrade.language.message import Text
 from kinegrade.marks_folder.grade_list import GradeList
 from kinegrade.marks_folder.hand_marks import HandMark
 from kinegrade.marks_folder.layout import (
@@ -103,8 +104,9 @@ class MarksWriter:
 
     def complaints(self, complaints: Iterable[Complaint]) -> None:
         """What a person should look at."""
-        words = open_catalogue(self.language)
-        rows = (_write_complaint(complaint, words) for complaint in complaints)
+        # Much is said of many answers alike
+        say = lru_cache(maxsize=1024)(open_catalogue(self.language).write)
+        rows = (_write_complaint(complaint, say) for complaint in complaints)
         write_for_people(self.path / COMPLAINTS.name, COMPLAINTS.columns, rows)
 
     def policy(self, text: str) -> None:
@@ -214,9 +216,9 @@ def _write_amounts(grade: Grade) -> tuple[str, ...]:
     return (*points, *total, write_amount(grade.percent, places=2))
 
 
-def _write_complaint(complaint: Complaint, words: Catalogue) -> tuple[str, ...]:
+def _write_complaint(complaint: Complaint, say: Callable[[Text], str]) -> tuple[str, ...]:
     line = "" if complaint.line is None else str(complaint.line)
-    said = words.write(complaint.problem), words.write(complaint.done)
+    said = say(complaint.problem), say(complaint.done)
     texts = complaint.column, complaint.content, *said
     return (neutralise(complaint.file), line, *map(neutralise, texts))
 

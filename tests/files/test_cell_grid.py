@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+import csv
+from io import StringIO
+
 from hypothesis import example, given
 from hypothesis import strategies as st
 
+from kinegrade.files.cell_text import trim
 from kinegrade.files.csv_reading import read_records
 from kinegrade.files.rows.cell_grid import CellGrid, pack_grid, read_grid
 from kinegrade.files.rows.letter_table import tabulate_letters
@@ -13,6 +17,39 @@ from kinegrade.files.tables import parse_table
 
 CELL = st.text("0a é王 .\u3000\ud800", max_size=3) | st.text(max_size=2)
 LINES = st.lists(st.lists(CELL, min_size=2, max_size=3), max_size=5)
+
+
+QUOTED = st.text('",\n\r a\x1f', max_size=12)
+
+
+@given(QUOTED | QUOTED.map(lambda text: f'"{text}",1\n"2","3"'), st.integers(1, 3))
+@example('"0,5",1\r\n"",2', 2)
+@example('"a\n",1\n', 2)
+@example('"a"",1\n",2\n', 2)
+@example('1,"a\n2,b"\n', 2)
+@example('1, "a,b"\n', 2)
+def test_a_grid_of_quoted_cells_has_the_rows_that_are_read_one_by_one(
+    text: str, width: int
+) -> None:
+    grid = read_grid(text, ",", width, 1)
+    if grid is None:
+        return
+    stray: list[int] = []
+    read = [Row(line, cells) for line, cells in read_records(text, ",", width, stray) if cells]
+    assert [*grid] == read
+    assert not stray
+    assert grid.column(0) == [row.cells[0] for row in read]
+
+
+@given(st.lists(st.tuples(CELL, CELL), min_size=1, max_size=4), st.sampled_from(["\n", "\r\n"]))
+def test_what_spreadsheets_write_is_read_as_a_grid(cells: list[tuple[str, str]], end: str) -> None:
+    stream = StringIO()
+    csv.writer(stream, quoting=csv.QUOTE_ALL, lineterminator=end).writerows(cells)
+    grid = read_grid(stream.getvalue(), ",", 2, 1)
+    plain = all(letter not in cell for row in cells for cell in row for letter in '"\r\n\0\x1f')
+    blank = any(not any(map(trim, row)) for row in cells)
+    assert (grid is not None) == (plain and not blank)
+    assert grid is None or [row.cells for row in grid] == cells
 
 
 @given(LINES, st.sampled_from(["\n", ""]))

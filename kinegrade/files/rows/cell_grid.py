@@ -19,7 +19,8 @@ from kinegrade.files.rows.made_rows import MadeRows
 from kinegrade.files.rows.row import Row
 
 _BREAK, _BETWEEN = "\n", "\x1f"
-_LEFT_TO_OTHERS = '"', "\r", "\0"
+_WINDOWS_BREAK = "\r\n"
+_QUOTE = '"'
 _LETTERS = np.array([chr(letter).isalnum() and letter < 128 for letter in range(256)])
 
 _Places = NDArray[np.intp]
@@ -94,16 +95,48 @@ def read_grid(text: str, separator: str, width: int, line: int) -> CellGrid | No
     """The rows of a text that begins at that line; None where its lines are not so even, or one has
     blanks alone.
     """
-    if any(letter in text for letter in _LEFT_TO_OTHERS):
+    text = text.replace(_WINDOWS_BREAK, _BREAK)
+    if "\r" in text or "\0" in text:
         return None
-    whole = text if text.endswith(_BREAK) else text + _BREAK
-    grid = _divide(whole, separator, width, np.arange(line, line + whole.count(_BREAK)))
+    content = (text if text.endswith(_BREAK) else text + _BREAK).encode("utf-8", "surrogatepass")
+    if _QUOTE in text:
+        unquoted = _drop_quotes(content, separator)
+        if unquoted is None:
+            return None
+        content, separator = unquoted, _BETWEEN
+    count = content.count(_BREAK.encode())
+    grid = _divide(content, separator, width, np.arange(line, line + count))
     if grid is None:
         return None
     first = np.frombuffer(grid.text, dtype=np.uint8)[grid.bounds[:-1:width] + 1]
     doubtful = np.flatnonzero(~_LETTERS[first]).tolist()
     filled = all(any(map(trim, grid[row].cells)) for row in doubtful)
     return grid if filled else None
+
+
+def _drop_quotes(content: bytes, separator: str) -> bytes | None:
+    """Lines without their quotation marks, with cells that are parted by a letter that no cell has;
+    None where marks do more than to hold together the text of a whole cell on one line.
+    """
+    if _BETWEEN.encode() in content:
+        return None
+    letters = np.frombuffer(content, dtype=np.uint8).copy()
+    ends = np.flatnonzero((letters == ord(separator)) | (letters == ord(_BREAK)))
+    quotes = np.flatnonzero(letters == ord(_QUOTE))
+    opening, closing = quotes[::2], quotes[1::2]
+    if len(opening) > len(closing):
+        return None
+    before = letters[opening - 1]  # before the first letter, the break that is the last
+    after = letters[closing + 1]
+    if not all(np.isin(each, [ord(separator), ord(_BREAK)]).all() for each in (before, after)):
+        return None
+    outside = ends[np.searchsorted(quotes, ends) % 2 == 0]
+    breaks = np.count_nonzero(letters[outside] == ord(_BREAK))
+    if breaks < np.count_nonzero(letters == ord(_BREAK)):
+        return None
+    letters[outside[letters[outside] == ord(separator)]] = ord(_BETWEEN)
+    unquoted: bytes = letters[letters != ord(_QUOTE)].tobytes()
+    return unquoted
 
 
 def pack_grid(rows: Iterable[Row]) -> CellGrid | None:
@@ -123,12 +156,12 @@ def pack_grid(rows: Iterable[Row]) -> CellGrid | None:
     counts = text.count(_BETWEEN), text.count(_BREAK)
     if not lines or "\0" in text or counts != ((width - 1) * len(lines), len(lines)):
         return None
-    return _divide(text, _BETWEEN, width, np.array(lines, dtype=np.intp))
-
-
-def _divide(text: str, separator: str, width: int, lines: _Places) -> CellGrid | None:
-    """The cells of a text; None where its lines have not so many."""
     content = text.encode("utf-8", "surrogatepass")
+    return _divide(content, _BETWEEN, width, np.array(lines, dtype=np.intp))
+
+
+def _divide(content: bytes, separator: str, width: int, lines: _Places) -> CellGrid | None:
+    """The cells of a text; None where its lines have not so many."""
     letters = np.frombuffer(content, dtype=np.uint8)
     ends = np.flatnonzero((letters == ord(separator)) | (letters == ord(_BREAK)))
     if len(ends) != width * len(lines):

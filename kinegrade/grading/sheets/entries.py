@@ -10,7 +10,7 @@ from typing import overload
 import numpy as np
 from numpy.typing import NDArray
 
-from kinegrade.grading.sheets.entry import Entry
+from kinegrade.grading.sheets.entry import Entry, Place
 from kinegrade.grading.typed.cell_block import CellBlock, ListedCells
 
 
@@ -40,6 +40,10 @@ class Entries(Sequence[Entry]):
     @abstractmethod
     def lines(self) -> NDArray[np.intp]:
         """The line of each, 0 where there is none."""
+
+    @abstractmethod
+    def place(self, entry: int, number: int) -> Place:
+        """Where the response to an ask stands in one of them."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -76,3 +80,7 @@ class ListedEntries(Entries):
     def lines(self) -> NDArray[np.intp]:
         """The line of each, 0 where there is none."""
         return np.array([entry.main_place().line or 0 for entry in self.listed], dtype=np.intp)
+
+    def place(self, entry: int, number: int) -> Place:
+        """Where the response to an ask stands in one of them."""
+        return self.listed[entry].place(number)

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from kinegrade.files.rows.cell_grid import CellGrid
 from kinegrade.grading.sheets.entries import Entries
-from kinegrade.grading.sheets.entry import Entry
+from kinegrade.grading.sheets.entry import Entry, Place
 from kinegrade.grading.typed.parted_cells import PartedCells
 
 _NONE = -1  # in place of the row of a student who has none
@@ -79,6 +79,11 @@ class GridBlock(Entries):
         lines, there = np.zeros_like(self.places), self.places >= 0
         lines[there] = self.grid.cells.lines[self.places[there]]
         return lines
+
+    def place(self, entry: int, number: int) -> Place:
+        """Where the response to an ask stands in one of them: all in its line."""
+        row = int(self.places[entry])
+        return Place(self.grid.file, None if row == _NONE else int(self.grid.cells.lines[row]))
 
     @property
     def width(self) -> int:
