@@ -1,6 +1,4 @@
-"""From a mechanism to its figure: `sketch` is the entry point, `typst` (and its siblings) the
-output.
-"""
+"""From a mechanism to its figure: `sketch` is the entry point, back ends give the output."""
 
 from __future__ import annotations
 
@@ -36,6 +34,7 @@ from kinegrade.figure.marks.straight.motions import (
     add_motions,
     draw_likely_motions,
     list_likely_motions,
+    list_likely_symbols,
 )
 from kinegrade.figure.mechanism.fitting import HEIGHT, WIDTH, fit_scene, measure_span
 from kinegrade.figure.mechanism.layers import Drawing, draw
@@ -208,14 +207,15 @@ def _place_frames_and_angles(
     for points in hints.right_angles:
         layout = add_right_angle(layout, at, points, drawing)
     moving = [given for given in hints.arrows if isinstance(given, Moving)]
-    likely = list_likely_motions(Site(paper, drawing.rails), moving)
+    site = Site(paper, drawing.rails)
+    likely = list_likely_motions(site, moving)
     sides = [find_sides(at, angle, drawing) for angle in hints.angles]
     legs = [draw_least_legs(at, *each) for each in zip(hints.angles, sides, strict=True)]
     usual = [choose_bow(seen, *each) for each in zip(hints.angles, sides, strict=True)]
     sparing = [line for lines in legs for line in lines]
     layout = add_frames(layout, at, hints, drawing, sparing, likely=likely)
     around = find_neighbours(drawing)
-    arrows = draw_likely_motions(likely)
+    arrows = (*draw_likely_motions(likely), *list_likely_symbols(site, moving))
     for number, angle in enumerate(hints.angles, start=1):
         to_come = [*arrows, *(line for lines in legs[number:] for line in lines)]
         drawn = tuple(part for part in layout.lines if isinstance(part, Bow) and part.pen == THIN)

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import pytest
-from shapely import LineString
+from shapely import LineString, Polygon
 
 from kinegrade.figure.plane import length
-from kinegrade.figure.scene import THIN, Scene
+from kinegrade.figure.scene import THIN, Disc, Outline, Scene
 from kinegrade.figure.sketch import sketch
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.printed_givens import mark_question
@@ -31,6 +33,13 @@ def find_tip(scene: Scene, symbol: str) -> Vector:
     return min((head.corners[0] for head in heads(scene)), key=lambda tip: length(tip - letter))
 
 
+def find_slider(scene: Scene) -> Vector:
+    """The middle of the slider: the pin that is farthest up."""
+    return max(
+        (part.centre for part in scene.primitives if isinstance(part, Disc)), key=lambda at: at.y
+    )
+
+
 def find_axis(scene: Scene, symbol: str) -> LineString:
     tip = find_tip(scene, symbol)
     start, end = min(lines(scene, THIN), key=lambda line: length(line[1] - tip))
@@ -41,13 +50,28 @@ def list_thin(scene: Scene) -> list[LineString]:
     return [LineString([(a.x, a.y), (b.x, b.y)]) for a, b in lines(scene, THIN)]
 
 
+@pytest.mark.parametrize("x_b", ["-1.2", "-0.7", "0.6", "1.0", "1.4"])
+def test_the_hatching_of_a_guide_is_whole_where_an_axis_passes_through_it(x_b: str) -> None:
+    scene = draw_rod("1.0", x_b)
+    level = find_slider(scene).y
+    feet = sorted(
+        start.x
+        for start, end in lines(scene, THIN)
+        if start.y > level and start.y < end.y and length(end - start) < STROKE
+    )
+    assert max(right - left for left, right in pairwise(feet)) < 1.3
+
+
 @pytest.mark.parametrize("symbol", ["x_2", "y_2"])
-def test_a_guide_has_no_hatching_where_an_axis_of_its_slider_crosses_it(symbol: str) -> None:
+def test_an_axis_has_white_beside_it_in_the_hatching_of_a_guide(symbol: str) -> None:
     scene = draw_rod("1.0", "1.0")
     axis = find_axis(scene, symbol)
-    strokes = [line for line in list_thin(scene) if line.length < STROKE]
-    assert len(strokes) > 8
-    assert not any(stroke.intersects(axis) for stroke in strokes)
+    whites = [
+        Polygon(part.corners)
+        for part in scene.primitives
+        if isinstance(part, Outline) and part.pen is None and part.fill == "white"
+    ]
+    assert any(white.intersection(axis).length > 1.0 for white in whites)
 
 
 def test_the_number_of_a_body_is_not_at_the_tip_of_an_axis() -> None:

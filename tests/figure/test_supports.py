@@ -183,14 +183,14 @@ def test_a_floor_ends_near_where_a_rod_would_cross_it_but_not_at_the_block(angle
 @pytest.mark.parametrize(
     ("angle", "ends"),
     [
-        (20, (-6.3, 7.5)),
-        (45, (-2.3, 7.5)),
+        (20, (-18.4, 7.5)),
+        (45, (-10.0, 7.5)),
         (80, (-7.5, 7.5)),
         (120, (-7.5, 7.5)),
-        (150, (-7.5, 4.0)),
+        (150, (-7.5, 13.5)),
     ],
 )
-def test_the_floor_is_open_for_a_rod_through_its_block_and_ends_there_unless_that_is_steep(
+def test_the_floor_is_open_for_a_rod_through_its_block_and_runs_on_past_that(
     angle: float, ends: tuple[float, float]
 ) -> None:
     points = {"B": ORIGIN, "A": polar(0.4, angle), "C": polar(-0.4, angle)}
@@ -208,6 +208,20 @@ def test_the_floor_is_open_for_a_rod_through_its_block_and_ends_there_unless_tha
     gap = [abs((corner - ORIGIN).cross(polar(1.0, angle))) for corner in white.corners]
     assert min(gap) == pytest.approx(max(gap)) == pytest.approx(1.2)
     assert min(corner.y for corner in white.corners) < level - 1.4
+
+
+@pytest.mark.parametrize("angle", range(20, 165, 5))
+def test_a_floor_with_an_opening_is_seen_on_both_sides_of_its_block(angle: float) -> None:
+    points = {"B": ORIGIN, "A": polar(0.4, angle), "C": polar(-0.4, angle)}
+    joints = (Slide("B", "AC", Line(ORIGIN, RIGHT), GROUND),)
+    (rail,) = find_rails(anatomy_of(Mechanism(points, (Body("AC", ("A", "B", "C")),), joints, ())))
+    _, line, white, _ = draw_ground_sliders([rail])
+    assert isinstance(line, Strokes)
+    assert isinstance(white, Outline)
+    assert rail.block is not None
+    seen = LineString(line.lines[0]).difference(Polygon(white.corners))
+    left, _, right, _ = seen.bounds
+    assert min(-left, right) > rail.block.length / 2 + 2
 
 
 @pytest.mark.parametrize("angle", [20, 45, 80, 120, 150])

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
-from math import copysign, degrees, hypot, pi
+from math import copysign, cos, degrees, hypot, pi
 
 import pytest
 from msgspec import structs
@@ -233,3 +233,12 @@ def test_the_letter_of_a_knife_edge_stands_outside_the_disc() -> None:
 
 def _measure(disc: Disc) -> float:
     return disc.radius
+
+
+def test_the_arrow_of_a_ring_is_not_between_its_pivot_and_its_centre() -> None:
+    for _, arrows in _draw_arrows("pin-in-two-rings"):
+        middle = sum(arrow.centre.x for arrow in arrows) / len(arrows)
+        assert len(arrows) == 4
+        for arrow in arrows:
+            aside = arrow.radius * cos(arrow.start + arrow.sweep / 2)
+            assert aside * (arrow.centre.x - middle) > 0

@@ -182,8 +182,9 @@ def test_an_arrow_just_above_the_ground_begins_in_the_bar_over_it(slope: float) 
     at = mechanism.points["B"]
     bar = Bar("AB", at, at + polar(radians(slope), 30.0))
     floor = Rail(at, RIGHT, -UP, at - RIGHT * 12, at + RIGHT * 12, 0.0, None)
-    lines = Strokes(((bar.start, bar.end), (floor.start, floor.end)), BOLD)
-    layout = add_motions(Layout.of([lines]), Site(mechanism, [floor], (bar,)), BOTH[:1])
-    ((start, end),) = list_shafts(layout)
+    ground = Strokes(((floor.start, floor.end),), FIRM)
+    drawn = Layout.of([Strokes(((bar.start, bar.end),), BOLD), ground])
+    layout = add_motions(drawn, Site(mechanism, [floor], (bar,)), BOTH[:1])
+    start, end = list_shafts(layout)[-1]
     assert start.y == end.y > at.y
     assert length(start - nearest_of(start, bar.start, bar.end)) < 0.1

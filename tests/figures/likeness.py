@@ -25,7 +25,7 @@ APART = 2.0  # millimetres beyond which ink is at another place
 EVERY = 1.0  # millimetres between the places of a stroke that are looked at
 ENOUGH = 0.08  # the share of strokes in which two papers differ, typically
 SELDOM = 0.07  # the largest share of pairs of papers that have about one picture
-SAME_PLACE = 0.04  # of the size of a mechanism, up to which a point is at about the same place
+SAME_PLACE = 0.03  # of the size of a mechanism, up to which a point is at about the same place
 
 # Whose figures are alike for the reason that is given; the list only shrinks
 ALIKE: Mapping[str, str] = {

@@ -1,6 +1,4 @@
-"""The names of bodies, and where they may stand: in their circles or beside their bars, and where
-nothing else could own them.
-"""
+"""The names of bodies: in their circles or beside their bars, where nothing else could own them."""
 
 from __future__ import annotations
 
@@ -19,6 +17,7 @@ from kinegrade.figure.marks.frames import FrameAxis
 from kinegrade.figure.marks.in_angles import lies_in_angle, list_arcs, rate_in_angles
 from kinegrade.figure.marks.lengths.dimension_lines import Leader, SymbolBeside
 from kinegrade.figure.marks.names import find_named_points
+from kinegrade.figure.marks.straight.motions import list_arrow_places
 from kinegrade.figure.mechanism.layers import Drawing
 from kinegrade.figure.mechanism.straight_parts import Bar, Rod, SlottedDisc
 from kinegrade.figure.placing.extent import measure_symbol
@@ -67,7 +66,7 @@ def add_body_names(
             own = next((rim for rim in circles if rim.body == body), None)
             others = tuple(rim for rim in circles if rim is not own)
             named = find_named_points(mechanism, hints, drawing)
-            points = tuple(mechanism.points[name] for name in named)
+            points = *(mechanism.points[name] for name in named), *list_arrow_places(layout.marks)
             tips = tuple(mark.tip() for mark in layout.marks if isinstance(mark, FrameAxis))
             around = _Surroundings(layout, own, others, points, tips)
             spots = _list_spots(body, symbol, own, drawing)
@@ -93,7 +92,7 @@ def _write_name(
 
 class _Surroundings(Struct, frozen=True):
     """What else a name might be read as that of: what is written and marked, other bodies' rims,
-    points; and the circle of its `own` body.
+    points and places along arrows; and the circle of its `own` body.
     """
 
     layout: Layout

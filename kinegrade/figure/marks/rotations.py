@@ -148,6 +148,7 @@ def _find_company(
     arcs = [line for line in layout.lines if isinstance(line, Bow) and line.pen == THIN]
     earlier = [mark.bow for mark in layout.marks if isinstance(mark, TurningArrow)]
     foreign = [rim for rim in drawing.rims if rim.body != hint.body]
+    circles = (rim for rim in drawing.rims if rim.kind != "cam")
     return Company(
         tuple(arc for arc in arcs if length(arc.centre - centre) < NEAR),
         tuple(twin for twin in earlier if length(twin.centre - centre) < NEAR),
@@ -155,6 +156,7 @@ def _find_company(
         lines,
         tuple(rim for rim in foreign if not rim.ring and length(rim.at - centre) > rim.radius),
         tuple(_list_bars(drawing, hint.body)),
+        own=tuple(rim for rim in circles if rim.body == hint.body),
     )
 
 

@@ -36,6 +36,7 @@ _ROOM, _IN_THE_WAY = 6.5, 8.0
 # Millimetres between an arrow and the disc of another body, and those from the disc at the end of
 # a bar to the tail of an arrow ahead of it
 _OFF_DISC, _AHEAD = 1.0, 2.0
+_HATCHED = 3.0  # millimetres within the rim of a fixed disc that its hatching takes
 # Millimetres between the circle of that disc's centre and the arrow, and the demerit of each
 _SHIFTS, _SHIFTED = (0.0, 1.5, -1.5, 3.0, -3.0), 0.3
 # Demerit of an arrow whose tail is so many millimetres from where a line meets the bar, or less
@@ -60,7 +61,11 @@ def list_tied_arrows(
     ends = (end for bar in bars for end in (bar.start, bar.end))
     steps = [end - centre for end in ends if length(end - centre) > NEAR]
     discs = [rim for rim in others if not rim.ring and length(rim.at - centre) > NEAR]
-    about = [rim.radius for rim in others if not rim.ring and length(rim.at - centre) < NEAR]
+    about = [
+        rim.radius - _HATCHED * (rim.body == GROUND)
+        for rim in others
+        if not rim.ring and length(rim.at - centre) < NEAR
+    ]
     roomy = [size for size in about if size > ROOMY]
     tied: Iterable[TurningArrow] = _list_on_bars(hint, centre, shaft, steps, roomy)
     if followed:

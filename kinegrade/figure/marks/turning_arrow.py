@@ -42,6 +42,9 @@ _FOREIGN = 4.5  # millimetres between an arrow and the rim of another body, 1 de
 _BESIDE_LINE, _ON_LINE = 1.5, 5.0
 # Demerits of an arrow in the disc of another body, and of one with another body's bar before it
 _ASTRAY, _BEYOND_BAR = 6.0, 12.0
+# Demerit of an arrow between its pivot and the centre of its own body's circle, farther from its
+# pivot than that: about the centre it would show the other sense
+_ABOUT_CENTRE = 12.0
 # Demerit of an arrow nearer than its pivot to another pin, by so many millimetres
 _AT_OTHER, _NEARER = 3.0, 1.0
 # Demerits of a symbol about as near to another arrow, and of one not clearly nearer to its own, by
@@ -58,7 +61,8 @@ class Company(Struct, frozen=True):
     """What else there is about the pivot of an arrow: the arcs of angles, other arrows, the radii
     of other bodies' rims (millimetres), the directions (radians) in which dimension lines may
     need a line from the pivot, the other bodies' discs that do not lie over the pivot, and bars
-    that do not lead to it; the other pins there, and letters of lengths with what is about them.
+    that do not lead to it; the other pins there, letters of lengths with what is about them, and
+    the circles of its `own` body.
     """
 
     arcs: tuple[Bow, ...]
@@ -69,6 +73,7 @@ class Company(Struct, frozen=True):
     bars: tuple[Segment, ...] = ()
     pins: tuple[Vector, ...] = ()
     letters: Obstacles = NOTHING
+    own: tuple[Rim, ...] = ()
 
     def rate(self, bow: Bow) -> float:
         """The demerit of an arrow in this company."""
@@ -82,6 +87,7 @@ class Company(Struct, frozen=True):
             + sum(_BEYOND_BAR for bar in self.bars if parts(*bar, bow.centre, middle))
             + _AT_BAR * any(_stands_at(bow, middle, bar) for bar in self.bars)
             + (_AT_OTHER if self.pins and _stands_at_any(bow, middle, self.pins) else 0.0)
+            + _ABOUT_CENTRE * any(_faces_centre(bow, middle, rim) for rim in self.own)
             + CLAIMING * (self.letters.along(chords(bow, _COARSE), shared=False) > 0)
         )
 
@@ -116,17 +122,17 @@ class TurningArrow(Struct, frozen=True):
         """Close along the arc, rather where nothing else could own the symbol."""
         wish = list_spots_along_arc(self.hint.symbol, self.bow)
         close = replace(wish, spots=wish.spots[:_CLOSE])
-        return close.worse_by(self.around.rate(wish.symbol, close.spots, self._list_stations()))
+        return close.worse_by(self.around.rate(wish.symbol, close.spots, self.list_stations()))
 
     def wish_apart(self, others: Sequence[TurningArrow]) -> Wish:
         """The wish, where the symbol is nearest to its own arrow, and around that, first."""
-        wish, own = widen(list_spots_along_arc(self.hint.symbol, self.bow)), self._list_stations()
+        wish, own = widen(list_spots_along_arc(self.hint.symbol, self.bow)), self.list_stations()
         near = [at for other in others for at in other.bow.path(_STATIONS)]
         worse = _MISTAKEN * rate_nearness(self.hint.symbol, wish.spots, own, near)
         worse += _UNCLEAR * rate_nearness(self.hint.symbol, wish.spots, own, near, _CLEARLY)
         return wish.worse_by(worse + self.around.rate(wish.symbol, wish.spots, own))
 
-    def _list_stations(self) -> Sequence[Vector]:
+    def list_stations(self) -> Sequence[Vector]:
         """Points along the arrow, without its tail on a bar."""
         return self.bow.path(_STATIONS)[self.tied :]
 
@@ -151,6 +157,13 @@ def _stands_at(bow: Bow, middle: Vector, bar: Segment) -> bool:
     return (
         away < _MUCH * bow.radius and length(bow.centre - nearest_of(bow.centre, *bar)) > _AT_PIVOT
     )
+
+
+def _faces_centre(bow: Bow, middle: Vector, rim: Rim) -> bool:
+    """Whether an arrow lies within a circle, between its own pivot and the centre of that."""
+    step = rim.at - bow.centre
+    between = length(step) > bow.radius and (middle - bow.centre).dot(step) > 0
+    return between and length(middle - rim.at) < rim.radius
 
 
 def _stands_at_any(bow: Bow, middle: Vector, pins: Sequence[Vector]) -> bool:

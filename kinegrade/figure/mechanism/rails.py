@@ -16,6 +16,7 @@ from kinegrade.figure.mechanism.straight.broad_links import find_frame_place
 from kinegrade.figure.mechanism.straight_parts import Bar, Rod, find_half_width, list_ways
 from kinegrade.figure.plane import NEAR, length, mean, meet, unit
 from kinegrade.figure.scene import BOLD, FIRM
+from kinegrade.figure.symbols.ground import HATCHING
 from kinegrade.figure.symbols.sliding import BLOCK_LENGTH
 from kinegrade.figure.symbols.teeth import RACK_DEPTH
 from kinegrade.mechanics.joints import Line
@@ -24,6 +25,8 @@ from kinegrade.mechanics.vector import Vector
 
 _REACH = 7.5  # millimetres of a rail on either side of its block
 _SEEN = 2.0  # at least beyond a block: it is seen to run on, even behind a bar
+_PAST_BAR = 4.5  # past the hatching of a bar that passes through it close to its block
+_FURTHER = 12.0  # more than usual that such a rail may reach
 _BEYOND_RACK = 5.0  # millimetres of a guide on either side of the rack in it
 _BARE = 0.0  # from the axis of a guide where a bare end slides: the ground is the guide
 _CLEAR = 0.3  # millimetres between a rail and a bar
@@ -109,13 +112,25 @@ def _lay_rail(anatomy: Anatomy, name: str, along: Vector, pinned: bool) -> Rail:
     back, ahead = (max(each, half + _SEEN) for each in (most if passing else reaches[usual]))
     ground, side = at + sides[usual] * level, sides[usual]
     crossed = tuple(each for each in leaving if passing and each[0].dot(side) > NEAR)
-    for way, _ in crossed:
-        opening = level * way.dot(along) / way.dot(side)
-        back = min(back, -opening) if opening < -half / 2 else back
-        ahead = min(ahead, opening) if opening > half / 2 else ahead
+    for leave in crossed:
+        opening = level * leave[0].dot(along) / leave[0].dot(side)
+        if opening < -half / 2:
+            back = _end_at_opening(-opening, leave, side, half + _SEEN, most[0])
+        elif opening > half / 2:
+            ahead = _end_at_opening(opening, leave, side, half + _SEEN, most[1])
     start, end = ground - along * back, ground + along * ahead
     axes = tuple(axis for axis in _list_axes(anatomy, at) if axis.dot(side) > NEAR)
     return Rail(at, along, side, start, end, level, block, crossed, axes)
+
+
+def _end_at_opening(opening: float, bar: Leaving, side: Vector, least: float, most: float) -> float:
+    """How far a rail reaches on the side on which a bar passes through it: up to that where this is
+    at least so far, else past it, so that the rail is seen to run on, where there is room.
+    """
+    (way, half), sine = bar, bar[0].dot(side)
+    white = (half + OPENING) / sine
+    past = opening + white + HATCHING * abs(way.cross(side)) / sine + _PAST_BAR
+    return past if opening - white < least and past < most + _FURTHER else min(opening, most)
 
 
 def _list_axes(anatomy: Anatomy, at: Vector) -> Iterator[Vector]:

@@ -21,6 +21,8 @@ from kinegrade.figure.symbols.sliding import (
 )
 from kinegrade.mechanics.vector import Vector
 
+_BESIDE_AXIS = 0.45  # millimetres of white on either side of an axis in hatching
+
 
 def draw_sleeves(anatomy: Anatomy) -> Iterator[Primitive]:
     """The sleeves about bars, wider about a pin, which sits in one beside the bar."""
@@ -49,19 +51,21 @@ def draw_ground_sliders(rails: Iterable[Rail]) -> Iterator[Primitive]:
 
 def _draw_rail(rail: Rail) -> Iterator[Primitive]:
     """The ground with its openings; a stroke of hatching that one would cut is left out whole, as
-    its rest would be a crumb, and so is one that an axis would cross.
+    its rest would be a crumb. An axis passes through the hatching, which stays whole beside it.
     """
     hatching, line = draw_ground(rail.start, rail.end, rail.side)
     if isinstance(hatching, Strokes):
         whole = (stroke for stroke in hatching.lines if not _is_cut(stroke, rail))
         hatching = replace(hatching, lines=tuple(whole) or hatching.lines)
-    yield from (hatching, line)
+    yield hatching
+    yield from (_clear_hatching(rail, axis) for axis in rail.axes)
+    yield line
     yield from (_open_ground(rail, each) for each in rail.crossed)
 
 
 def _is_cut(stroke: tuple[Vector, Vector], rail: Rail) -> bool:
-    """Whether a stroke of hatching reaches into the white about a bar or an axis."""
-    for way, half in (*rail.crossed, *((axis, 0.0) for axis in rail.axes)):
+    """Whether a stroke of hatching reaches into the white about a bar."""
+    for way, half in rail.crossed:
         asides, reach = [(end - rail.at).cross(way) for end in stroke], half + OPENING
         if min(asides) < reach and max(asides) > -reach:
             return True
@@ -71,7 +75,19 @@ def _is_cut(stroke: tuple[Vector, Vector], rail: Rail) -> bool:
 def _open_ground(rail: Rail, bar: Leaving) -> Outline:
     """White about a bar through the ground and its hatching."""
     way, half = bar
-    beside = way.turned() * (half + OPENING)
-    depths = rail.level - FIRM.width, rail.level + HATCHING
-    near, far = (rail.at + way * (depth / way.dot(rail.side)) for depth in depths)
+    return _clear_strip(rail, way, half + OPENING, rail.level - FIRM.width)
+
+
+def _clear_hatching(rail: Rail, axis: Vector) -> Outline:
+    """White about an axis in the hatching."""
+    return _clear_strip(rail, axis, _BESIDE_AXIS, rail.level)
+
+
+def _clear_strip(rail: Rail, way: Vector, aside: float, depth: float) -> Outline:
+    """White so far on both sides of a way from the point on a rail, from a depth to the end of the
+    hatching.
+    """
+    beside = way.turned() * aside
+    depths = depth, rail.level + HATCHING
+    near, far = (rail.at + way * (each / way.dot(rail.side)) for each in depths)
     return Outline((near - beside, far - beside, far + beside, near + beside), None, "white")

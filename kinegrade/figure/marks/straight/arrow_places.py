@@ -33,8 +33,12 @@ _AHEAD = {
     (AT_PIN, LEAVING, 15.0): 3.4,
     (AT_PIN, 5.4, 15.0): 3.8,
 }
-# Millimetres of an arrow above the ground on which it lies otherwise, and the demerit
-_ABOVE, _OFF_GROUND = 1.1, 0.2
+# Millimetres of an arrow above the ground on which it lies otherwise, where its tail is on the dot
+# of its point
+_ABOVE = 0.95
+# Millimetres of an arrow beside the rod that leaves its point ahead of it, and from the point to
+# its tail, with the demerit
+_BESIDE_ROD, _FROM_PIN, _ALONG_ROD = 1.15, 0.3, 0.6
 # Millimetres beside the line of motion, on the free side first, and along it to the tail: level
 # with the point, unless a bar leaves it there
 _OFFSETS = {3.6: 1.0, -3.6: 1.3, 2.8: 1.6, -2.8: 1.9, 5.0: 2.0, -5.0: 2.3, 6.6: 3.0, -6.6: 3.3}
@@ -87,7 +91,8 @@ class Site(Struct, frozen=True):
 
     def list_ways_off_ground(self, point: Vector) -> list[Vector]:
         """The steps from a bare end on the ground to just above that."""
-        return [-rail.side * _ABOVE for rail in self.find_rails(point) if rail.bare]
+        rails = (rail for rail in self.find_rails(point) if rail.bare and rail.level < _ABOVE)
+        return [-rail.side * _ABOVE for rail in rails]
 
     def find_direction(self, hint: Moving) -> Vector:
         """The unit vector of a motion."""
@@ -98,8 +103,8 @@ class Site(Struct, frozen=True):
 
     def _list_arrows(self, hint: Moving) -> list[MovingArrow]:
         """Arrows in the direction of the motion: from the point, just above the ground where a bare
-        end slides, from the free end of the rod that moves with it, then beside the point, first
-        those clear of the mechanism; never behind something.
+        end slides, beside the rod that leaves it there, from the free end of that, then beside the
+        point, first those clear of the mechanism; never behind something.
         """
         point, toward = self.mechanism.points[hint.point], self.find_direction(hint)
         across = self._find_open_side(point, toward)
@@ -107,12 +112,18 @@ class Site(Struct, frozen=True):
             MovingArrow(point + toward * gap, toward, hint, worse, point, size=size, leaving=leave)
             for (gap, leave, size), worse in _AHEAD.items()
         ]
-        ahead += [
-            replace(arrow, start=start, demerit=arrow.demerit + _OFF_GROUND)
+        above = [
+            replace(arrow, start=self._start_at_bar(point + step, point, toward))
             for step in self.list_ways_off_ground(point)
             for arrow in ahead
             if abs(step.dot(toward)) < NEAR
-            for start in (self._start_at_bar(arrow.start + step, point, toward),)
+        ]
+        ahead = above or ahead
+        ahead += [
+            MovingArrow(start, toward, hint, _ALONG_ROD + worse, point, outward=side)
+            for side, worse in ((across, 0.0), (-across, 0.1))
+            for start in (point + side * _BESIDE_ROD + toward * _FROM_PIN,)
+            if any(length(way - toward) < _SAME for way in self._list_rods_from(point))
         ]
         ahead += [
             MovingArrow(end + toward * AT_END.tail, toward, hint, _FROM_END, end)
@@ -141,6 +152,11 @@ class Site(Struct, frozen=True):
         """The unit vectors along the slender bars that leave a point."""
         bars = (part for part in self.parts if isinstance(part, Bar) and is_slender(part))
         return [unit(way) for bar in bars for way in list_ways(bar, point)]
+
+    def _list_rods_from(self, point: Vector) -> list[Vector]:
+        """The unit vectors along the translating rods that leave a point."""
+        rods = (part for part in self.parts if isinstance(part, Rod))
+        return [unit(way) for rod in rods for way in list_ways(rod, point)]
 
     def _list_rod_ends(self, name: str, toward: Vector) -> Iterator[Vector]:
         """The free ends ahead of a point of the rods that translate with it."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from functools import partial
 
 import numpy as np
@@ -124,6 +124,11 @@ def list_arrows(marks: Iterable[Mark]) -> tuple[TurningArrow | MovingArrow, ...]
     return tuple(mark for mark in marks if isinstance(mark, TurningArrow | MovingArrow))
 
 
+def list_arrow_places(marks: Iterable[Mark]) -> list[Vector]:
+    """Places along those arrows."""
+    return [at for arrow in list_arrows(marks) for at in arrow.list_stations()]
+
+
 def gather_arrows(marks: Iterable[Mark]) -> Obstacles:
     """Those arrows as obstacles."""
     return Obstacles.of(part for arrow in list_arrows(marks) for part in arrow.primitives())
@@ -141,6 +146,16 @@ def list_likely_motions(site: Site, hints: Iterable[Moving]) -> list[Segment]:
         beside = [*site.list_ways_off_ground(at), *(list_lanes(toward) if twins else ())]
         segments += [(at, at + step), *((at + side, at + side + step) for side in beside)]
     return segments
+
+
+def list_likely_symbols(site: Site, hints: Iterable[Moving]) -> Iterator[Label]:
+    """Where the symbols of arrows along the ground will be, which have room on one side alone."""
+    for hint in hints:
+        at, toward = site.mechanism.points[hint.point], site.find_direction(hint)
+        for step in site.list_ways_off_ground(at):
+            wish = MovingArrow(at + step, toward, hint, 0.0, at).wish()
+            open_spots = (wish.spots - np.array(at + step)) @ np.array(step) > 0
+            yield wish.label_at(int(np.argmax(open_spots)))
 
 
 def draw_likely_motions(arrows: Iterable[Segment]) -> tuple[Primitive, ...]:

@@ -11,6 +11,7 @@ from msgspec.structs import replace
 from kinegrade.figure.mechanism.rails import Rail
 from kinegrade.figure.placing.obstacles import Segment
 from kinegrade.figure.placing.place import (
+    LOST,
     Wish,
     list_spots_around,
     list_spots_beside,
@@ -31,6 +32,7 @@ _OPPOSED, _OVER = 8.0, 100.0
 # their heads meet
 _APART, _TIGHT = 2.5, 6.0
 _HEADS_APART, _HEADS_MEET = 1.5, 40.0
+_ACROSS_ROD = 2.2  # millimetres between two at their point with a rod between them
 # Millimetres between two of one sense that leave room for a symbol, and the demerit of less
 _ROOM_FOR_SYMBOL, _IN_BETWEEN = 4.8, 4.0
 _MISTAKEN = 20.0  # demerit of a symbol about as near to another arrow at the same point
@@ -38,7 +40,7 @@ _NEARER = 0.5  # millimetres by which a symbol is nearer to its own arrow than t
 _CLAIMED = 4.0  # millimetres past the tip of an arrow that are its own
 # Demerit of a symbol on the other side of the rail of the arrow's point, and millimetres past an
 # end of the rail from which on there is no other side
-_PARTED, _PAST_END = 4.0, 1.5
+_PARTED, _PAST_END = LOST, 1.5
 _LEAST_OFFSET = 1.3  # millimetres from which on an arrow stands beside its point
 _ONE_LINE = 1.0  # millimetres within which two arrows lie on one line
 # Millimetres by which an arrow is longer than another one on whose line it is, and the demerit
@@ -140,6 +142,9 @@ class MovingArrow(Struct, frozen=True):
         it: over it, or beside their point in opposite senses.
         """
         alike = self.toward.dot(other.toward) >= 0
+        both_ahead = self.is_ahead() and other.is_ahead()
+        if both_ahead and (not alike or abs(apart) >= _ACROSS_ROD):
+            return 0.0
         if abs(apart) >= _ONE_LINE:
             tight = _HEADS_MEET if abs(apart) < _HEADS_APART else _TIGHT
             level = _IN_BETWEEN if alike and abs(apart) < _ROOM_FOR_SYMBOL else 0.0

@@ -4,17 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 
+from kinegrade.figure.joints.drivers import MovingPoint, find_given_motion
 from kinegrade.figure.joints.symbol import Guide, Rim, Symbol
 from kinegrade.figure.mechanism.straight_parts import Bar, Rod, find_guided_rack, find_half_width
-from kinegrade.figure.plane import length, mean, nearest_of
+from kinegrade.figure.plane import NEAR, length, mean, nearest_of
 from kinegrade.mechanics.joints import GROUND
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
+from kinegrade.problem.template.hints import LEVELS
 
 _ROD = 14.0  # millimetres of a translating rod that are shown at least
 _IN_CYLINDER = 18.0  # millimetres of one from its point to the ground of its cylinder at least
 # millimetres a translating rod continues beyond its point when it has two free ends
 _THROUGH = 11.0
+_BESIDE_ARROW = 18.0  # of one beside which the arrow of its motion stands, before its guide
+_SAME = 1e-3  # between two unit vectors of one direction
 _GUIDE_ROOM = 7.0  # millimetres between the middle of a rod's guide and the edge of a bar or wheel
 
 
@@ -38,11 +42,25 @@ def find_rods(
         cylinder = shapes.get(guide.body) == "cylinder"
         size = _IN_CYLINDER if cylinder else _ROD
         reach = size + _find_reach(guide.at, toward, size, bars, found)
+        if not cylinder and _has_arrow_along(mechanism, guide, toward):
+            reach = max(reach, _BESIDE_ARROW)
         start, end = guide.at, guide.at + toward * reach
         if shapes.get(guide.body) == "through":
             start = start - toward * _THROUGH
         free = () if cylinder else tuple(at for at in (end, start) if at != guide.at)
         yield Rod(guide.body, start, end, free, cylinder)
+
+
+def _has_arrow_along(mechanism: Mechanism, guide: Guide, toward: Vector) -> bool:
+    """Whether a point of a rod is driven in the direction in which the rod leaves it."""
+    for driver in mechanism.drivers:
+        for level in LEVELS:
+            motion = find_given_motion(mechanism.points, driver, level)
+            if isinstance(motion, MovingPoint) and motion.toward is not None:
+                begins = length(mechanism.points[motion.point] - guide.at) < NEAR
+                if begins and length(motion.toward - toward) < _SAME:
+                    return True
+    return False
 
 
 def list_others(mechanism: Mechanism, guide: Guide) -> list[Vector]:
