@@ -12,6 +12,7 @@ from __future__ import annotations
 import csv
 import json
 import math
+import os
 import subprocess
 import sys
 from collections.abc import Callable, Iterator
@@ -39,6 +40,7 @@ COMMANDS = {
 }
 SMALL, SMALL_GROWTH_PROMISE = (300, 3000), 1.1  # students; the most that ten times as many may take
 RUNS = 3  # the best counts: the first pays for imports and caches
+_NOT_COMPILED = "PYTHONDONTWRITEBYTECODE"
 WITH_COMPLAINTS = 1  # the command's exit status where answers could not be read
 GROWTH_PROMISE = 1.5  # the most that twice the class may take of memory
 
@@ -57,10 +59,8 @@ def figures() -> Iterator[Figure]:
         yield speed(plain, "plain numbers", PLAIN_PROMISE)
         yield speed(few, "1 % not plain", FEW_PROMISE)
         yield speed(mixed, "10 % not plain", MIXED_PROMISE)
-        peer = loop(plain)
         for words, promise in COMMANDS.items():
-            title = f"{words.split()[0]} for an answer, {STUDENTS} students, the whole command"
-            yield Figure(title, by_command(plain, words), peer, promise)
+            yield command_speed(plain, words, promise)
         yield small_class_figure(Path(name))
         single, twice = memory(mixed), memory(double)
         yield Figure(
@@ -82,10 +82,23 @@ def small_class_figure(folder: Path) -> Figure:
 
 
 def speed(folder: Path, kind: str, promise: float) -> Figure:
-    """Seconds for an answer, ours and the loop's in turn, so that both meet the same neighbours."""
-    runs = [(ours(folder, STUDENTS), loop(folder)) for _ in range(RUNS)]
-    mine, peer = (min(times) for times in zip(*runs, strict=True))
+    """Seconds for an answer by `grade`, beside the loop's."""
     name = f"marking an answer, {STUDENTS} students, {kind}"
+    return beside_loop(name, folder, lambda: ours(folder, STUDENTS), promise)
+
+
+def command_speed(folder: Path, words: str, promise: float) -> Figure:
+    """The same of a whole command."""
+    name = f"{words.split(maxsplit=1)[0]} for an answer, {STUDENTS} students, the whole command"
+    return beside_loop(name, folder, lambda: by_command(folder, words), promise)
+
+
+def beside_loop(name: str, folder: Path, work: Callable[[], float], promise: float) -> Figure:
+    """Seconds for an answer by some work and by the loop, the best of several: in turn, so that
+    both meet the same neighbours.
+    """
+    runs = [(work(), loop(folder)) for _ in range(RUNS)]
+    mine, peer = (min(times) for times in zip(*runs, strict=True))
     return Figure(name, mine, peer, promise)
 
 
@@ -166,7 +179,9 @@ def memory(folder: Path, words: str = GRADE) -> float:
     told = folder / "told.txt"
     with told.open("wb") as stream:
         command = [sys.executable, "-m", "kinegrade", *words.split(), "--force"]
-        process = subprocess.Popen(command, stderr=stream, cwd=folder)
+        # Modules are kept compiled, as those of an installed program are
+        kept = {name: text for name, text in os.environ.items() if name != _NOT_COMPILED}
+        process = subprocess.Popen(command, stderr=stream, cwd=folder, env=kept)
         peak = peak_of_tree(process)
     if process.returncode not in (0, WITH_COMPLAINTS):
         raise RuntimeError(told.read_text(encoding="utf-8"))

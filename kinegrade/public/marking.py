@@ -166,7 +166,7 @@ def grade(
         *list_written(grades, place, kept=options.never_lower is not None),
         *describe_key(exam),
         *lapsed,
-        *describe_moved(totals, marks.totals.by_student, exam.former_ids),
+        *describe_moved(totals, marks, exam.former_ids),
         *describe_points(grades, marks),
         *describe_grades(marks, exam, options.policy),
     ]

@@ -162,11 +162,14 @@ def compare(
 
 
 def describe_moved(
-    before: Sequence[StudentTotal], after: Mapping[str, StudentTotal], now: Mapping[str, str]
+    before: Sequence[StudentTotal], marks: MarksFolder, now: Mapping[str, str]
 ) -> Iterator[Message]:
     """How many totals went up and down, by their share of the points; nothing where none is
     compared. `now` gives the ids that students have by now.
     """
+    if not before:  # as for most, whose new totals need not be read
+        return
+    after = marks.totals.by_student
     same = [(old, after.get(now.get(old.student, old.student))) for old in before]
     shares = [(old.share, new.share) for old, new in same if new is not None]
     up, down = sum(new > old for old, new in shares), sum(new < old for old, new in shares)

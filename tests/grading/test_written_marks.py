@@ -8,9 +8,11 @@ from pathlib import Path
 from random import Random
 from tempfile import TemporaryDirectory
 
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+import kinegrade
 from kinegrade.exam.folder.columns.writing import write_columns
 from kinegrade.exam.folder.contents import KEY, KEY_COLUMNS
 from kinegrade.exam.folder.exam_folder import open_exam
@@ -23,7 +25,10 @@ from kinegrade.grading.marks import Mark
 from kinegrade.grading.policy.policy import AS_PRINTED
 from kinegrade.grading.policy.reading import read_policy
 from kinegrade.grading.sheets.class_sheet import read_sheet
+from kinegrade.marks_folder import folder as marks_folder
 from kinegrade.marks_folder.layout import ANSWERS
+from kinegrade.marks_folder.rows import ClassTotals
+from kinegrade.marks_folder.totals import read_totals
 from kinegrade.numbers.amounts import write_amount
 from tests.grading.one_by_one import marks_one_by_one
 from tests.grading.test_block_judge import COLUMNS, POLICIES, write_class
@@ -87,3 +92,19 @@ def test_lines_are_those_of_answers_decided_one_by_one(
         wishes = MarkingWishes(policy=folder / "policy.toml" if policy else None, own_papers=True)
         grade(exam, answers, folder / "MARKS", wishes)
         assert (folder / "MARKS" / ANSWERS.name).read_bytes() == expected
+
+
+def test_what_was_written_is_read_again_once(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Each reading of the totals of a large class takes a twentieth of its marking."""
+    write_class(tmp_path, Random(1), 12)
+    read: list[Path] = []
+
+    def count(folder: Path, *others: object) -> ClassTotals:
+        read.append(folder)
+        return read_totals(folder, *others)  # type: ignore[arg-type]
+
+    monkeypatch.setattr(marks_folder, "read_totals", count)
+    kinegrade.grade(kinegrade.open_exam(tmp_path), tmp_path / "answers.csv", tmp_path / "MARKS")
+    assert len(read) == 1
