@@ -162,6 +162,10 @@ class Case:
     def tell(self, equation: Equation) -> str:
         """An equation within a sentence, with its dollar signs."""
         self.findings.printed.append(equation)
+        return self.mention(equation)
+
+    def mention(self, equation: Equation) -> str:
+        """The same for an equation that is content with the digits that the others need."""
         return f"${self._tell(equation.print_inline(self.notation))}$"
 
     def _tell(self, row: Row) -> str:

@@ -37,13 +37,14 @@ class Heading:
 class Prose:
     """A paragraph; `formulas` are those in it that were written as trees; a `compact` one has the
     full width of the page rather than many lines beside a drawing; one `on_polygon` says something
-    of the letters in a polygon alone.
+    of the letters in a polygon alone; one `on_check` is a check, or says what it alone needs.
     """
 
     text: str  # prose
     formulas: tuple[Row, ...] = field(default=(), compare=False, repr=False)
     compact: bool = field(default=False, compare=False, repr=False)
     on_polygon: bool = field(default=False, compare=False, repr=False)
+    on_check: bool = field(default=False, compare=False, repr=False)
 
 
 def say(message: Message, language: Language) -> Prose:

@@ -19,8 +19,17 @@ from kinegrade.worked.formulas.formula import Formula
 Ways: TypeAlias = tuple[tuple[Rate, str, str], ...]  # what distinguishes chains of terms
 Key: TypeAlias = tuple[Level, Ways]
 Pair: TypeAlias = frozenset[frozenset[object]]  # of lines, by their points, or of one and the axes
+
+
+@dataclass(frozen=True)
+class Moved:
+    """A rate where an equation of accelerations has the velocity that it makes."""
+
+    rate: Rate
+
+
 # What an equation says of rates: what multiplies each of them, all on one side
-Form: TypeAlias = Mapping[Rate, float]
+Form: TypeAlias = Mapping[Rate | Moved, float]
 Stated: TypeAlias = tuple[Formula, int, float]  # an angle, its sign, its degrees
 
 

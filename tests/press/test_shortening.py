@@ -50,6 +50,20 @@ def test_polygons_go_first_with_what_is_said_of_them_then_later_sketches() -> No
     ]
 
 
+def test_the_second_check_goes_last_with_the_length_that_it_needs() -> None:
+    first, length, second = (
+        Prose("Check by a projection.", compact=True, on_check=True),
+        Prose("Here AB = 3 m.", on_check=True),
+        Prose("Check by a derivative.", compact=True, on_check=True),
+    )
+    shorter = list(list_shorter(question(first, Pictures((POLYGON,)), length, second)))
+    assert [one.blocks for one in shorter] == [
+        (first, length, second),
+        (first, Pictures((POLYGON,))),
+        (first,),
+    ]
+
+
 def test_a_solution_without_pictures_to_spare_stays_as_it_is() -> None:
     assert list(list_shorter(question(*LINES[:9], Pictures((POLE,))))) == []
 

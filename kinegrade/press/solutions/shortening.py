@@ -1,6 +1,7 @@
 """A worked solution takes at most two pages where it does so without pictures that it can spare,
 and one where little would stand on the second: polygons go first, whose vectors stand in tables and
-are found by projections, then sketches of velocities after the first, then this.
+are found by projections, then sketches of velocities after the first, then this. Where no picture
+saves a page, the second check goes.
 """
 
 from __future__ import annotations
@@ -33,7 +34,15 @@ def shorten(question: WorkedQuestion, area: TextArea) -> WorkedQuestion:
 
 
 def list_shorter(question: WorkedQuestion) -> Iterator[WorkedQuestion]:
-    """What is left of the question with fewer and fewer pictures."""
+    """What is left of the question with fewer and fewer pictures, then without its second check."""
+    yield from _list_less_drawn(question)
+    unchecked = replace(question, blocks=tuple(_leave_out_second_check(question.blocks)))
+    if unchecked.blocks != question.blocks:
+        yield unchecked
+        yield from _list_less_drawn(unchecked)
+
+
+def _list_less_drawn(question: WorkedQuestion) -> Iterator[WorkedQuestion]:
     without = tuple(_leave_out_polygons(question.blocks))
     if without != question.blocks:
         yield replace(question, blocks=without)
@@ -71,3 +80,14 @@ def _leave_out_sketches(blocks: Sequence[Block], most: int) -> Iterator[Block]:
         left = tuple(one for one in block.pictures if one.kind != "velocities" or sketched < most)
         sketched += sum(one.kind == "velocities" for one in block.pictures)
         yield from [Pictures(left)] if left else []
+
+
+def _leave_out_second_check(blocks: Sequence[Block]) -> Iterator[Block]:
+    """The blocks with the first of the checks alone, and what that needs."""
+    checked = 0
+    for block in blocks:
+        if isinstance(block, Prose) and block.on_check:
+            if checked:
+                continue
+            checked += block.compact
+        yield block

@@ -1,4 +1,6 @@
-"""The vectors from point to point by the differences of their coordinates."""
+"""The vectors from point to point by the differences of their coordinates, and the normals to the
+straight paths of points in bodies that turn.
+"""
 
 from __future__ import annotations
 
@@ -8,7 +10,7 @@ from kinegrade.mechanics.rates import make_turning
 from kinegrade.mechanics.relations.terms import Term
 from kinegrade.mechanics.vector import Vector
 from kinegrade.worked.case import Case
-from kinegrade.worked.checks.amounts import Amount, Multiplier, Pair
+from kinegrade.worked.checks.amounts import Amount, Multiplier, Pair, point_along
 from kinegrade.worked.formulas.atoms import AXES, AxisName
 from kinegrade.worked.formulas.measures import double, length
 from kinegrade.worked.formulas.numbers import measure
@@ -16,6 +18,7 @@ from kinegrade.worked.positions.axes import choose_axes
 from kinegrade.worked.vectors.arms import find_stated_length, name_length
 from kinegrade.worked.vectors.components import state_arm
 from kinegrade.worked.vectors.summands import PLACES
+from kinegrade.worked.vectors.table.tracks import find_track_ends
 
 
 def point_from(base: str, point: str, case: Case) -> Multiplier:
@@ -26,7 +29,7 @@ def point_from(base: str, point: str, case: Case) -> Multiplier:
     return found if known else replace(found, length=None)
 
 
-def find_normal_from(base: str, direction: Vector, case: Case) -> Multiplier | None:
+def _find_normal_from(base: str, direction: Vector, case: Case) -> Multiplier | None:
     """The vector from a point to another one that is normal to a direction, of given length."""
     start = case.motion.points[base]
     for point, place in case.motion.points.items():
@@ -53,3 +56,23 @@ def _find_arm(term: Term, case: Case) -> Pair:
             number = measure(term.vector[PLACES[axis]] * letters.sign, "m")
             components[axis] = Amount(letters.size, number, letters.sign)
     return components
+
+
+def find_path_normal(
+    turn: Term, slide: Term, case: Case
+) -> tuple[Multiplier | None, tuple[str, str] | None]:
+    """A normal to the line along which a point slides, None where no two points give one, and two
+    points of the line whose distance it has and that have to be told.
+    """
+    for axis in map(point_along, AXES):
+        if not double(axis.vector.dot(slide.vector)):
+            return axis, None
+    if not double(turn.vector.dot(slide.vector)):
+        return point_from_base(turn, case), None
+    normal = _find_normal_from(turn.base, slide.vector, case)
+    ends = find_track_ends(slide, case)
+    if normal is not None or ends is None:
+        return normal, None
+    start, end = (case.motion.points[point] for point in ends)
+    along = Term("rotation", turn.rate, end - start, ends[1], ends[0])
+    return point_from_base(along, case).turned(), ends

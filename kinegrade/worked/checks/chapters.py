@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import islice
+from typing import assert_never
 
 from kinegrade.mechanics.plan import Step
 from kinegrade.mechanics.rates import Rate
@@ -19,6 +20,7 @@ from kinegrade.worked.checks.constraints import list_constraint_checks
 from kinegrade.worked.checks.forms import Told, list_rates, list_solved
 from kinegrade.worked.checks.positions.places import list_place_checks
 from kinegrade.worked.checks.positions.poles import list_pole_checks
+from kinegrade.worked.checks.second_derivatives import list_second_derivatives
 from kinegrade.worked.checks.seen import list_seen_checks
 from kinegrade.worked.checks.theorems import list_theorem_checks
 from kinegrade.worked.checks.tracks import list_track_checks
@@ -75,8 +77,13 @@ def _list_rate_checks(
     for _, stage in last_first:
         yield from list_constraint_checks(stage, told)
     yield from list_new_body_checks(level, case)
-    if level == "velocity":
-        yield from list_seen_checks(case)
+    match level:
+        case "velocity":
+            yield from list_seen_checks(case)
+        case "acceleration":
+            yield from list_second_derivatives(stage for _, stage in last_first)
+        case _:
+            assert_never(level)
 
 
 @dataclass(frozen=True)

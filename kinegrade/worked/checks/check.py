@@ -23,15 +23,16 @@ from kinegrade.worked.formulas.notation import PLAIN, Notation
 from kinegrade.worked.vectors.arms import introduce_lengths, name_length
 
 _AT_A_GLANCE = 2 * WIDEST  # letters of both sides
-_LONGEST = 4 * WIDEST  # of those that are told where no shorter one is found
+_LONGEST = 5 * WIDEST  # of those that are told where no shorter one is found
 _CLOSE = 1e-9  # relative: far below a digit that is printed
 
 
 @dataclass(frozen=True)
 class Check:
     """By which way, and what either side amounts to, in a unit; `arm` two points whose distance is
-    told before, `form` what it says of rates, and `points` whose vectors it takes as they have been
-    found.
+    told before, `form` what it says of rates, `points` whose vectors it takes as they have been
+    found, `conditions` the formulas that stand in the way; a modest one is content with the digits
+    that the solution has without it.
     """
 
     way: Message
@@ -40,6 +41,8 @@ class Check:
     arm: tuple[str, str] | None = None
     form: Form = field(default_factory=dict)
     points: Set[str] = frozenset()
+    conditions: tuple[Equation, ...] = ()
+    is_modest: bool = False
 
     @cached_property
     def digits(self) -> int:
@@ -106,11 +109,16 @@ class Check:
     def say(self, case: Case) -> Iterator[Block]:
         """The check in one sentence, after the length that it needs."""
         for equation in introduce_lengths((self.arm,) if self.arm else (), case):
-            yield case.say(Message("solution.here", equations=case.tell(equation)))
-        case.findings.printed += (side.state_fully(self.unit) for side in self.sides)
-        left, right = map(case.tell, self._work_out(case.notation))
+            here = case.say(Message("solution.here", equations=case.tell(equation)))
+            yield replace(here, on_check=True)
+        if not self.is_modest:
+            case.findings.printed += (side.state_fully(self.unit) for side in self.sides)
+        tell = case.mention if self.is_modest else case.tell
+        left, right = map(tell, self._work_out(case.notation))
+        for condition in self.conditions:
+            case.tell(condition)
         said = case.say(Message("solution.check", way=self.way, left=left, right=right))
-        yield replace(said, compact=True)
+        yield replace(said, compact=True, on_check=True)
 
 
 def _holds(formula: Row, letters: Row) -> bool:

@@ -14,8 +14,11 @@ from kinegrade.language.message import Message
 from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.relations.terms import Term
 from kinegrade.mechanics.vector import Vector
-from kinegrade.worked.checks.amounts import Amount, Multiplier, point_along
-from kinegrade.worked.checks.arms import find_normal_from, point_from_base
+from kinegrade.worked.checks.amounts import (
+    Amount,
+    point_along,
+)
+from kinegrade.worked.checks.arms import find_path_normal, point_from_base
 from kinegrade.worked.checks.check import Check
 from kinegrade.worked.checks.forms import Told
 from kinegrade.worked.checks.multiplied import Multiplied, TermSide
@@ -27,7 +30,6 @@ from kinegrade.worked.formulas.numbers import measure
 from kinegrade.worked.formulas.symbols import join_letters
 from kinegrade.worked.vectors.arms import name_length
 from kinegrade.worked.vectors.stage import Stage
-from kinegrade.worked.vectors.table.tracks import find_track_ends
 from kinegrade.worked.vectors.vectors import UNITS
 
 
@@ -82,33 +84,11 @@ class _Differentiated(Multiplied):
             for turn, slide in pairwise(before):
                 if not _is_own(turn, slide) or not double(turn.vector.cross(slide.vector)):
                     continue
-                by, ends = self._find_normal(turn, slide)
+                by, ends = find_path_normal(turn, slide, self.case)
                 if by is not None:
                     way = self._name_offset(turn.base, slide.point)
                     for check in self.compare(way, TermSide(other), TermSide(before), by):
                         yield check.with_length(ends, self.case) if ends else check
-
-    def _find_normal(
-        self, turn: Term, slide: Term
-    ) -> tuple[Multiplier | None, tuple[str, str] | None]:
-        """A normal to the line, None where no two points give one, and two points of the line whose
-        distance it has and that have to be told.
-        """
-        for axis in map(point_along, AXES):
-            if not double(axis.vector.dot(slide.vector)):
-                return axis, None
-        if not double(turn.vector.dot(slide.vector)):
-            return point_from_base(turn, self.case), None
-        normal = find_normal_from(turn.base, slide.vector, self.case)
-        ends = find_track_ends(slide, self.case)
-        if normal is not None or ends is None:
-            return normal, None
-        along = Term("rotation", turn.rate, self._find_vector(*ends), ends[1], ends[0])
-        return point_from_base(along, self.case).turned(), ends
-
-    def _find_vector(self, start: str, end: str) -> Vector:
-        """The vector from one point to another."""
-        return self.case.motion.points[end] - self.case.motion.points[start]
 
     def _name_offset(self, axis: str, slider: str) -> Message:
         """The constant distance of an axis from a line."""

@@ -18,7 +18,7 @@ from kinegrade.mechanics.relations.terms import Chain, Term
 from kinegrade.mechanics.vector import Vector, add_vectors
 from kinegrade.mechanics.vector_equation import Level, find_term_value
 from kinegrade.worked.case import Case
-from kinegrade.worked.findings import Fact, Form
+from kinegrade.worked.findings import Fact, Form, Moved
 from kinegrade.worked.formulas.measures import double, is_zero
 from kinegrade.worked.steps.couplers import find_coupler
 from kinegrade.worked.steps.methods import find_way
@@ -39,7 +39,7 @@ def multiply_relation(relation: Relation, by: Vector) -> Form:
 
 def multiply_chain(chain: Chain, by: Vector) -> Form:
     """The vector of a chain times a vector."""
-    form: dict[Rate, float] = {}
+    form: dict[Rate | Moved, float] = {}
     for term in chain:
         form[term.rate] = form.get(term.rate, 0.0) + _multiply(by, term)
     return form
@@ -81,7 +81,7 @@ def subtract(first: Form, second: Form) -> Form:
 
 def state_form(relation: Relation) -> Form:
     """A relation of rates; the centre of a wheel that a body carries by its velocity."""
-    form: dict[Rate, float] = {rate: double(factor) for rate, factor in relation.turning}
+    form: dict[Rate | Moved, float] = {rate: double(factor) for rate, factor in relation.turning}
     along = relation.along
     if along is None:
         return form
@@ -116,12 +116,13 @@ class Told:
 
 
 def _leave_out(form: Form, held: Collection[Rate]) -> Form:
-    return {rate: one for rate, one in form.items() if rate not in held}
+    every = {*held, *map(Moved, held)}
+    return {rate: one for rate, one in form.items() if rate not in every}
 
 
 def list_rates(form: Form) -> set[Rate]:
     """The rates that do not drop out."""
-    return {*_normalize(form)}
+    return {rate for rate in _normalize(form) if not isinstance(rate, Moved)}
 
 
 def _are_multiples(one: Form, other: Form) -> bool:

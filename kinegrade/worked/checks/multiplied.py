@@ -70,13 +70,15 @@ class Multiplied:
         if left.numbers == right.numbers == ZERO:
             return
         terms = (*one.terms, *other.terms, *other.without)
-        largest = size(by.vector) * max(size(self.shares.find_vector(term)) for term in terms)
+        largest = size(by.vector) * max(
+            (size(self.shares.find_vector(term)) for term in terms), default=0.0
+        )
         form = multiply_relation(self.equation.relation, by.vector)
         unit = by.name_unit(self.equation.level)
         yield compare(way, left, right, unit, form=form, largest=largest)
 
     def _state(self, side: TermSide, by: Multiplier) -> Side | None:
-        added, taken = (self._list_shares(terms, by) for terms in (side.terms, side.without))
+        added, taken = (self.list_shares(terms, by) for terms in (side.terms, side.without))
         if added is None or taken is None:
             return None
         every = (*side.own, *added, *(one.signed(-1) for one in taken))
@@ -84,7 +86,7 @@ class Multiplied:
         letters = add_letters(every) if every else None
         return Side(add_numbers(every), value + side.value, letters)
 
-    def _list_shares(self, terms: Sequence[Term], by: Multiplier) -> list[Amount] | None:
+    def list_shares(self, terms: Sequence[Term], by: Multiplier) -> list[Amount] | None:
         """The shares of terms: by the components of their sum where the page has these."""
         level, case = self.equation.level, self.case
         fact = case.findings.facts.get(make_key(tuple(terms), level)) if terms else None

@@ -18,7 +18,7 @@ from kinegrade.worked.checks.check import Check, compare
 from kinegrade.worked.checks.forms import multiply_chain, subtract
 from kinegrade.worked.checks.relative_shares import find_speed
 from kinegrade.worked.checks.sides import Side
-from kinegrade.worked.findings import Fact
+from kinegrade.worked.findings import Fact, Form
 from kinegrade.worked.formulas.atoms import AXES, AxisName
 from kinegrade.worked.formulas.measures import double, find_sign
 from kinegrade.worked.formulas.numbers import measure
@@ -81,7 +81,7 @@ def _compare(motion: Relative, term: Term, fact: Fact, axis: AxisName, case: Cas
         multiply_chain(frames.chain(motion.frame, motion.point), by.vector),
     )
     across = double(by.vector.dot(arm.vector))
-    seen = {bodies[0]: across, bodies[1]: -across}
+    seen: Form = {bodies[0]: across, bodies[1]: -across}
     left = Side(measure(value, "m/s"), value, name_component(fact.symbol, axis))
     body, seen_from = map(case.naming.body, (motion.body, motion.frame))
     names = {"point": case.naming.point(motion.point), "centre": case.naming.point(term.point)}

@@ -223,6 +223,8 @@ class _Reader:
                 return raise_to(self.inner((bare,)), self.inner(upper).value)
             case Scripts(base=Letter()):
                 return self.worth(name_symbol((node,)))
+            case Scripts(base=Fenced() as base, lower=None, upper=upper) if upper:
+                return raise_to(self.framed(base), self.inner(upper).value)
             case _:
                 raise Unreadable(node)
 
