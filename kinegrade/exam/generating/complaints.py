@@ -10,6 +10,7 @@ from kinegrade.exam.generating.earlier_exams import list_repeated
 from kinegrade.exam.printing.printing import Extras
 from kinegrade.exam.roster.complaints import roster_complaints
 from kinegrade.exam.roster.roster import Roster
+from kinegrade.exam.setting.contradictions import list_contradictions
 from kinegrade.exam.setting.dealing import ClassDeal
 from kinegrade.exam.setting.same_answers import list_same_answers
 from kinegrade.language.message import Fault, Message
@@ -30,7 +31,7 @@ def list_complaints(
     where that is refused.
     """
     found: tuple[Problem, ...] = (*roster_complaints(roster, press), *dealt.shortages())
-    found = (*found, *list_repeated(dealt), *list_same_answers(dealt))
+    found = (*found, *list_repeated(dealt), *list_same_answers(dealt), *list_contradictions(dealt))
     require_none(found if strict else ())
     return found
 
