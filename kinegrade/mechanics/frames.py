@@ -17,9 +17,17 @@ from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.joints import Joint
 from kinegrade.mechanics.laws import (
     Condition,
+    EqualBeltSpeed,
+    EqualPitchSpeed,
     EqualRotation,
     GuidedBody,
     GuidedPoint,
+    ImposedCircling,
+    ImposedComponent,
+    ImposedMotion,
+    ImposedRotation,
+    Law,
+    NoSlip,
     SharedPoint,
 )
 from kinegrade.mechanics.mechanism import Mechanism
@@ -27,6 +35,7 @@ from kinegrade.mechanics.rates import Rate
 from kinegrade.mechanics.relations.relation import Relation
 from kinegrade.mechanics.relations.terms import Chain, Term
 from kinegrade.mechanics.shares import RIGHT
+from kinegrade.mechanics.vector import AxisName
 from kinegrade.numbers.number import Arithmetic
 
 
@@ -69,7 +78,7 @@ def build_frames(mechanism: Mechanism, arithmetic: Arithmetic) -> Frames:
     for number, driver in enumerate(mechanism.drivers):
         imposed = driver.state(number, find_chain, mechanism.points, arithmetic)
         track = _find_driven_term(mechanism, guides, driver, imposed, arithmetic)
-        relations.append(replace(imposed, left=(track,), right=()) if track else imposed)
+        relations.append(_impose_term(imposed, track) if track else imposed)
     guiding = {guide.term.rate: number for number, guide in enumerate(guides) if guide}
     return Frames(mechanism, bases, tuple(relations), guiding)
 
@@ -144,6 +153,37 @@ def _find_driven_term(
         if term.kind == "sliding" and arithmetic.is_zero(along.cross(term.vector)):
             return term
     return None
+
+
+def _impose_term(imposed: Relation, term: Term) -> Relation:
+    """A driver's relation where it imposes the rate of one term alone."""
+    match term.rate.kind:
+        case "free-x":
+            source = _impose_component(imposed.source, "x")
+        case "free-y":
+            source = _impose_component(imposed.source, "y")
+        case "turning" | "sliding" | "circling" | "added-x" | "added-y":
+            source = imposed.source
+        case _:
+            assert_never(term.rate.kind)
+    return replace(imposed, left=(term,), right=(), source=source)
+
+
+def _impose_component(law: Law | None, axis: AxisName) -> Law | None:
+    """The law of a driver of a free point, which imposes a component of its motion where it does
+    not move it about a centre.
+    """
+    match law:
+        case ImposedMotion(driver=driver, point=point, direction=direction):
+            return ImposedComponent(driver, point, axis, direction)
+        case ImposedCircling() | ImposedComponent() | ImposedRotation() | None:
+            return law
+        case SharedPoint() | GuidedPoint() | EqualRotation():
+            return law
+        case NoSlip() | EqualPitchSpeed() | EqualBeltSpeed():
+            return law
+        case _:
+            assert_never(law)
 
 
 def _list_free_terms(imposed: Relation) -> Chain:

@@ -7,13 +7,14 @@ arithmetics.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from typing import Any, NamedTuple
+from typing import Any, Literal, NamedTuple, TypeAlias
 
 from kinegrade.numbers.number import Arithmetic, Number
 
 # A `Number` of the arithmetic that is worked in. Who draws has a mechanism in doubles and takes
 # components for doubles, which no protocol of all numbers would allow
 Component = Any
+AxisName: TypeAlias = Literal["x", "y"]
 
 # What the constructor of a named tuple calls: half the time, in what is done most often
 _make = tuple.__new__

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from kinegrade.mechanics.joints import GROUND, Parallel, Pin, Sleeve, Slide
+from kinegrade.mechanics.laws import ImposedComponent, ImposedMotion
 from tests.mechanics.writing import Paper, X, Y
 
 
@@ -65,6 +66,26 @@ def test_components_of_a_free_particle_two_at_once() -> None:
     # v_y: 5 = 3*3/5 + 4/5 v_y: v_y = 4; a_y: 0 = 3/5 + 4/5 a_y: a_y = -3/4
     assert motion.velocity("M", "M") == (3, 4)
     assert motion.acceleration("M", "M") == (1, p.number("-3/4"))
+
+
+def test_a_component_of_a_free_point_is_another_law_than_a_motion_along_a_guide() -> None:
+    p = Paper()
+    free = p.motion(
+        {"M": (1, 1)},
+        {"M": "particle M"},
+        [],
+        [p.moves("M", "M", (-1, 0), 3), p.moves("M", "M", Y, 5)],
+    )
+    guided = p.motion(
+        {"M": (1, 0)},
+        {"M": "particle M"},
+        [Slide("M", "M", p.line(0, 0, X), GROUND)],
+        [p.moves("M", "M", X, 3)],
+    )
+    laws = [relation.source for relation in free.frames.relations]
+    assert laws == [ImposedComponent(0, "M", "x", (-1, 0)), ImposedComponent(1, "M", "y", Y)]
+    (law,) = (relation.source for relation in guided.frames.relations)
+    assert law == ImposedMotion(0, "M", GROUND, X)
 
 
 def test_component_relative_to_a_moving_body_has_coriolis_acceleration() -> None:

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from kinegrade.mechanics.laws import Imposed, ImposedCircling, ImposedMotion, ImposedRotation, Law
+from kinegrade.mechanics.laws import Imposed, Law
 
 
 def select_imposed(law: Law | None) -> Imposed | None:
     """The law itself where a driver imposes it; None for one of joints, and for none."""
-    return law if isinstance(law, ImposedRotation | ImposedMotion | ImposedCircling) else None
+    return law if isinstance(law, Imposed) else None

@@ -7,13 +7,18 @@ them are 1 where it is right.
 from __future__ import annotations
 
 from kinegrade.mechanics.laws.conditions import EqualRotation, GuidedBody, GuidedPoint, SharedPoint
-from kinegrade.mechanics.laws.imposed import ImposedCircling, ImposedMotion, ImposedRotation
+from kinegrade.mechanics.laws.imposed import (
+    ImposedCircling,
+    ImposedComponent,
+    ImposedMotion,
+    ImposedRotation,
+)
 from kinegrade.mechanics.laws.rims import EqualBeltSpeed, EqualPitchSpeed, EqualRimSpeed, find_rims
 from kinegrade.mechanics.laws.rolling import NoSlip, find_rolling
 from kinegrade.mechanics.laws.turning import Turning
 
 Condition = SharedPoint | GuidedPoint | GuidedBody | EqualRotation
-Imposed = ImposedRotation | ImposedMotion | ImposedCircling
+Imposed = ImposedRotation | ImposedMotion | ImposedComponent | ImposedCircling
 Law = (
     SharedPoint | GuidedPoint | EqualRotation | NoSlip | EqualPitchSpeed | EqualBeltSpeed | Imposed
 )
@@ -28,6 +33,7 @@ __all__ = [
     "GuidedPoint",
     "Imposed",
     "ImposedCircling",
+    "ImposedComponent",
     "ImposedMotion",
     "ImposedRotation",
     "Law",

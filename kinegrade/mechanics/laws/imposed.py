@@ -8,7 +8,7 @@ from kinegrade.language.message import Message
 from kinegrade.mechanics.laws.reason import Reason
 from kinegrade.mechanics.laws.turning import Turning, add_up
 from kinegrade.mechanics.shares import Shares
-from kinegrade.mechanics.vector import Vector
+from kinegrade.mechanics.vector import AxisName, Vector
 
 
 class _Imposed(Reason):
@@ -48,6 +48,26 @@ class ImposedMotion(_Imposed):
 
     def find_imposed_direction(self) -> Vector | None:
         """That of the point's motion."""
+        return self.direction
+
+    def list_factors(self, shares: Shares) -> Turning:
+        """None: it is a component of a vector."""
+        return ()
+
+
+@dataclass(frozen=True)
+class ImposedComponent(_Imposed):
+    """The component along an axis of the motion of `point`, which nothing guides, as seen from the
+    ground. `direction` is that of the axis or the opposite one; `driver` numbers the drivers.
+    """
+
+    driver: int
+    point: str
+    axis: AxisName
+    direction: Vector
+
+    def find_imposed_direction(self) -> Vector | None:
+        """That in which the component is given."""
         return self.direction
 
     def list_factors(self, shares: Shares) -> Turning:

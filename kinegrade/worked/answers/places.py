@@ -6,9 +6,9 @@ from collections.abc import Sequence
 from typing import assert_never
 
 from kinegrade.expressions.tree import Call, Expression, Name, Number, Operation
-from kinegrade.mechanics.vector import Vector
+from kinegrade.mechanics.vector import AxisName, Vector
 from kinegrade.worked.case import Case
-from kinegrade.worked.formulas.atoms import AXES, AxisName, Symbol, add_squares, add_terms
+from kinegrade.worked.formulas.atoms import AXES, Symbol, add_squares, add_terms
 from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.functions import Function
 from kinegrade.worked.formulas.leaves import formulate

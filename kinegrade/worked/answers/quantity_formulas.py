@@ -7,7 +7,7 @@ from typing import Any, assert_never
 from kinegrade.expressions.evaluation import evaluate
 from kinegrade.expressions.tree import Call, Expression, Name, Number, Operation
 from kinegrade.mechanics.ground import GROUND
-from kinegrade.mechanics.vector import Vector
+from kinegrade.mechanics.vector import AxisName, Vector
 from kinegrade.problem.quantities.functions import make_quantities
 from kinegrade.problem.quantities.reader import find_body_names
 from kinegrade.worked.answers.asked_vectors import (
@@ -22,7 +22,7 @@ from kinegrade.worked.answers.places import is_pole, state_component, state_dist
 from kinegrade.worked.answers.projections import Working, name_known_axis, project, project_on
 from kinegrade.worked.case import Case
 from kinegrade.worked.findings import Fact
-from kinegrade.worked.formulas.atoms import AXES, ZERO, AxisName, Measured, add_squares, add_terms
+from kinegrade.worked.formulas.atoms import AXES, ZERO, Measured, add_squares, add_terms
 from kinegrade.worked.formulas.atoms import Number as Numeral
 from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.functions import Function

@@ -8,17 +8,9 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import TypeAlias
 
-from kinegrade.mechanics.vector import Vector
+from kinegrade.mechanics.vector import AxisName, Vector
 from kinegrade.mechanics.vector_equation import Level
-from kinegrade.worked.formulas.atoms import (
-    AXES,
-    ONE,
-    TWO,
-    ZERO,
-    AxisName,
-    Measured,
-    add_terms,
-)
+from kinegrade.worked.formulas.atoms import AXES, ONE, TWO, ZERO, Measured, add_terms
 from kinegrade.worked.formulas.formula import Formula, Power, Product
 from kinegrade.worked.vectors.vectors import UNITS
 

@@ -8,10 +8,10 @@ from dataclasses import replace
 
 from kinegrade.mechanics.rates import make_turning
 from kinegrade.mechanics.relations.terms import Term
-from kinegrade.mechanics.vector import Vector
+from kinegrade.mechanics.vector import AxisName, Vector
 from kinegrade.worked.case import Case
 from kinegrade.worked.checks.amounts import Amount, Multiplier, Pair, point_along
-from kinegrade.worked.formulas.atoms import AXES, AxisName
+from kinegrade.worked.formulas.atoms import AXES
 from kinegrade.worked.formulas.measures import double, length
 from kinegrade.worked.formulas.numbers import measure
 from kinegrade.worked.positions.axes import choose_axes

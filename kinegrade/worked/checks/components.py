@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from kinegrade.language.message import Message
 from kinegrade.mechanics.rates import make_turning
 from kinegrade.mechanics.relations.terms import Term
-from kinegrade.mechanics.vector import Vector
+from kinegrade.mechanics.vector import AxisName, Vector
 from kinegrade.mechanics.vector_equation import Level
 from kinegrade.worked.case import Case
 from kinegrade.worked.checks.check import Check, compare
@@ -18,7 +18,7 @@ from kinegrade.worked.checks.forms import compare_points
 from kinegrade.worked.checks.sides import Side
 from kinegrade.worked.coincident_points import name_owned_point
 from kinegrade.worked.findings import Fact
-from kinegrade.worked.formulas.atoms import AXES, AxisName, add_terms
+from kinegrade.worked.formulas.atoms import AXES, add_terms
 from kinegrade.worked.formulas.measures import double, is_zero
 from kinegrade.worked.vectors.components import (
     find_heading,

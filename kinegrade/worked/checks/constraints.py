@@ -13,7 +13,7 @@ from typing import assert_never
 from kinegrade.language.message import Message
 from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.relations.terms import Term
-from kinegrade.mechanics.vector import Vector
+from kinegrade.mechanics.vector import AxisName, Vector
 from kinegrade.worked.checks.amounts import (
     Amount,
     point_along,
@@ -24,7 +24,7 @@ from kinegrade.worked.checks.forms import Told
 from kinegrade.worked.checks.multiplied import Multiplied, TermSide
 from kinegrade.worked.checks.relative_shares import find_speed
 from kinegrade.worked.checks.shares import Shares
-from kinegrade.worked.formulas.atoms import AXES, TWO, AxisName
+from kinegrade.worked.formulas.atoms import AXES, TWO
 from kinegrade.worked.formulas.measures import double, find_sign, is_zero, length
 from kinegrade.worked.formulas.numbers import measure
 from kinegrade.worked.formulas.symbols import join_letters

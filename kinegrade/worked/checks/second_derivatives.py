@@ -13,6 +13,7 @@ from itertools import chain, pairwise
 from kinegrade.language.message import Message
 from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.relations.terms import Term
+from kinegrade.mechanics.vector import AxisName
 from kinegrade.worked.checks.amounts import (
     UNIT,
     Amount,
@@ -26,7 +27,7 @@ from kinegrade.worked.checks.arms import find_path_normal, point_from_base
 from kinegrade.worked.checks.check import Check
 from kinegrade.worked.checks.multiplied import TermSide
 from kinegrade.worked.checks.twice import Ends, Twice
-from kinegrade.worked.formulas.atoms import AXES, TWO, ZERO, AxisName, add_terms
+from kinegrade.worked.formulas.atoms import AXES, TWO, ZERO, add_terms
 from kinegrade.worked.formulas.equation import Equation, equate
 from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.functions import Function

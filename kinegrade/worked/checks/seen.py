@@ -11,6 +11,7 @@ from kinegrade.expressions.tree import Call, Expression, Name
 from kinegrade.language.message import Message
 from kinegrade.mechanics.rates import make_turning
 from kinegrade.mechanics.relations.terms import Term
+from kinegrade.mechanics.vector import AxisName
 from kinegrade.worked.case import Case
 from kinegrade.worked.checks.amounts import Amount, add_letters, add_numbers, gather, point_along
 from kinegrade.worked.checks.arms import point_from
@@ -19,7 +20,7 @@ from kinegrade.worked.checks.forms import multiply_chain, subtract
 from kinegrade.worked.checks.relative_shares import find_speed
 from kinegrade.worked.checks.sides import Side
 from kinegrade.worked.findings import Fact, Form
-from kinegrade.worked.formulas.atoms import AXES, AxisName
+from kinegrade.worked.formulas.atoms import AXES
 from kinegrade.worked.formulas.measures import double, find_sign
 from kinegrade.worked.formulas.numbers import measure
 from kinegrade.worked.rates.speeds import name_relative_rotation

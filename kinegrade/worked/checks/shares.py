@@ -12,14 +12,14 @@ from typing import assert_never
 from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.laws import find_rolling
 from kinegrade.mechanics.relations.terms import Term
-from kinegrade.mechanics.vector import Vector
+from kinegrade.mechanics.vector import AxisName, Vector
 from kinegrade.mechanics.vector_equation import Part, VectorEquation
 from kinegrade.worked.case import Case
 from kinegrade.worked.checks.amounts import Amount, Multiplier, gather
 from kinegrade.worked.checks.arms import point_from_base
 from kinegrade.worked.checks.relative_shares import list_relative_shares
 from kinegrade.worked.findings import Fact, Piece
-from kinegrade.worked.formulas.atoms import TWO, AxisName
+from kinegrade.worked.formulas.atoms import TWO
 from kinegrade.worked.formulas.measures import double, find_sign
 from kinegrade.worked.formulas.numbers import measure
 from kinegrade.worked.rates.rolled_motion import state_rolled_radius

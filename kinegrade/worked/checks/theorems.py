@@ -8,12 +8,12 @@ from math import cos, radians, sin
 from kinegrade.language.message import Message
 from kinegrade.mechanics.plan import Step
 from kinegrade.mechanics.rates import Rate
-from kinegrade.mechanics.vector import Vector, add_vectors
+from kinegrade.mechanics.vector import AxisName, Vector, add_vectors
 from kinegrade.worked.checks.amounts import Amount
 from kinegrade.worked.checks.check import Check, compare
 from kinegrade.worked.checks.forms import multiply_relation
 from kinegrade.worked.checks.sides import Side
-from kinegrade.worked.formulas.atoms import AxisName, add_terms
+from kinegrade.worked.formulas.atoms import add_terms
 from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.measures import bearing, size
 from kinegrade.worked.formulas.numbers import measure

@@ -7,16 +7,16 @@ from dataclasses import dataclass, field, replace
 from decimal import Decimal
 from functools import reduce
 from operator import add
-from typing import ClassVar, Literal, TypeAlias
+from typing import ClassVar, Literal
 
 from kinegrade.language.math.tree import DEGREE, Letter, Lettering, Row, Scripts, Sign, Space, Unit
+from kinegrade.mechanics.vector import AxisName
 from kinegrade.worked.formulas.formula import Formula, Negative, Product, Sum
 from kinegrade.worked.formulas.functions import Root
 from kinegrade.worked.formulas.notation import DIGITS, PLAIN, Notation
 from kinegrade.worked.formulas.printed import Kind
 from kinegrade.worked.formulas.rows import enclose, print_decimal, raise_last
 
-AxisName: TypeAlias = Literal["x", "y"]
 OTHER: Mapping[AxisName, AxisName] = {"x": "y", "y": "x"}
 AXES: tuple[AxisName, AxisName] = ("x", "y")
 

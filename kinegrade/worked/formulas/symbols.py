@@ -13,9 +13,10 @@ from msgspec.structs import replace
 from kinegrade.language.math.reading import read_math
 from kinegrade.language.math.tree import Accent, Letter, Lettering, Row, Scripts, Sign
 from kinegrade.language.message import Message
+from kinegrade.mechanics.vector import AxisName
 from kinegrade.problem.template.notation import write_point_symbol, write_symbol
 from kinegrade.problem.template.template import Template
-from kinegrade.worked.formulas.atoms import AxisName, Symbol
+from kinegrade.worked.formulas.atoms import Symbol
 
 PI = Symbol((Letter("pi"),))
 INFINITY = Symbol((Sign(r"\infty"),))

@@ -11,7 +11,13 @@ from kinegrade.expressions.tree import Expression, Number, find_names
 from kinegrade.language.math.tree import Row, Scripts
 from kinegrade.language.message import Message
 from kinegrade.mechanics.ground import GROUND
-from kinegrade.mechanics.laws import Imposed, ImposedCircling, ImposedMotion, ImposedRotation
+from kinegrade.mechanics.laws import (
+    Imposed,
+    ImposedCircling,
+    ImposedComponent,
+    ImposedMotion,
+    ImposedRotation,
+)
 from kinegrade.mechanics.relations.relation import Relation
 from kinegrade.mechanics.shares import RIGHT
 from kinegrade.mechanics.vector_equation import Level
@@ -29,7 +35,14 @@ from kinegrade.worked.formulas.rotational_speeds import (
     is_rotational_speed,
     turn_into_angle,
 )
-from kinegrade.worked.rates.driven_points import name_driven, say_driven, state_driven_way
+from kinegrade.worked.rates.driven_points import (
+    name_driven,
+    name_driven_component,
+    say_driven,
+    say_driven_component,
+    state_component_way,
+    state_driven_way,
+)
 from kinegrade.worked.rates.speeds import (
     Statement,
     find_rotation_value,
@@ -96,6 +109,8 @@ def _name_imposed(law: Imposed, relation: Relation, case: Case, level: Level) ->
             return name_relative_rotation(law.body, law.of, case, level)
         case ImposedMotion():
             return name_driven(law, relation, case, level)
+        case ImposedComponent():
+            return name_driven_component(law, case, level)
         case ImposedCircling():
             circling = name_point_vector(law.point, level, case)
             return {"velocity": circling, "acceleration": replace(circling, part="t")}[level]
@@ -112,6 +127,8 @@ def _state_sense(law: Imposed, value: Any, case: Case) -> Row:
             return state_way_round(law.centre, double(value), case) if value else ()
         case ImposedMotion():
             return state_driven_way(law, double(value), case)
+        case ImposedComponent():
+            return state_component_way(law, double(value), case)
         case _:
             assert_never(law)
 
@@ -193,6 +210,8 @@ def _state_given(law: Imposed, relation: Relation, case: Case, level: Level) -> 
         case ImposedMotion():
             against = _counts_against(law, relation, case, level)
             return say_driven(law, relation, case, level, against=against)
+        case ImposedComponent():
+            return say_driven_component(law, case, level)
         case ImposedCircling():
             point, centre = case.naming.point(law.point), case.naming.point(law.centre)
             return Message(f"solution.given-circling-{level}", point=point, centre=centre)

@@ -7,9 +7,10 @@ from __future__ import annotations
 from kinegrade.language.math.tree import Row
 from kinegrade.language.message import Message
 from kinegrade.mechanics.ground import GROUND
-from kinegrade.mechanics.laws import ImposedMotion
+from kinegrade.mechanics.laws import ImposedComponent, ImposedMotion
 from kinegrade.mechanics.relations.relation import Relation
 from kinegrade.mechanics.relations.terms import Term
+from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Level
 from kinegrade.worked.case import Case
 from kinegrade.worked.formulas.atoms import VectorSymbol
@@ -20,7 +21,7 @@ from kinegrade.worked.senses import (
     state_sense_along,
 )
 from kinegrade.worked.unlettered import find_translating_body
-from kinegrade.worked.vectors.known_vectors import find_free_axis, find_given_sign
+from kinegrade.worked.vectors.known_vectors import find_given_sign
 from kinegrade.worked.vectors.relatives import find_relative, index_relative
 from kinegrade.worked.vectors.summands import name_component
 from kinegrade.worked.vectors.table.tracks import orient_track
@@ -28,11 +29,15 @@ from kinegrade.worked.vectors.vectors import name_by_role, name_point_vector
 
 
 def name_driven(law: ImposedMotion, relation: Relation, case: Case, level: Level) -> VectorSymbol:
-    """The letter of a driven motion: v_r, v_A, or v_{A,x}."""
+    """The letter of a driven motion: v_r, or v_A."""
     if law.of != GROUND:
         return name_by_role("r", level, _index_track(relation, case))
-    symbol, axis = name_point_vector(law.point, level, case), find_free_axis(relation)
-    return symbol if axis is None else name_component(symbol, axis)
+    return name_point_vector(law.point, level, case)
+
+
+def name_driven_component(law: ImposedComponent, case: Case, level: Level) -> VectorSymbol:
+    """The letter of a driven component, v_{A,x}."""
+    return name_component(name_point_vector(law.point, level, case), law.axis)
 
 
 def _index_track(relation: Relation, case: Case) -> Row:
@@ -48,9 +53,19 @@ def state_driven_way(law: ImposedMotion, value: float, case: Case) -> Row:
     ends = _find_track(law, case)
     if ends is not None or law.of != GROUND or value == 0:
         return state_sense_along(value, law.direction, ends, case)
-    return say_beside(
-        describe_direction(law.direction if value > 0 else -law.direction, case), case
-    )
+    return _say_way(law.direction, value, case)
+
+
+def state_component_way(law: ImposedComponent, value: float, case: Case) -> Row:
+    """The direction of a driven component beside its value."""
+    if value == 0:
+        return state_sense_along(value, law.direction, None, case)
+    return _say_way(law.direction, value, case)
+
+
+def _say_way(direction: Vector, value: float, case: Case) -> Row:
+    """A direction, or the opposite one of a negative value."""
+    return say_beside(describe_direction(direction if value > 0 else -direction, case), case)
 
 
 def _find_track(law: ImposedMotion, case: Case) -> tuple[str, str] | None:
@@ -89,9 +104,16 @@ def say_driven(
     if law.of != GROUND:
         other, way = case.naming.body(law.of), _describe_positive_way(law, case)
         return Message(f"solution.given-relative-motion-{level}", point=point, way=way, other=other)
-    if (axis := find_free_axis(relation)) is not None:
-        return Message(f"solution.given-component-{level}", axis=axis, point=point)
     return Message(f"solution.given-motion-{level}", point=point)
+
+
+def say_driven_component(law: ImposedComponent, case: Case, level: Level) -> Message:
+    """That a component of a motion is given; the whole one where the body translates."""
+    carrier = find_translating_body(law.point, case)
+    if carrier is not None:
+        return Message(f"solution.given-translation-{level}", body=case.naming.body(carrier))
+    point = case.naming.point(law.point)
+    return Message(f"solution.given-component-{level}", axis=law.axis, point=point)
 
 
 def _describe_positive_way(law: ImposedMotion, case: Case) -> Message:

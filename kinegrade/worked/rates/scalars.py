@@ -15,6 +15,7 @@ from kinegrade.mechanics.laws import (
     EqualRotation,
     GuidedPoint,
     ImposedCircling,
+    ImposedComponent,
     ImposedMotion,
     ImposedRotation,
     NoSlip,
@@ -46,7 +47,7 @@ def state_relation(relation: Relation, case: Case, level: Level) -> Statement:
             return state_belt(source, case, level)
         case EqualRotation():
             return _state_equal_rotation(source, case, level)
-        case ImposedRotation() | ImposedMotion() | ImposedCircling():
+        case ImposedRotation() | ImposedMotion() | ImposedComponent() | ImposedCircling():
             return state_imposed(source, relation, case, level)
         case SharedPoint() | GuidedPoint() | None:
             raise TypeError("a pin or a guide states no relation of rates alone")
@@ -90,8 +91,8 @@ def explain_scalar_step(
     stated, result = statement.equation, state_rate(unknown, case, level)
     yield case.say(statement.reason)
     match relation.source:
-        case ImposedRotation() | ImposedMotion() | ImposedCircling() if imposes_single_rate(
-            relation
+        case ImposedRotation() | ImposedMotion() | ImposedComponent() | ImposedCircling() if (
+            imposes_single_rate(relation)
         ):
             yield case.show(stated)
         case EqualRotation():
@@ -99,7 +100,7 @@ def explain_scalar_step(
             yield case.show(Equation(stated.left, links, result.aside))
         case ImposedRotation() as imposed:
             yield case.show(stated, solve_relative(imposed, stated, result, case, level))
-        case ImposedMotion() | ImposedCircling():
+        case ImposedMotion() | ImposedComponent() | ImposedCircling():
             yield case.show(stated, result)
         case NoSlip() as roll:
             solved = solve_rolling(roll, relation, result, case, level)

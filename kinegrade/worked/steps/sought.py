@@ -10,7 +10,13 @@ from kinegrade.language.math.tree import Fenced, Node, Row
 from kinegrade.language.message import Message, Text, list_all
 from kinegrade.mechanics.drivers.imposed import select_imposed
 from kinegrade.mechanics.ground import GROUND
-from kinegrade.mechanics.laws import Imposed, ImposedCircling, ImposedMotion, ImposedRotation
+from kinegrade.mechanics.laws import (
+    Imposed,
+    ImposedCircling,
+    ImposedComponent,
+    ImposedMotion,
+    ImposedRotation,
+)
 from kinegrade.mechanics.plan import Step
 from kinegrade.problem.template.signs import write_sign
 from kinegrade.problem.template.template import Ask
@@ -74,9 +80,11 @@ def _name_given(law: Imposed, case: Case) -> Iterator[Message]:
         case ImposedMotion(point=point, of=of) if of != GROUND:
             moving, frame = case.naming.point(point), case.naming.body(of)
             yield Message("solution.motion-relative-to", point=moving, other=frame)
-        case ImposedMotion(point=point) if carrier := find_translating_body(point, case):
+        case ImposedMotion(point=point) | ImposedComponent(point=point) if (
+            carrier := find_translating_body(point, case)
+        ):
             yield Message("solution.motion-of-body", body=case.naming.body(carrier))
-        case ImposedMotion(point=point) | ImposedCircling(point=point):
-            yield Message("solution.motion-along-path", centre=case.naming.point(point))
+        case ImposedMotion() | ImposedComponent() | ImposedCircling():
+            yield Message("solution.motion-along-path", centre=case.naming.point(law.point))
         case _:
             assert_never(law)

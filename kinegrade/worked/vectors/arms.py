@@ -8,9 +8,10 @@ from collections.abc import Iterable, Iterator
 
 from kinegrade.expressions.tree import Call, Expression, Name, Operation, find_names, walk
 from kinegrade.mechanics.laws import find_rolling
+from kinegrade.mechanics.vector import AxisName
 from kinegrade.mechanics.vector_equation import Part
 from kinegrade.worked.case import Case
-from kinegrade.worked.formulas.atoms import AXES, OTHER, ZERO, AxisName, Symbol
+from kinegrade.worked.formulas.atoms import AXES, OTHER, ZERO, Symbol
 from kinegrade.worked.formulas.equation import Equation, drop_repetition, equate
 from kinegrade.worked.formulas.exactness import list_parts
 from kinegrade.worked.formulas.measures import double

@@ -13,13 +13,13 @@ from typing import Any
 from kinegrade.language.math.tree import Row, Sign
 from kinegrade.language.message import Message
 from kinegrade.mechanics.relations.terms import Term
-from kinegrade.mechanics.vector import Vector
+from kinegrade.mechanics.vector import AxisName, Vector
 from kinegrade.mechanics.vector_equation import Level, find_term_value
 from kinegrade.worked.case import Case
 from kinegrade.worked.contacts import needs_components
 from kinegrade.worked.document import Block
 from kinegrade.worked.findings import Fact, Piece
-from kinegrade.worked.formulas.atoms import TWO, ZERO, AxisName, VectorSymbol, add_terms
+from kinegrade.worked.formulas.atoms import TWO, ZERO, VectorSymbol, add_terms
 from kinegrade.worked.formulas.equation import Equation, equate, lead_to
 from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.measures import bearing, double, is_zero, length

@@ -9,11 +9,11 @@ from dataclasses import replace
 from typing import Literal
 
 from kinegrade.mechanics.relations.terms import Term
-from kinegrade.mechanics.vector import Vector, add_vectors
+from kinegrade.mechanics.vector import AxisName, Vector, add_vectors
 from kinegrade.mechanics.vector_equation import Level
 from kinegrade.worked.case import Case
 from kinegrade.worked.findings import Fact, Piece
-from kinegrade.worked.formulas.atoms import OTHER, TWO, AxisName, VectorSymbol
+from kinegrade.worked.formulas.atoms import OTHER, TWO, VectorSymbol
 from kinegrade.worked.formulas.atoms import ZERO as NOTHING
 from kinegrade.worked.formulas.equation import Equation
 from kinegrade.worked.formulas.formula import Formula

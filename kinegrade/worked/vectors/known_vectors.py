@@ -23,6 +23,7 @@ from kinegrade.mechanics.laws import (
     GuidedPoint,
     Imposed,
     ImposedCircling,
+    ImposedComponent,
     ImposedMotion,
     ImposedRotation,
     Law,
@@ -30,18 +31,16 @@ from kinegrade.mechanics.laws import (
     SharedPoint,
     find_rolling,
 )
-from kinegrade.mechanics.rates import Rate, RateKind
+from kinegrade.mechanics.rates import Rate
 from kinegrade.mechanics.relations.relation import Relation
 from kinegrade.mechanics.relations.terms import Chain, Term
 from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Level
 from kinegrade.worked.case import Case
 from kinegrade.worked.findings import Piece, Ways
-from kinegrade.worked.formulas.atoms import AxisName
 from kinegrade.worked.formulas.measures import double, find_sign
 
 _AXES: Mapping[str, Vector] = {"x": Vector(1, 0), "y": Vector(0, 1)}
-_FREE_AXES: Mapping[RateKind, AxisName] = {"free-x": "x", "free-y": "y"}
 
 
 def find_stated_sense(term: Term, case: Case, level: Level) -> int:
@@ -113,7 +112,7 @@ def find_given_sign(law: Law, relation: Relation, case: Case, level: Level) -> i
             return 1
         case ImposedMotion(of=of) if of != GROUND:
             return 1
-        case ImposedMotion(direction=direction) if find_free_axis(relation) is not None:
+        case ImposedComponent(direction=direction):
             return find_sign(direction.dot(relation.left[0].vector))
         case ImposedMotion(direction=direction):
             asked = {find_sign(direction.dot(one)) for one in _list_asked_senses(direction, case)}
@@ -122,16 +121,6 @@ def find_given_sign(law: Law, relation: Relation, case: Case, level: Level) -> i
             return _find_own_sign(law, relation, case, level)
         case _:
             assert_never(law)
-
-
-def find_free_axis(relation: Relation) -> AxisName | None:
-    """The axis along which a driver imposes a component of a point's motion; None where it imposes
-    the motion along a track, or the component in another direction.
-    """
-    kinds = [term.rate.kind for term in relation.left]
-    if relation.along is None or len(kinds) != 1 or relation.right:
-        return None
-    return _FREE_AXES.get(kinds[0])
 
 
 def _find_own_sign(law: Imposed, relation: Relation, case: Case, level: Level) -> int:

@@ -6,8 +6,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any, Literal
 
+from kinegrade.mechanics.vector import AxisName
 from kinegrade.mechanics.vector_equation import Level
-from kinegrade.worked.formulas.atoms import TWO, ZERO, AxisName, VectorSymbol, add_terms
+from kinegrade.worked.formulas.atoms import TWO, ZERO, VectorSymbol, add_terms
 from kinegrade.worked.formulas.equation import Equation, lead_to
 from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.numbers import state_number

@@ -10,10 +10,11 @@ from typing import assert_never
 
 from kinegrade.expressions.tree import Call, Expression, Name, Number, Operation
 from kinegrade.language.message import Message
+from kinegrade.mechanics.vector import AxisName
 from kinegrade.worked.case import Case
 from kinegrade.worked.checks.check import Check, compare
 from kinegrade.worked.checks.sides import Side
-from kinegrade.worked.formulas.atoms import AXES, AxisName
+from kinegrade.worked.formulas.atoms import AXES
 from kinegrade.worked.formulas.measures import double
 from kinegrade.worked.formulas.symbols import name_coordinate
 from kinegrade.worked.positions.algebra import TWO, ZERO, is_negated

@@ -6,8 +6,9 @@ from typing import NamedTuple
 
 from kinegrade.expressions.tree import Call, Expression, Name
 from kinegrade.language.math.tree import Row
+from kinegrade.mechanics.vector import AxisName
 from kinegrade.numbers.units import Unit
-from kinegrade.worked.formulas.atoms import AXES, AxisName, Symbol
+from kinegrade.worked.formulas.atoms import AXES, Symbol
 from kinegrade.worked.formulas.symbols import name_coordinate, name_quantity
 from kinegrade.worked.positions.algebra import ONE, Pair, is_negated, over, plus, times
 from kinegrade.worked.positions.axes import length_of

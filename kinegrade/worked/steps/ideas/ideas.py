@@ -15,6 +15,7 @@ from kinegrade.mechanics.laws import (
     EqualRotation,
     GuidedPoint,
     ImposedCircling,
+    ImposedComponent,
     ImposedMotion,
     ImposedRotation,
     Law,
@@ -137,7 +138,7 @@ def _drives(law: Law, point: str) -> bool:
     match law:
         case ImposedMotion(point=driven, of=of):
             return driven == point and of == GROUND
-        case ImposedCircling(point=driven):
+        case ImposedComponent(point=driven) | ImposedCircling(point=driven):
             return driven == point
         case ImposedRotation() | SharedPoint() | GuidedPoint() | EqualRotation():
             return False

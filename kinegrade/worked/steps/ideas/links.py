@@ -13,6 +13,7 @@ from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.laws import (
     Imposed,
     ImposedCircling,
+    ImposedComponent,
     ImposedMotion,
     ImposedRotation,
     Law,
@@ -39,7 +40,7 @@ def _explain_imposed(law: Imposed, case: Case) -> Iterator[Message]:
     match law:
         case ImposedRotation(body=body, of=of) if of != GROUND:
             yield _explain_relative_rotation(body, of, case)
-        case ImposedRotation() | ImposedMotion() | ImposedCircling():
+        case ImposedRotation() | ImposedMotion() | ImposedComponent() | ImposedCircling():
             return
         case _:
             assert_never(law)

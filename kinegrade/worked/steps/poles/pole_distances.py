@@ -9,11 +9,11 @@ from dataclasses import dataclass
 from typing import Literal
 
 from kinegrade.language.message import Message
-from kinegrade.mechanics.vector import Vector
+from kinegrade.mechanics.vector import AxisName, Vector
 from kinegrade.mechanics.vector_equation import Part
 from kinegrade.worked.case import Case
 from kinegrade.worked.document import Block
-from kinegrade.worked.formulas.atoms import AXES, ONE, ZERO, AxisName, Symbol, add_terms
+from kinegrade.worked.formulas.atoms import AXES, ONE, ZERO, Symbol, add_terms
 from kinegrade.worked.formulas.equation import Equation, Link, drop_repetition, equate
 from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.measures import bearing, length

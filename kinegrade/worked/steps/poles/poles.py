@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from kinegrade.language.message import Message
-from kinegrade.mechanics.vector import Vector
+from kinegrade.mechanics.vector import AxisName, Vector
 from kinegrade.problem.pole_names import choose_pole_letter, find_poles, name_asked_pole
 from kinegrade.worked.case import Case
 from kinegrade.worked.document import Block
-from kinegrade.worked.formulas.atoms import AXES, OTHER, AxisName, add_terms
+from kinegrade.worked.formulas.atoms import AXES, OTHER, add_terms
 from kinegrade.worked.formulas.equation import Equation, drop_repetition, equate
 from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.measures import double
