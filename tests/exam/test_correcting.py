@@ -5,6 +5,7 @@ stay.
 from __future__ import annotations
 
 import json
+import re
 import shutil
 from pathlib import Path
 
@@ -338,3 +339,27 @@ def test_late_students_get_the_corrected_steps_of_a_question_whichever_bank_is_g
     assert late["asks"]["s"]["value"] == pytest.approx(a * t**2 / 2)
     bank.write_text(given.replace("points = 3", "points = 4"), encoding="utf-8")
     assert "bank.toml: differs from what was given" in add_late(tmp_path, bank).stderr
+
+
+def test_large_print_makes_nobody_elses_paper_longer(tmp_path: Path) -> None:
+    folder = write_class(tmp_path)
+    roster = "student,name,format\n007,Ann,\n0012,Bob,large print\n"
+    (folder / "roster.csv").write_text(roster, encoding="utf-8")
+    assert generate(folder, "EXAM").exit_code == 0
+    exam = folder / "EXAM"
+    before = contents(exam)
+    assert correct(exam).exit_code == 0
+    assert contents(exam) == before
+
+
+def test_an_exam_that_large_print_had_made_longer_gets_its_pages_back(tmp_path: Path) -> None:
+    folder = write_class(tmp_path)
+    roster = "student,name,format\n007,Ann,\n0012,Bob,large print\n"
+    (folder / "roster.csv").write_text(roster, encoding="utf-8")
+    assert generate(folder, "EXAM").exit_code == 0
+    exam = folder / "EXAM"
+    before = contents(exam)
+    head = exam / "exam.json"
+    head.write_text(re.sub(r'"pages": *\d+', '"pages":40', head.read_text("utf-8")), "utf-8")
+    assert correct(exam).exit_code == 0
+    assert contents(exam) == before

@@ -43,6 +43,8 @@ from kinegrade.exam.printing.head_record import make_ask
 from kinegrade.exam.printing.printing import Printed, PrintRun
 from kinegrade.exam.printing.reprint import find_printed, kept_run
 from kinegrade.exam.printing.room_booklets import write_room_booklets
+from kinegrade.exam.roster.students import Student
+from kinegrade.exam.roster.usual_pages import count_usual, find_most_pages
 from kinegrade.exam.setting.kept_exam import KeptExam, student_of
 from kinegrade.exam.setting.key_mistakes import find_mistaken_answers
 from kinegrade.exam.setting.key_record import make_key_line
@@ -184,20 +186,24 @@ def _print_alike(
     exam: ExamFolder, run: PrintRun, progress: Progress, print_again: _Printer, folder: Path
 ) -> int:
     """Print all papers over those of the folder, and give the number of pages that each has: that
-    of the longest, or as many as before.
+    of the longest, or as many as before where nobody reads large print.
     """
     keys = {
         name: (folder / name).read_bytes() for name in (KEY, SPARES) if (folder / name).exists()
     }
-    pages = _print_once(exam, run, progress, print_again, folder)
-    if min(pages) < max(pages):
-        pages = _print_once(
-            exam, structs.replace(run, pages=max(pages)), progress, print_again, folder
-        )
+    students = _list_students(exam.head)
+    # Earlier versions made all papers as long as one in large print
+    distrusted = any(student.reads_large_print for student in students)
+    first = structs.replace(run, pages=None if distrusted else run.pages)
+    pages = _print_once(exam, first, progress, print_again, folder)
+    most = find_most_pages(students, pages)
+    if any(count < most for _, count in count_usual(students, pages)):
+        alike = structs.replace(run, pages=most)
+        _print_once(exam, alike, progress, print_again, folder)
     write_room_booklets(folder, map(student_of, exam.head.students))
     for name, lines in keys.items():  # as they were: another version might write other mistakes
         (folder / name).write_bytes(lines)
-    return max(pages)
+    return most
 
 
 def _print_once(
@@ -206,13 +212,15 @@ def _print_once(
     for name in run.extras.folders:
         shutil.rmtree(folder / name)
         (folder / f"{name}.pdf").unlink(missing_ok=True)
-    head = exam.head
-    students = tuple(
-        replace(student_of(each), spare=each in head.spares) for each in head.everybody
-    )
+    students, spare = _list_students(exam.head), list_spare_ids(exam.head)
     with closing(print_again(run)) as papers:
         shown = progress(papers, len(students))
-        return write_papers(folder, run, students, shown, spare=list_spare_ids(head)).pages
+        return write_papers(folder, run, students, shown, spare=spare).pages
+
+
+def _list_students(head: ExamHead) -> tuple[Student, ...]:
+    """Those of all papers, in the order in which they are printed."""
+    return tuple(replace(student_of(each), spare=each in head.spares) for each in head.everybody)
 
 
 def _restate(head: ExamHead, bank: Bank) -> ExamHead:

@@ -16,6 +16,7 @@ from kinegrade.exam.printing.printed_files import replace_papers
 from kinegrade.exam.printing.printing import Extras, Printed, PrintRun
 from kinegrade.exam.roster.roster import Roster
 from kinegrade.exam.roster.students import Student
+from kinegrade.exam.roster.usual_pages import count_usual, find_most_pages
 from kinegrade.exam.setting.dealing import ClassDeal
 from kinegrade.language.message import Fault, Message
 
@@ -31,10 +32,9 @@ def fill_up_papers(
     `pages` are those of each paper. Papers printed together are alike already, so that few remain.
     """
     students = dealt.roster.students
-    counted = list(_count_usual(students, pages))
-    most = max((count for _, count in counted), default=0)
+    most = find_most_pages(students, pages)
     whole = structs.replace(run, pages=most)
-    short = tuple(student for student, count in counted if count < most)
+    short = tuple(student for student, count in count_usual(students, pages) if count < most)
     if short:
         again = print_again(
             structs.replace(whole, extras=Extras()), replace(dealt, roster=Roster(short, ()))
@@ -49,15 +49,6 @@ def list_longer_papers(
     run: PrintRun, students: Sequence[Student], pages: Sequence[int]
 ) -> Iterator[Problem]:
     """A complaint for each paper that has more pages than all papers of the exam before it."""
-    for student, count in _count_usual(students, pages):
+    for student, count in count_usual(students, pages):
         if run.pages and count > run.pages:
             yield Fault(student.student, Message("exam.longer-paper", pages=count, usual=run.pages))
-
-
-def _count_usual(
-    students: Sequence[Student], pages: Sequence[int]
-) -> Iterator[tuple[Student, int]]:
-    """The students with the pages of their papers, but those in large print."""
-    for student, count in zip(students, pages, strict=True):
-        if not student.reads_large_print:
-            yield student, count

@@ -8,8 +8,10 @@ from collections.abc import Generator, Iterator
 from concurrent.futures import Executor
 from dataclasses import dataclass
 from functools import lru_cache
+from itertools import islice
 
 from kinegrade.exam.printing.printing import PressOrder, Printed, PrintRun, print_papers
+from kinegrade.exam.roster.usual_pages import find_most_pages
 from kinegrade.exam.setting.dealing import ClassDeal
 from kinegrade.exam.setting.setting import DealtPaper, Exam, set_papers
 from kinegrade.press.protocol import Press
@@ -55,9 +57,8 @@ def print_class(
     )
     waiting = iter(students)
     for part in map_in_order(workers, _print, tasks, AHEAD * jobs):
-        for printed, student in zip(part, waiting, strict=False):
-            if not student.reads_large_print:
-                longest = max(longest, printed.pages)
+        counts = [printed.pages for printed in part]
+        longest = max(longest, find_most_pages(tuple(islice(waiting, len(part))), counts))
         yield from part
 
 
