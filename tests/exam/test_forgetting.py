@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import csv
+import errno
+import os
 import re
 import shutil
 from pathlib import Path
@@ -47,6 +49,27 @@ def forgotten(tmp_path_factory: pytest.TempPathFactory) -> Path:
     assert done.exit_code == 0, done.stderr
     assert f"{exam}: 3 people forgotten" in done.stderr
     return folder
+
+
+def test_a_disk_that_is_full_is_told_of_in_one_line(
+    forgotten: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The templates were copied by shutil, which has a list of refusals in place of one."""
+    shutil.copytree(forgotten / "BEFORE", tmp_path, dirs_exist_ok=True)
+    before = contents(tmp_path)
+
+    def refuse(here: object, there: object, **_: object) -> None:
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC), str(there))
+
+    with monkeypatch.context() as patched:
+        patched.setattr(shutil, "copyfile", refuse)
+        done = kinegrade("forget", tmp_path / "EXAM", tmp_path / "MARKS", "--yes")
+    assert done.exit_code == 2
+    (line,) = done.stderr.splitlines()
+    assert line.startswith("error: ")
+    assert "No space left on device" in line
+    assert "[(" not in line
+    assert contents(tmp_path) == before
 
 
 @pytest.mark.parametrize("name", ["EXAM", "MARKS"])

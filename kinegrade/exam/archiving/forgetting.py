@@ -12,7 +12,6 @@ from contextlib import ExitStack
 from dataclasses import dataclass
 from pathlib import Path
 from secrets import SystemRandom, token_hex
-from shutil import copytree
 
 from msgspec import structs
 
@@ -36,6 +35,7 @@ from kinegrade.exam.folder.writing import encode_line
 from kinegrade.exam.generating.exam_files import write_head
 from kinegrade.exam.generating.growing.grown_folder import open_grown_folder
 from kinegrade.files.output import output_folder
+from kinegrade.files.placing.copying import copy_tree
 from kinegrade.marks_folder.folder import MarksFolder
 from kinegrade.marks_folder.forgetting import forget_marks
 from kinegrade.marks_folder.layout import FILES, MARKER
@@ -91,7 +91,7 @@ class Forgetting:
         for file in self.exam.path.iterdir():
             if file.name in _STAY or _is_bank(file.name):
                 (folder / file.name).write_bytes(file.read_bytes())
-        copytree(self.exam.path / TEMPLATES, folder / TEMPLATES)  # with its shared mechanisms
+        copy_tree(self.exam.path / TEMPLATES, folder / TEMPLATES)  # with its shared mechanisms
         (folder / KEY).write_bytes(_encode(self.exam.keys.lines(), names))
         if self.exam.keys.has_pool:
             (folder / POOL).write_bytes(_encode(self.exam.keys.pool_lines(), names))
