@@ -41,7 +41,8 @@ class JudgedBlock:
     right `to_figures`. Where none is said, which is 0, `reasons` are those that are not empty, and
     `mistakes` those that lead to the answer. `by_policy` is where the rule was not the paper's.
     `worded` are reasons that have been put in words already; `accepted` are the numbers of the
-    policy's answers that answers of this kind agree with.
+    policy's answers that answers of this kind agree with, `rests_on` the asks from whose answers
+    one follows.
     """
 
     rows: Rows
@@ -61,6 +62,7 @@ class JudgedBlock:
     mistakes: dict[int, tuple[str, ...]] = field(default_factory=dict)
     worded: dict[int, str] = field(default_factory=dict)
     accepted: dict[int, int] = field(default_factory=dict)
+    rests_on: dict[int, tuple[str, ...]] = field(default_factory=dict)
 
     @classmethod
     def begin(
@@ -98,6 +100,8 @@ class JudgedBlock:
         self.mistakes[place] = verdict.mistakes
         if verdict.accepted:
             self.accepted[place] = verdict.accepted
+        if verdict.rests_on:
+            self.rests_on[place] = verdict.rests_on
         self.put_share(place, share)
 
     def put_unread(self, verdicts: Mapping[int, Verdict]) -> None:
@@ -177,5 +181,6 @@ class JudgedBlock:
             mistakes=self.find_mistakes(place),
             by_policy=bool(self.by_policy[place]),
             accepted=self.accepted.get(place, 0),
+            rests_on=self.rests_on.get(place, ()),
         )
         return verdict, self.credits[self.shares[place]]

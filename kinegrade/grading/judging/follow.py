@@ -201,7 +201,8 @@ def _find_credits(
                 is_trivial(name, used, earlier.keys[name], later) for name in wrong
             ):
                 comparison = judge(answer.reading, beside(value)).comparison
-                yield Verdict("follow-through", _explain(question, used, comparison)), wrong
+                reason, rests_on = _explain(question, used, comparison), tuple(sorted(wrong))
+                yield Verdict("follow-through", reason, rests_on=rests_on), wrong
 
 
 def _is_copied(answer: Decided, own: Fraction, right: Fraction) -> bool:

@@ -53,7 +53,7 @@ class Verdict:
     `comparison` says how far a number is from the one it was compared with. `mistakes` are the
     known mistakes that lead to it, the likeliest first; `by_policy` is whether it was compared by
     another rule than the paper's; `accepted` is the number of the policy's answer that it agrees
-    with, 0 for none.
+    with, 0 for none. `rests_on` are the asks whose answers another one follows from.
     """
 
     kind: Kind
@@ -62,6 +62,7 @@ class Verdict:
     mistakes: tuple[str, ...] = ()
     by_policy: bool = False
     accepted: int = 0
+    rests_on: tuple[str, ...] = ()
 
 
 def judge(reading: Reading, key: Key) -> Verdict:
