@@ -142,8 +142,8 @@ def test_a_circle_that_turns_is_checked_by_a_coordinate_of_the_point_on_it() -> 
     assert read_checks("eccentric-cam-offset-follower")[0] == Check(
         "the time derivative of $y_{A}$",
         r"v_{\mathrm{a}} = -1.6\,\unit{m/s}",
-        r"\omega_{\text{cam}}\,x_{A} + \frac{v_{\mathrm{r}}}{r}\,(x_{A} - x_{C}) ="
-        r" -10\,\unit{rad/s} \cdot (-0.32\,\unit{m}) + \frac{5\,\unit{m/s}}{0.5\,\unit{m}} \cdot"
+        r"\omega_{\text{cam}}\,x_{A} - \frac{v_{\mathrm{r}}}{r}\,(x_{A} - x_{C}) ="
+        r" -10\,\unit{rad/s} \cdot (-0.32\,\unit{m}) - \frac{-5\,\unit{m/s}}{0.5\,\unit{m}} \cdot"
         r" (-0.48\,\unit{m}) = -1.6\,\unit{m/s}",
     )
 

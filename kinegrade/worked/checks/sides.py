@@ -78,7 +78,7 @@ class Side:
         zero = not (digits and double(self.value))
         number = ZERO if zero else self._round(digits)
         stated = ZERO if zero else Measured(number, unit)
-        if self._misses(number, notation):
+        if self.count_digits(notation) < DIGITS or self._misses(number, notation):
             return approximate(stated)
         printed = find_printed_value(self.numbers, notation)
         away = abs(printed - find_printed_value(number)) > _EQUAL * max(abs(printed), 1e-3)

@@ -97,10 +97,10 @@ def _measure_undrawn(caption: str, arrows: Iterable[_Arrow]) -> float:
 
 
 def _read_scale_unit(caption: str) -> float:
-    """What the unit at the end of a caption is in SI: "1 mm corresponds to 2 cm/s", before the
-    vectors that are too short to draw.
+    """What the unit at the end of a caption is in SI: "1 mm corresponds to 2 cm/s", before
+    arrows drawn as outlines and vectors that are too short to draw.
     """
-    scale = _BRACKET.split(caption)[0]
+    scale = _BRACKET.split(caption)[0].partition(";")[0]
     return read_unit(scale.rsplit(maxsplit=1)[-1].replace("²", "^2")).value
 
 
