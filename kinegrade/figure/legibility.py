@@ -10,7 +10,7 @@ from itertools import combinations
 from math import hypot
 from operator import attrgetter
 
-from kinegrade.figure.marks.lengths.dimensions import find_measured_direction
+from kinegrade.figure.marks.lengths.measured_direction import find_measured_direction
 from kinegrade.figure.mechanism.fitting import HEIGHT, WIDTH, measure_span
 from kinegrade.figure.mechanism.view import crop_to_view
 from kinegrade.figure.sketch import Sketcher, sketch

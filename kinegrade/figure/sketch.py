@@ -27,7 +27,6 @@ from kinegrade.figure.marks.lengths.extension_gaps import Around
 from kinegrade.figure.marks.names import find_named_points, keep_from_marks, label_points
 from kinegrade.figure.marks.radii import add_radii
 from kinegrade.figure.marks.right_angles import add_right_angle
-from kinegrade.figure.marks.rotations import add_rotations
 from kinegrade.figure.marks.sides import find_sides, hide_sides
 from kinegrade.figure.marks.straight.arrow_places import Site
 from kinegrade.figure.marks.straight.motions import (
@@ -36,6 +35,7 @@ from kinegrade.figure.marks.straight.motions import (
     list_likely_motions,
     list_likely_symbols,
 )
+from kinegrade.figure.marks.turning.rotations import add_rotations
 from kinegrade.figure.mechanism.fitting import HEIGHT, WIDTH, fit_scene, measure_span
 from kinegrade.figure.mechanism.layers import Drawing, draw
 from kinegrade.figure.mechanism.paper import scale_to_paper

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from functools import partial
 from math import acos, cos, degrees, pi, radians
 
-from kinegrade.figure.marks.lengths.dimensions import find_measured_direction
+from kinegrade.figure.marks.lengths.measured_direction import find_measured_direction
 from kinegrade.figure.marks.sweep import find_sweep
 from kinegrade.figure.placing.mark import direction
 from kinegrade.figure.plane import angle_of, length

@@ -8,10 +8,10 @@ from math import pi
 
 from kinegrade.figure.joints.symbol import Rim
 from kinegrade.figure.marks.imposed import find_imposed_sense
-from kinegrade.figure.marks.lengths.dimensions import find_measured_direction
-from kinegrade.figure.marks.rotations import find_turning_centre
+from kinegrade.figure.marks.lengths.measured_direction import find_measured_direction
 from kinegrade.figure.marks.straight.arrow_places import Site
 from kinegrade.figure.marks.sweep import find_sweep
+from kinegrade.figure.marks.turning.pivots import find_turning_centre
 from kinegrade.figure.placing.mark import direction
 from kinegrade.figure.plane import angle_of, length, polar, unit
 from kinegrade.figure.scene import Bow, Outline, Primitive, Strokes

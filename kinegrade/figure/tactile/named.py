@@ -7,7 +7,7 @@ from typing import assert_never
 
 from kinegrade.figure.marks.names import write_point_symbol
 from kinegrade.figure.marks.radii import find_marked_rim
-from kinegrade.figure.marks.rotations import find_turning_centre
+from kinegrade.figure.marks.turning.pivots import find_turning_centre
 from kinegrade.figure.mechanism.straight.broad_links import find_frame_place
 from kinegrade.figure.mechanism.straight_parts import Bar, Rod, SlottedDisc
 from kinegrade.figure.scene import Box

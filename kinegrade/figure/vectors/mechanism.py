@@ -11,7 +11,7 @@ from functools import cache, partial
 
 from kinegrade.figure.marks.body_names import add_body_names
 from kinegrade.figure.marks.names import label_points
-from kinegrade.figure.marks.rotations import add_rotations
+from kinegrade.figure.marks.turning.rotations import add_rotations
 from kinegrade.figure.mechanism.fitting import Room, find_fitting_scale, fit_scene
 from kinegrade.figure.mechanism.layers import Drawing
 from kinegrade.figure.placing.layout import Layout
@@ -20,12 +20,7 @@ from kinegrade.figure.plane import length
 from kinegrade.figure.scene import Primitive, Scene
 from kinegrade.figure.vectors.arrows import VectorArrow, put_side_by_side
 from kinegrade.figure.vectors.leaders import WALLS, write_symbol
-from kinegrade.figure.vectors.plain_mechanism import (
-    LARGE,
-    PICTURE,
-    BareMechanism,
-    find_pins,
-)
+from kinegrade.figure.vectors.plain_mechanism import LARGE, PICTURE, BareMechanism, find_pins
 from kinegrade.figure.vectors.symbols import foresee_symbol, wish_at_tip
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector

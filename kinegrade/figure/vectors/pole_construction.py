@@ -11,7 +11,7 @@ from math import pi
 
 from kinegrade.figure.marks.body_names import add_body_names
 from kinegrade.figure.marks.names import label_points
-from kinegrade.figure.marks.rotations import list_turning_arrows
+from kinegrade.figure.marks.turning.rotations import list_turning_arrows
 from kinegrade.figure.marks.turning_arrow import TurningArrow
 from kinegrade.figure.mechanism.fitting import Room, fit_scene
 from kinegrade.figure.placing.layout import Layout

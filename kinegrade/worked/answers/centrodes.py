@@ -17,11 +17,12 @@ from kinegrade.problem.template.template import Ask
 from kinegrade.worked.answers.centrode_proofs import describe_proof, find_proof, state_radius
 from kinegrade.worked.case import Case
 from kinegrade.worked.document import Block
-from kinegrade.worked.formulas.atoms import Measured, Number, Symbol, Tuple
+from kinegrade.worked.formulas.atoms import Measured, Number, Symbol
 from kinegrade.worked.formulas.equation import Equation, Link
 from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.numbers import round_number, state_number, state_quantity
 from kinegrade.worked.formulas.symbols import read_symbol
+from kinegrade.worked.formulas.tuples import Tuple
 from kinegrade.worked.steps.poles.poles import explain_pole, name_pole
 
 _SHOWN = 4

@@ -5,8 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from decimal import Decimal
-from functools import reduce
-from operator import add
 from typing import ClassVar, Literal
 
 from kinegrade.language.math.tree import DEGREE, Letter, Lettering, Row, Scripts, Sign, Space, Unit
@@ -153,22 +151,6 @@ class VectorSymbol(Formula):
         base = Lettering("boldsymbol", (letter,)) if self.bold else letter
         lower = (*self.lower, *axis)
         return (Scripts(base, lower or None, 0, upper),) if lower or upper else (base,)
-
-
-@dataclass(frozen=True)
-class Tuple(Formula):
-    """Formulas in one pair of brackets: coordinates, or the arguments of what is named before."""
-
-    parts: tuple[Formula, ...]
-    name: str = ""
-
-    def print(self, notation: Notation = PLAIN) -> Row:
-        """The math tree."""
-        first, *others = (part.print(notation) for part in self.parts)
-        inner = reduce(add, ((Sign(","), Space(" "), *row) for row in others), first)
-        words = [Lettering("mathrm", tuple(map(Letter, word))) for word in self.name.split("_")]
-        head = words[0], *(node for word in words[1:] for node in (Space(" "), word))
-        return (*(head if self.name else ()), *enclose(inner))
 
 
 @dataclass(frozen=True)

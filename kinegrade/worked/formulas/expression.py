@@ -19,10 +19,11 @@ from kinegrade.expressions.tree import Call, Expression, Name, Operation, is_lit
 from kinegrade.expressions.tree import Number as Literal
 from kinegrade.numbers.rounded_text import write_decimal
 from kinegrade.problem.quantity import is_short_decimal
-from kinegrade.worked.formulas.atoms import ZERO, Number, Tuple, add_terms, multiply_factors
+from kinegrade.worked.formulas.atoms import ZERO, Number, add_terms, multiply_factors
 from kinegrade.worked.formulas.formula import Absolute, Formula
 from kinegrade.worked.formulas.functions import Function, FunctionName, Root
 from kinegrade.worked.formulas.symbols import name_quantity
+from kinegrade.worked.formulas.tuples import Tuple
 
 _ONE = read_expression("1")
 TRIGONOMETRY: Mapping[str, FunctionName] = {"sin": "sin", "cos": "cos", "tan": "tan"}

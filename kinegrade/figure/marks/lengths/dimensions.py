@@ -7,25 +7,21 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from functools import partial
 from math import copysign, inf, pi
-from typing import assert_never
 
-from msgspec import Struct
 from msgspec.structs import replace
 
-from kinegrade.figure.marks.frames import FrameAxis
+from kinegrade.figure.marks.lengths.dimension_company import DimensionCompany, list_beside
 from kinegrade.figure.marks.lengths.dimension_lines import DimensionLine, SymbolBeside
 from kinegrade.figure.marks.lengths.extension_gaps import Around, Gap, find_gap
 from kinegrade.figure.marks.lengths.length_leaders import list_leaders
-from kinegrade.figure.marks.straight.motions import gather_arrows
+from kinegrade.figure.marks.lengths.measured_direction import find_measured_direction
 from kinegrade.figure.placing.joining import Join, divides, find_join, part_line
 from kinegrade.figure.placing.layout import Layout, no_others
 from kinegrade.figure.placing.mark import Mark
 from kinegrade.figure.placing.obstacles import Obstacles, Segment
-from kinegrade.figure.placing.ownership import CLAIMING, widen_labels
-from kinegrade.figure.plane import NEAR, angle_of, length, unit
-from kinegrade.figure.scene import THIN, Bow, Outline, Primitive
+from kinegrade.figure.plane import NEAR, angle_of, length
 from kinegrade.mechanics.vector import Vector
-from kinegrade.problem.template.hints import Length, Projection
+from kinegrade.problem.template.hints import Length
 
 # Millimetres, of dimension lines
 _OFFSETS = tuple(
@@ -42,31 +38,8 @@ _SHORT = 4.0  # millimetres of a gap that still leave room for a line of the lea
 _PART, _LEG = 20.0, 3.0
 # Demerits of a symbol alone beside the line that joins two points, if any does
 _JOINED: Mapping[Join, float] = {"whole": 0.0, "part": _PART, "none": inf}
-_ON_ARROW = 45.0  # demerit of a dimension across the arrow of a motion
-_ON_AXIS = 12.0  # demerit of a dimension line across the axis of a frame
-_ON_GROUND = 8.0  # demerit of a dimension across the hatching of the ground
-_HEAD_ON_LINE = 16.0  # demerit of a dimension whose arrowhead lies on something
-# Demerits of a dimension line close beside another, of one that is cut by an extension line, and of
-# one that goes on from another one at another distance
-_CLOSE, _CUT, _STAGGERED = 6.0, 12.0, 6.0
-_ON_MARK = 8.0  # demerit of a dimension across the arc of an angle or the mark of a right one
-# Demerit of an extension line that seems to begin at another point, and millimetres from that
-_AT_OTHER, _BESIDE_POINT = 8.0, 2.2
 Gaps = tuple[Gap, Gap]
 _DRAWN_GAP = 2.5  # millimetres by which a line between two points may miss either of them
-
-
-def find_measured_direction(along: Projection | None, start: Vector, end: Vector) -> Vector:
-    """The unit vector along which a distance is measured."""
-    match along:
-        case "horizontal":
-            return Vector(1.0, 0.0)
-        case "vertical":
-            return Vector(0.0, 1.0)
-        case None:
-            return unit(end - start)
-        case _:
-            assert_never(along)
 
 
 def add_length(
@@ -81,7 +54,7 @@ def add_length(
     where one of the `others` takes the rest of that line.
     """
     start, end = at[hint.start], at[hint.end]
-    company = _Company.of(layout, around.ground, _list_beside(at, hint))
+    company = DimensionCompany.of(layout, around.ground, list_beside(at, hint))
     dimensions = _list_dimensions(at, hint, around)
     join = find_join(around.drawn, start, end, _DRAWN_GAP)
     shares = join == "part" and any(_share_line(at, hint, each, around.drawn) for each in others)
@@ -101,87 +74,6 @@ def add_length(
         if found.costs[-1] < least and found.crowded == layout.crowded:
             return found  # none that is farther off can be better
     return layout.marked([*close, *map(company.rate, far), *letters], (), leaders)
-
-
-class _Company(Struct, frozen=True):
-    """What a dimension has to keep off as a whole: letters and what is about them, the arrows of
-    motions, and with its line, other than with its extension lines, the axes of frames and all that
-    is firm; with its arrowheads all that is drawn; the ground; the arcs and squares of angles,
-    earlier dimensions and other points.
-    """
-
-    written: Obstacles
-    claimed: Obstacles
-    arrows: Obstacles
-    axes: Obstacles
-    firm: Obstacles
-    drawn: Obstacles
-    ground: Obstacles
-    angles: Obstacles
-    earlier: tuple[DimensionLine, ...]
-    others: tuple[Vector, ...]
-
-    @staticmethod
-    def of(layout: Layout, ground: Obstacles, others: tuple[Vector, ...]) -> _Company:
-        """What there is in a layout."""
-        return _Company(
-            Obstacles.of(layout.labels),
-            widen_labels(layout.labels),
-            gather_arrows(layout.marks),
-            Obstacles.of(_list_axes(layout)),
-            layout.obstacles.firm(),
-            layout.obstacles,
-            ground,
-            Obstacles.of(filter(_marks_angle, layout.lines)),
-            tuple(mark for mark in layout.marks if isinstance(mark, DimensionLine)),
-            others,
-        )
-
-    def rate(self, mark: DimensionLine) -> DimensionLine:
-        """The dimension with its demerit here: it stands well apart from earlier ones, or goes on
-        from one of them in its line, where their heads meet.
-        """
-        chain = [
-            part for each in self.earlier if mark.goes_on_from(each) for part in each.primitives()
-        ]
-        goes_on = bool(chain)
-        begins, path = mark.beginnings(), mark.path()
-        worse = _CLOSE * sum(map(mark.crowds, self.earlier))
-        worse += _CUT * sum(map(mark.cuts, self.earlier))
-        worse += _STAGGERED * (not goes_on and any(map(mark.adjoins, self.earlier)))
-        worse -= Obstacles.of(chain).along(path, mark.shared)
-        worse += self.written.along(begins, mark.shared)
-        worse += CLAIMING * (self.claimed.along(mark.whole(), mark.shared) > 0)
-        worse += _ON_ARROW * (self.arrows.along(path, mark.shared) > 0)
-        worse += _ON_AXIS * (self.axes.along(path[:1], mark.shared) > 0)
-        worse += self.firm.along(path[:1], mark.shared)
-        worse += _ON_GROUND * (self.ground.along(path, mark.shared) > 0)
-        worse += _HEAD_ON_LINE * (not goes_on and self.drawn.along(mark.heads(), shared=False) > 0)
-        worse += _ON_MARK * (self.angles.along((*begins, *path), mark.shared) > 0)
-        worse += _AT_OTHER * any(mark.begins_at(point, _BESIDE_POINT) for point in self.others)
-        return replace(mark, demerit=mark.demerit + worse) if worse else mark
-
-
-def _list_beside(at: Mapping[str, Vector], hint: Length) -> tuple[Vector, ...]:
-    """The other points that extension lines of a length might seem to begin at."""
-    start, end = at[hint.start], at[hint.end]
-    measured = find_measured_direction(hint.along, start, end)
-    return tuple(
-        point
-        for point in at.values()
-        if min(abs((point - own).dot(measured)) for own in (start, end)) < _BESIDE_POINT
-        and min(length(point - own) for own in (start, end)) > NEAR
-    )
-
-
-def _list_axes(layout: Layout) -> list[Primitive]:
-    axes = [mark for mark in layout.marks if isinstance(mark, FrameAxis)]
-    return [part for axis in axes for part in axis.primitives()]
-
-
-def _marks_angle(part: Primitive) -> bool:
-    """Whether something drawn is the arc of an angle, or the square of a right one."""
-    return isinstance(part, Bow | Outline) and part.pen == THIN
 
 
 def _list_dimensions(at: Mapping[str, Vector], hint: Length, around: Around) -> list[DimensionLine]:

@@ -8,11 +8,11 @@ from math import pi
 
 from msgspec.structs import replace
 
-from kinegrade.figure.joints.symbol import find_fixed_pin
 from kinegrade.figure.marks.imposed import find_imposed_sense
 from kinegrade.figure.marks.lengths.claims import widen_written
 from kinegrade.figure.marks.lengths.dimensions import find_extension_angles
 from kinegrade.figure.marks.tied_arrows import list_tied_arrows, turns_among_bodies
+from kinegrade.figure.marks.turning.pivots import find_turning_centre
 from kinegrade.figure.marks.turning_arrow import Company, TurningArrow
 from kinegrade.figure.marks.turning_radii import (
     BEYOND,
@@ -29,7 +29,7 @@ from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.placing.obstacles import Segment
 from kinegrade.figure.placing.ownership import Claims, list_places
 from kinegrade.figure.placing.place import Wish
-from kinegrade.figure.plane import NEAR, angle_of, length, mean, shorter_way
+from kinegrade.figure.plane import NEAR, angle_of, length, shorter_way
 from kinegrade.figure.scene import PITCH, THIN, Bow, Disc, Label, Primitive
 from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.mechanism import Mechanism
@@ -123,13 +123,6 @@ def _find_claims(
         tuple(pins),
         tuple(list_places(list_thin_lines(layout.lines), centre, _ABOUT)),
     )
-
-
-def find_turning_centre(mechanism: Mechanism, hint: Turning, drawing: Drawing) -> Vector:
-    """Where a rotation is marked."""
-    if hint.of == GROUND:
-        return _find_pivot(mechanism, hint.body, drawing)
-    return _find_common_point(mechanism, hint)
 
 
 def _list_arrows(
@@ -234,25 +227,3 @@ def list_turning_arrows(
             demerit = 1.5 * abs(radius - radii[0]) + astray * abs(shorter_way(angle - toward))
             found.append(TurningArrow(bow, hint, demerit))
     return found
-
-
-def _find_common_point(mechanism: Mechanism, hint: Turning) -> Vector:
-    """Where a body is pinned to the one it turns relative to; the mean of its points when it is
-    not.
-    """
-    points, others = mechanism.body(hint.body).points, mechanism.body(hint.of).points
-    common = [name for name in points if name in others]
-    return mean(mechanism.points[name] for name in common or points)
-
-
-def _find_pivot(mechanism: Mechanism, body: str, drawing: Drawing) -> Vector:
-    """Where a body's rotation is marked: its fixed pin, else its circle's centre, else the mean of
-    its points.
-    """
-    pin = find_fixed_pin(drawing.symbols, body)
-    if pin is not None:
-        return mechanism.points[pin]
-    for rim in drawing.rims:
-        if rim.body == body:
-            return rim.at
-    return mean(mechanism.points[name] for name in mechanism.body(body).points)

@@ -1,0 +1,1 @@
+"""Rotations as curved arrows about pivots."""
