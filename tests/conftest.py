@@ -22,7 +22,7 @@ from tests.golden_files import BANK, GOLDEN, Hold, drop_tests_without_goldens
 from tests.kept_results import keep_results
 from tests.kept_volumes import keep_volumes
 from tests.one_process import work_in_one_process
-from tests.parts import group_tests
+from tests.parts import group_tests, keep_part
 from tests.problem.crank import crank_text
 from tests.repeated_secrets import repeat_secrets
 from tests.sampling import drop_unsampled
@@ -46,6 +46,9 @@ def pytest_addoption(parser: pytest.Parser) -> None:
         action="store_true",
         help="Write the files of tests/golden/ anew, by the tests that hold them alone.",
     )
+    parser.addoption(
+        "--part", help="One of several runs: 0/6 is the first of six (tests/parts.py)."
+    )
 
 
 def pytest_configure(config: pytest.Config) -> None:
@@ -67,6 +70,8 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
         drop_tests_without_goldens(config, items)
     if "PYTEST_XDIST_WORKER" in os.environ:
         group_tests(items)
+    if part := config.getoption("--part"):
+        keep_part(config, items, part)
 
 
 def _proves(config: pytest.Config) -> bool:

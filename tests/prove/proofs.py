@@ -42,7 +42,7 @@ EACH = len(find_template_names())  # so many seeds that follow each other fall o
 PROOFS = (
     Proof("damaged files", damaged_files.hold, cases=10_000, batch=100, sample=82),
     Proof("properties", properties.hold, cases=264, batch=1, sample=0),
-    Proof("whole tests", whole_tests.hold, cases=len(whole_tests.files()), batch=1, sample=0),
+    Proof("whole tests", whole_tests.hold, cases=len(whole_tests.cases()), batch=1, sample=0),
     Proof("independent positions", independent_positions.hold, cases=5_000, batch=50, sample=25),
     Proof("sound templates", sound_templates.hold, cases=200, batch=10, sample=0),
     Proof("clear figures", clear_figures.hold, cases=2_000, batch=100, sample=4),
@@ -68,6 +68,7 @@ PROOFS = (
     Proof("resumed papers", resumed_papers.hold, cases=1, batch=1, sample=0),
     Proof("printed pages", printed_pages.hold, cases=32, batch=1, sample=0),
     Proof("practice sheets", practice_sheets.hold, cases=EACH, batch=6, sample=0),
+    Proof("typed texts", practice_sheets.hold_texts, cases=200, batch=25, sample=1),
     Proof("practice sheet size", practice_sheets.hold_size, cases=1, batch=1, sample=0),
     Proof("practice access", practice_access.hold, cases=EACH, batch=8, sample=0),
     Proof("accessible pages", accessible_pages.hold, cases=20 * EACH, batch=51, sample=2),

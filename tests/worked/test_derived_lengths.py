@@ -63,8 +63,11 @@ def test_a_distance_by_one_coordinate_stands_after_the_other_ones_are_equal(name
         for first, second, _, axis in LEVEL.findall(told):
             across = "y" if axis == "x" else "x"
             letters = re.escape(f"{across}_{{{first}}}"), re.escape(f"{across}_{{{second}}}")
-            level = rf"({letters[0]} - {letters[1]}|{letters[0]}|{letters[1]}) &= .*0$"
-            assert re.search(level, told, re.MULTILINE), f"{first}{second}"
+            level = rf"^ *({letters[0]} - {letters[1]}|{letters[0]}|{letters[1]}) &= .*0$"
+            equal = (
+                rf"^ *({letters[0]} &= {letters[1]}|{letters[1]} &= {letters[0]})( =| \\approx|$)"
+            )
+            assert re.search(rf"{level}|{equal}", told, re.MULTILINE), f"{first}{second}"
 
 
 def test_it_does_so_where_points_are_level_at_this_instant_alone() -> None:

@@ -37,6 +37,7 @@ WITHOUT = frozenset(
         "rolling-wheel-pole-acceleration",
         "rolling-wheel-rim-points",
         "toggle-press",
+        "triangle-pose-three-frames",
         "two-link-robot-arm",
         "wheel-inside-circular-track",
         "wheel-on-circular-track",
