@@ -20,6 +20,7 @@ from kinegrade.exam.keyed_exam import read_whole
 from kinegrade.files.cell_text import shorten
 from kinegrade.files.csv_writing import encode, neutralise
 from kinegrade.files.tables import read_table
+from kinegrade.grading.by_hand import addresses
 from kinegrade.grading.grade import MarkingWishes, grade
 from kinegrade.grading.marks import Mark
 from kinegrade.grading.policy.policy import AS_PRINTED
@@ -108,3 +109,12 @@ def test_what_was_written_is_read_again_once(
     monkeypatch.setattr(marks_folder, "read_totals", count)
     kinegrade.grade(kinegrade.open_exam(tmp_path), tmp_path / "answers.csv", tmp_path / "MARKS")
     assert len(read) == 1
+
+
+def test_addresses_of_a_class_are_compared_for_marks_by_hand_alone(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    write_class(tmp_path, Random(1), 12)
+    monkeypatch.setattr(addresses, "make_header_key", None)
+    found = kinegrade.grade(kinegrade.open_exam(tmp_path), tmp_path / "answers.csv", tmp_path / "M")
+    assert len(found.grades.grades) == 12

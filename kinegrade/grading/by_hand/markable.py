@@ -5,7 +5,6 @@ points.
 from __future__ import annotations
 
 import re
-from collections import Counter
 from collections.abc import Mapping, Sequence, Set
 from dataclasses import dataclass
 from fractions import Fraction
@@ -14,7 +13,7 @@ from kinegrade.ask_names import AskNames
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.roster.student_ids import StudentIds
 from kinegrade.exam.roster.student_names import StudentNames
-from kinegrade.files.cell_text import make_header_key
+from kinegrade.grading.by_hand.addresses import Addresses
 from kinegrade.grading.policy.policy import Policy
 from kinegrade.grading.same_key import identify_exam
 from kinegrade.language.message import Message, Quoted, Text, list_plainly
@@ -32,7 +31,7 @@ class Markable:
     of each paper that has others than the exam, or in another order; the policy `dropped` some
     questions and asks. The exam is known by its `identity`; its `students` are as in the roster,
     `codes` those of their papers, `had` those that they had before an exchange, and `spares` papers
-    of nobody; `addresses` are those of e-mail that one student has, with the student.
+    of nobody; `addresses` are those of e-mail.
     """
 
     identity: str
@@ -47,7 +46,7 @@ class Markable:
     orders: Mapping[str, tuple[str, ...]]
     by_hand: tuple[str, ...]
     dropped: Set[str]
-    addresses: Mapping[str, str]
+    addresses: Addresses
 
     @property
     def questions(self) -> Sequence[str]:
@@ -56,7 +55,7 @@ class Markable:
 
     def find_student(self, cell: str) -> str | None:
         """The student with that id, code of a paper or address."""
-        return self.ids.exact(cell) or self.addresses.get(make_header_key(cell))
+        return self.ids.exact(cell) or self.addresses.find(cell)
 
     def is_held(self, student: str, question: str) -> bool:
         """Whether a student's paper holds a question."""
@@ -114,16 +113,8 @@ def find_markable(
     now = exam.former_ids
     had = {(now.get(student, student), code) for student, code in exam.codes_before}
     students = exam.students, ids, codes, had, spares, people
-    addresses = _list_addresses(exam)
-    rules = names, maxima, orders, by_hand, dropped, addresses
+    rules = names, maxima, orders, by_hand, dropped, Addresses(head.students)
     return Markable(identify_exam(head), *students, *rules)
-
-
-def _list_addresses(exam: ExamFolder) -> Mapping[str, str]:
-    """The students by their addresses, without those that several have."""
-    listed = [(make_header_key(each.email), each.student) for each in exam.head.students]
-    counted = Counter(address for address, _ in listed)
-    return {address: each for address, each in listed if address and counted[address] == 1}
 
 
 def _is_dropped(column: str, exam: ExamFolder, policy: Policy) -> bool:
