@@ -129,7 +129,10 @@ def _say_carried(joint: Mesh | Belt, sentence: JointSentence, subject: Subject) 
 def _name_shapes(sentence: JointSentence, subject: Subject) -> Iterator[Message]:
     """The lines and circles of a joint in prose, in the order of its sentence."""
     for shape in (sentence.circle, sentence.on):
-        if shape is not None and shape.function == "circle":
-            yield describe_circle(shape, subject.instance)
-        elif shape is not None:
-            yield describe_line(shape, subject.instance)
+        if shape is None:
+            continue
+        named = subject.numbers.name_in_call(shape)
+        if shape.function == "circle":
+            yield describe_circle(named, subject.telling)
+        else:
+            yield describe_line(named, subject.telling)

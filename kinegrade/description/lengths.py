@@ -41,4 +41,5 @@ def _list_lengths(subject: Subject) -> Iterator[str]:
     for name, tree in subject.template.scheme.lengths.items():
         if name in named:
             letter = subject.case.text(subject.instance.symbols[name])
-            yield f"${letter} = {subject.text(tree)}$"
+            length = subject.telling.text(subject.numbers.name(tree))
+            yield f"${letter} = {length}$"

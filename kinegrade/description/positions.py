@@ -9,7 +9,7 @@ where joints and marks leave a position open.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import assert_never
 
 from kinegrade.description.determined import (
@@ -36,7 +36,8 @@ def say_positions(subject: Subject) -> Iterator[Message]:
     told = choose_told(subject)
     for step in told.steps:
         direction = say_direction(step, told.find_named(step), subject)
-        yield direction or say_place(step, subject.instance)
+        named = replace(step, tree=subject.numbers.name(step.tree))
+        yield direction or say_place(named, subject.telling)
     yield from (say_mark(mark, subject) for mark in told.marks)
     for point in told.placed:
         side = say_side(point, _find_neighbour(point, told.marks, subject), subject)

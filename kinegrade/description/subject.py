@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
+from kinegrade.description.numbers import NumberLengths
 from kinegrade.expressions.tree import Expression, find_names
 from kinegrade.language import Language
 from kinegrade.language.message import Listing, Message, list_all, list_plainly
@@ -106,6 +107,21 @@ class Subject:
     def doubles(self) -> Mapping[str, Vector]:
         """The places of the points that are described, in doubles, m."""
         return {step.point: self.values[step.point] for step in self.steps}
+
+    @property
+    def numbers(self) -> NumberLengths:
+        """The numbers of the template that are lengths."""
+        return NumberLengths(self.template)
+
+    @cached_property
+    def telling(self) -> Instance:
+        """The instance in which numbers that are lengths have names."""
+        shapes = [shape for _, joint in self.joints for shape in (joint.circle, joint.on)]
+        trees = [*(step.tree for step in self.steps), *self.template.scheme.lengths.values()]
+        instance = self.instance
+        for tree in (*trees, *filter(None, shapes)):
+            instance = self.numbers.tell(instance, tree)
+        return instance
 
     def body(self, name: str) -> Message:
         """A body in prose."""
