@@ -71,6 +71,36 @@ def test_what_was_typed_and_marked_under_the_old_id_goes_on(exam: Path) -> None:
     assert "4711" in kinegrade("explain", exam, marks, "0012").stdout
 
 
+def test_answers_one_below_the_other_by_both_ids_are_those_of_one_attempt(exam: Path) -> None:
+    """Those by the old id were nobody's as soon as the new one stood in the file."""
+    sheet, marks = exam.with_name("typed.csv"), exam.with_name("MARKS")
+    kinegrade("exchange", exam, "0012", "4711", *NEW)
+    first, second, *_ = open_exam(exam).head.columns
+    for one, other in (("0012", "4711"), ("4711", "0012")):
+        lines = f"{one},{first},1.5\n{other},{second},2.5\n"
+        sheet.write_text(f"student,ask,answer\n{lines}", encoding="utf-8")
+        done = kinegrade("grade", exam, sheet, "-o", marks, "--force")
+        assert "no student" not in done.stderr
+        typed = {
+            f"{row['question']}.{row['ask']}": row["response"]
+            for row in table(marks / "marks.csv")
+            if row["student"] == "4711"
+        }
+        assert (typed[first], typed[second]) == ("1.5", "2.5")
+
+
+def test_rows_by_both_ids_are_attempts_of_one_student(exam: Path) -> None:
+    sheet, marks = exam.with_name("typed.csv"), exam.with_name("MARKS")
+    kinegrade("exchange", exam, "0012", "4711", *NEW)
+    column = open_exam(exam).head.columns[0]
+    sheet.write_text(f"student,{column}\n4711,1.5\n0012,2.5\n", encoding="utf-8")
+    done = kinegrade("grade", exam, sheet, "-o", marks, "--force")
+    assert "no student" not in done.stderr
+    responses = [row["response"] for row in table(marks / "marks.csv") if row["student"] == "4711"]
+    assert "2.5" in responses
+    assert "1.5" not in responses
+
+
 def test_what_was_changed_under_the_old_id_is_explained_under_the_new_one(exam: Path) -> None:
     sheet, hands, marks = (exam.with_name(name) for name in ("typed.csv", "hands.csv", "MARKS"))
     sheet.write_text("student,q1.v_B\n0012,1\n", encoding="utf-8")

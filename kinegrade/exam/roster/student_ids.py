@@ -45,8 +45,9 @@ class StudentIds:
     ('0012345', None, ('0012345',), ('S9',))
     >>> ids.exact("kOql 9fhm")
     'S9'
-    >>> StudentIds(["0077"], {}, {"0012345": "0077"}).near("12345")
-    ('0077',)
+    >>> renamed = StudentIds(["0077"], {}, {"0012345": "0077"})
+    >>> renamed.formerly("0012345"), renamed.formerly("12345"), renamed.near("12345")
+    ('0077', None, ('0077',))
     """
 
     def __init__(
@@ -86,6 +87,14 @@ class StudentIds:
         found = known.get(cell) or known.get(make_student_key(cell)) or known.get(_unwrap(cell))
         return found or self.coded(cell)
 
+    @cached_property
+    def _former_keys(self) -> Mapping[str, str]:
+        return {make_student_key(before): student for before, student in self._former.items()}
+
+    def formerly(self, cell: str) -> str | None:
+        """The student who had that id, which nobody else is given."""
+        return self._former_keys.get(_unwrap(cell)) if self.exact(cell) is None else None
+
     def all_exact(self, cells: Sequence[str]) -> list[str | None]:
         """The same for many cells."""
         found = [*map(self._exact.get, cells)]
@@ -105,17 +114,20 @@ class StudentIds:
         return self._near.get(stripped, ()) if stripped else ()
 
     def restored(self, cells: Iterable[str], taken: Collection[str]) -> Mapping[str, str]:
-        """The cells that are not ids but can mean only one student, with that student.
+        """The cells that are not ids but can mean only one student, with that student: all that are
+        former ids, and of those that nearly are one.
 
-        `taken` are the students whose exact ids are in the same file: no cell is restored to them,
-        nor are two different cells to the same student.
+        `taken` are the students whose exact ids are in the same file: no cell that nearly is an id
+        is restored to them, nor are two different ones to the same student.
         """
         meant: dict[str, set[str]] = defaultdict(set)
-        for cell in cells:
-            near = self.near(cell)
-            if len(near) == 1 and near[0] not in taken:
-                meant[near[0]].add(cell)
         found: dict[str, str] = {}
+        for cell in cells:
+            near, student = self.near(cell), self.formerly(cell)
+            if student is not None:
+                found[cell] = student
+            elif len(near) == 1 and near[0] not in taken:
+                meant[near[0]].add(cell)
         for student, spellings in meant.items():
             if len({make_student_key(spelling) for spelling in spellings}) == 1:
                 found |= dict.fromkeys(sorted(spellings), student)

@@ -58,7 +58,8 @@ class _Gathered:
 
     def __init__(self, table: Table, columns: LongColumns, head: ExamHead) -> None:
         self.table, self.columns, self.head = table, columns, head
-        self.ids = StudentIds((each.student for each in head.students), head.owners)
+        students = (each.student for each in head.students)
+        self.ids = StudentIds(students, head.owners, head.former_ids)
         self.named = AskNames(head.columns, shuffled=True)
         self.numbered = AskNames(head.columns)
         self.by_number = False
@@ -104,7 +105,7 @@ class _Gathered:
         """Whose row it is: the student, or else what is written there."""
         places = [place for found in self.columns.people.values() for place in found]
         cells = [trim(row.cell(place)) for place in places]
-        known = (self.ids.exact(cell) for cell in cells if cell)
+        known = (self.ids.exact(cell) or self.ids.formerly(cell) for cell in cells if cell)
         return next((student for student in known if student), "\n".join(cells))
 
     def _complain(self, row: Row, problem: Message, done: Message) -> None:
