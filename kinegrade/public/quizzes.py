@@ -17,7 +17,7 @@ from kinegrade.exam.quiz.paper import QuizWishes
 from kinegrade.exam.quiz.quiz import Progress, read_quiz
 from kinegrade.exam.quiz.variants import variants_stored
 from kinegrade.language import Language
-from kinegrade.language.message import Fault, Message, list_all
+from kinegrade.language.message import Fault, Message, list_all, list_first
 from kinegrade.lms.quiz.formats import FORMATS, FileWishes, choose_writer
 from kinegrade.lms.quiz.moodle.questions import Form
 from kinegrade.problem.template.template import Method
@@ -27,6 +27,8 @@ from kinegrade.public.opened import expect_opened
 from kinegrade.public.options import find_language, require_known, require_word
 from kinegrade.public.outcome import Outcome
 from kinegrade.question_numbers import find_bank_number
+
+_NAMED = 5  # students
 
 
 def _as_they_come(papers: Iterator[QuizPaper], count: int) -> Iterator[QuizPaper]:
@@ -81,7 +83,7 @@ def quiz(
     options: QuizOptions = _ORDINARY,
 ) -> Outcome:
     """Write the papers of an exam as a quiz that a learning management system imports, as
-    `kinegrade quiz` does; in the papers' language unless another one is wanted.
+    `kinegrade quiz` does; each paper in its own language unless another one is wanted.
 
     The file gives the key away. Raises KinegradeError.
 
@@ -106,6 +108,8 @@ def quiz(
             remarks = writer(put, place, force=force)
     written = Message("terminal.quiz-written", file=str(place))
     other = (*_list_left_out(exam, place), *_list_bonus(exam, place))
+    if chosen is None and (options.variants or exam.head.versions):
+        other = (*_list_other_languages(exam, place), *other)
     notes = (written, Message("terminal.marked-there"), *_name_versions(exam, options))
     return Outcome(place, notes, (*remarks, *other))
 
@@ -141,6 +145,21 @@ def _list_bonus(exam: ExamFolder, place: Path) -> Iterator[Fault]:
         numbers = list_all([find_bank_number(each) for each in bonus])
         what = Message("quiz.bonus", count=len(bonus), questions=numbers)
         yield Fault(str(place), what, do=Message("quiz.mark-bonus"))
+
+
+def _list_other_languages(exam: ExamFolder, place: Path) -> Iterator[Fault]:
+    """Whose papers have another language than a quiz that several are put."""
+    other = [
+        each.student for each in exam.head.students if each.language not in ("", exam.language)
+    ]
+    if other:
+        what = Message(
+            "quiz.other-language",
+            count=len(other),
+            students=list_first(other, _NAMED),
+            language=exam.language,
+        )
+        yield Fault(str(place), what, do=Message("quiz.in-each-language"))
 
 
 def _read(

@@ -71,13 +71,15 @@ class QuizQuestion:
 @dataclass(frozen=True)
 class QuizPaper:
     """The questions of one student's paper; student and name are "" where questions are pooled for
-    all students.
+    all students. `language` and `title` are the paper's own where they are not those of the quiz.
     """
 
-    code: str  # plain, as are student and name
+    code: str  # plain, as are student, name and title
     student: str
     name: str
     questions: tuple[QuizQuestion, ...]
+    language: Language | None = None
+    title: str = ""
 
 
 @dataclass(frozen=True)
@@ -96,3 +98,11 @@ class Quiz:
     papers: Iterable[QuizPaper]
     identifier: str = ""
     asks: Iterable[tuple[str, QuizAsk]] = ()
+
+    def language_of(self, paper: QuizPaper) -> Language:
+        """The language of a paper."""
+        return paper.language or self.language
+
+    def title_of(self, paper: QuizPaper) -> str:
+        """The title of a paper, plain."""
+        return paper.title or self.title

@@ -8,9 +8,9 @@ nothing is solved again except for worked solutions.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import Executor
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import islice
 
 from kinegrade.errors import ExamError
@@ -19,7 +19,7 @@ from kinegrade.exam.folder.key.lines import KeyLine
 from kinegrade.exam.printing.pages import write_version_name
 from kinegrade.exam.quiz.document import Quiz, QuizAsk, QuizPaper
 from kinegrade.exam.quiz.paper import QuizWishes, list_asks, make_quiz_paper
-from kinegrade.exam.quiz.source import QuizSource, read_quiz_source
+from kinegrade.exam.quiz.source import QuizSource, list_own_sources, read_quiz_source
 from kinegrade.language import Language
 from kinegrade.language.message import Fault, Message
 from kinegrade.processes.executor import THIS_PROCESS, Shared, map_in_order, split_in_parts
@@ -32,9 +32,12 @@ Line = tuple[int, bytes]
 
 @dataclass(frozen=True)
 class _QuizOrder:
-    """What is the same for all papers of a quiz."""
+    """What is the same for all papers of a quiz; `own` are the sources of papers in languages of
+    their students.
+    """
 
     source: QuizSource
+    own: Mapping[Language, QuizSource]
     wishes: QuizWishes
     pooled: bool
 
@@ -48,8 +51,8 @@ def read_quiz(
     workers: Executor = THIS_PROCESS,
     progress: Progress = lambda papers, count: papers,
 ) -> Quiz:
-    """The quiz of an exam, in the papers' language unless another one is wanted; `workers` make the
-    papers as they are asked for.
+    """The quiz of an exam, in the papers' language unless another one is wanted, that of each
+    student where papers are the students'; `workers` make the papers as they are asked for.
 
     Every student's paper, or one for each version if the exam has versions; or the first `variants`
     papers for all students. Raises ExamError where the folder is at fault or has fewer papers; the
@@ -61,7 +64,9 @@ def read_quiz(
     if variants is not None and variants > available:
         what = Message("exam.too-few-papers", count=available, variants=variants)
         raise ExamError(Fault(str(exam.path), what))
-    order = _QuizOrder(source, wishes, variants is not None)
+    shared = language is not None or variants is not None or bool(exam.head.versions)
+    own = {} if shared else list_own_sources(source)
+    order = _QuizOrder(source, own, wishes, variants is not None)
     papers = _make_papers(order, islice(different(exam), variants), workers)
     return Quiz(
         source.language,
@@ -114,7 +119,17 @@ def _make_paper(order: _QuizOrder, text: Line) -> QuizPaper:
     line = order.source.exam.keys.read_line(*text)
     if line.version and not order.pooled:
         return _make_version(order.source, order.wishes, line)
-    return make_quiz_paper(order.source, order.wishes, line, pooled=order.pooled)
+    source = order.own.get(_find_own_language(order.source, line))
+    if source is None:
+        return make_quiz_paper(order.source, order.wishes, line, pooled=order.pooled)
+    paper = make_quiz_paper(source, order.wishes, line)
+    return replace(paper, language=source.language, title=source.title)
+
+
+def _find_own_language(source: QuizSource, line: KeyLine) -> Language:
+    """The language of the student of a line; that of the quiz where nothing is known of either."""
+    candidate = source.exam.head.candidates.get(line.student)
+    return Language(candidate.language) if candidate and candidate.language else source.language
 
 
 def _make_version(source: QuizSource, wishes: QuizWishes, line: KeyLine) -> QuizPaper:

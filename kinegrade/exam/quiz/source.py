@@ -5,7 +5,7 @@ credits.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from hashlib import sha256
 from hmac import digest
@@ -90,6 +90,19 @@ def read_quiz_source(exam: ExamFolder, language: Language | None = None) -> Quiz
         kept,
         {(each.identifier, ask.name): ask for each in kept.bank.questions for ask in each.asks},
     )
+
+
+def list_own_sources(source: QuizSource) -> dict[Language, QuizSource]:
+    """The same for each language that students have of their own. Raises what `read_quiz_source`
+    does.
+    """
+    stated = {each.language for each in source.exam.head.students} - {"", source.language}
+    found = {}
+    for language in map(Language, sorted(stated)):
+        require_language(source.templates.values(), language)
+        title, course = _translate(source.exam, language)
+        found[language] = replace(source, language=language, title=title, course=course)
+    return found
 
 
 def _make_identifier(exam: ExamFolder) -> str:

@@ -93,7 +93,7 @@ class _Writer:
 
     def _lines(self, paper: QuizPaper) -> Iterator[tuple[str, str]]:
         """The asks of a paper, each with its column and its line."""
-        owned = bool(paper.student or paper.name)
+        owned, language = bool(paper.student or paper.name), self._quiz.language_of(paper)
         for question in paper.questions:
             if question.sheet.figure is not None:
                 self._remarks.complain(Message("quiz-file.no-figures"))
@@ -105,9 +105,7 @@ class _Writer:
                 try:
                     yield (
                         column,
-                        write_question_line(
-                            question, ask, self._quiz.language, self._remarks, on_paper=owned
-                        ),
+                        write_question_line(question, ask, language, self._remarks, on_paper=owned),
                     )
                 except TypesetError as fault:
                     self._remarks.refuse_texts(fault)

@@ -6,7 +6,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from itertools import chain
 from pathlib import Path
@@ -124,7 +124,8 @@ class _Questions:
         self.scale = sheet.scale
         for paper in chain([first], papers):
             self._look_at(paper, sheet)
-            yield "".join(write_paper_questions(paper, sheet))
+            own = replace(sheet, language=quiz.language_of(paper))
+            yield "".join(write_paper_questions(paper, own))
 
     def _look_at(self, paper: QuizPaper, sheet: Sheet) -> None:
         self.personal = self.personal or bool(paper.student)

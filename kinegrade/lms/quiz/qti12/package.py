@@ -68,7 +68,7 @@ class _Writer:
     def __init__(self, quiz: Quiz, parts: Package, groups: Groups, manifest: Manifest) -> None:
         self._quiz, self._parts, self._groups, self._manifest = quiz, parts, groups, manifest
         self._remarks = Remarks()
-        self._asking = Asking(quiz.language, choose_class_units(quiz.asks), self._remarks)
+        self._units = choose_class_units(quiz.asks)
 
     def write(self) -> list[Problem]:
         for paper in self._quiz.papers:
@@ -83,24 +83,28 @@ class _Writer:
         return self._remarks.complaints
 
     def _paper(self, paper: QuizPaper) -> None:
-        items = [
-            item for question in paper.questions for _, item in self._items(question, pooled=False)
-        ]
+        asking = self._asking(paper)
+        items = [item for question in paper.questions for _, item in self._items(question, asking)]
         if not items:
             return
         self._remarks.complain(Message("quiz-file.for-one"))
         identifier = f"{items[0].identifier}-paper"
         owner = " ".join(filter(None, (paper.code, paper.student, paper.name)))
-        title = write_one_plain_line(f"{self._quiz.title} · {owner}")
+        title = write_one_plain_line(f"{self._quiz.title_of(paper)} · {owner}")
         written = "".join(f"{write_item_element(item)}\n" for item in items)
         head = _HEAD.format(quoteattr(identifier), quoteattr(title))
         self._parts.add(f"{identifier}/{identifier}.xml", f"{head}{written}{_FOOT}".encode())
         points = sum((item.points for item in items), Fraction(0))
         self._describe(identifier, title, points, assigned=True)
 
+    def _asking(self, paper: QuizPaper) -> Asking:
+        """What holds for the questions of a paper."""
+        return Asking(self._quiz.language_of(paper), self._units, self._remarks)
+
     def _variants(self, paper: QuizPaper) -> None:
+        asking = self._asking(paper)
         for question in paper.questions:
-            for ask, item in self._items(question, pooled=True):
+            for ask, item in self._items(question, asking, pooled=True):
                 worth = self._groups.add((question.sheet.identifier, ask.identifier), item)
                 if worth != item.points:
                     uneven = Message("quiz-file.uneven", points=str(item.points), first=str(worth))
@@ -109,12 +113,12 @@ class _Writer:
                 self._remarks.complain(Message("quiz-file.drawn-apart"))
 
     def _items(
-        self, question: QuizQuestion, *, pooled: bool
+        self, question: QuizQuestion, asking: Asking, *, pooled: bool = False
     ) -> Iterator[tuple[QuizAsk, NumericalItem]]:
         """The items of a question; its figure, and the pictures of its solution, are written into
         the package first.
         """
-        found = make_numerical_items(question, self._asking, solution_with_each=pooled)
+        found = make_numerical_items(question, asking, solution_with_each=pooled)
         name = make_stable_name(question.identifier)
         if question.sheet.figure is not None and found:
             self._picture(

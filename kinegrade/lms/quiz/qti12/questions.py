@@ -34,7 +34,7 @@ _FILES = "$IMS-CC-FILEBASE$/"  # Canvas puts the address of the course's files h
 
 @dataclass(frozen=True)
 class Asking:
-    """What holds for all questions of a quiz: the language, the class's units, and the remarks."""
+    """What holds for all questions of a paper: the language, the class's units, and the remarks."""
 
     language: Language
     units: ClassUnits

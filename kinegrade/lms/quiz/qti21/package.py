@@ -10,6 +10,7 @@ from pathlib import Path
 from kinegrade.errors import Problem, TypesetError
 from kinegrade.exam.quiz.document import Quiz, QuizPaper, QuizQuestion
 from kinegrade.files.zip_package import Package, open_package
+from kinegrade.language import Language
 from kinegrade.language.message import Message
 from kinegrade.language.prose.plain import write_one_plain_line
 from kinegrade.lms.quiz.manifest import Manifest
@@ -51,7 +52,8 @@ class _Writer:
         self._remarks.complain(Message("quiz-file.latex-math"))
         self._remarks.complain(Message("quiz-file.not-canvas"))
         for paper in self._quiz.papers:
-            written = [question for question in paper.questions if self._item(question)]
+            language = self._quiz.language_of(paper)
+            written = [each for each in paper.questions if self._item(each, language)]
             if paper.student or paper.name:
                 self._paper(paper, written)
             else:
@@ -70,17 +72,16 @@ class _Writer:
         if questions:
             owner = " ".join(filter(None, (paper.code, paper.student, paper.name)))
             names = [make_stable_name(question.identifier) for question in questions]
-            self._test(
-                f"{names[0]}-paper", f"{self._quiz.title} · {owner}", [[name] for name in names]
-            )
+            title = f"{self._quiz.title_of(paper)} · {owner}"
+            self._test(f"{names[0]}-paper", title, [[name] for name in names])
 
-    def _item(self, question: QuizQuestion) -> bool:
+    def _item(self, question: QuizQuestion, language: Language) -> bool:
         """Writes the question, its figure and the pictures of its solution; gives whether its texts
         could be shown.
         """
         name = make_stable_name(question.identifier)
         try:
-            content = write_item_document(question, self._quiz.language, "../")
+            content = write_item_document(question, language, "../")
         except TypesetError as fault:
             self._remarks.refuse_texts(fault)
             return False
