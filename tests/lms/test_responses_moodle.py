@@ -225,6 +225,18 @@ def test_parts_that_cannot_be_told_apart_are_told_and_not_guessed(tmp_path: Path
     ]
 
 
+@pytest.mark.parametrize("odd", ["1; 2", "part 2: 2; part 1: 1", "1.5"])
+@pytest.mark.parametrize("others", [1, 2])
+def test_one_odd_cell_leaves_all_others_as_they_were_typed(
+    tmp_path: Path, odd: str, others: int
+) -> None:
+    good = [attempt("S9", cloze("1", "2"), "3"), attempt("0012345", cloze("4", "5"), "6")][:others]
+    read = responses(tmp_path, csv_text((*HEADER, *NAMES), *good, attempt("0012346", odd, "9")))
+    typed = [("S9", "1", "2", "3"), ("0012345", "4", "5", "6")][:others]
+    assert [row.cells for row in read.table.rows] == [*typed, ("0012346", "", "", "9")]
+    assert [(each.line, each.content) for each in read.table.complaints] == [(others + 2, odd)]
+
+
 def test_a_question_nobody_answered_is_blank(tmp_path: Path) -> None:
     read = responses(tmp_path, csv_text((*HEADER, *NAMES), attempt("S9", "-", "3")))
     assert cells(read)[1:] == [("S9", "", "", "3")]

@@ -33,17 +33,21 @@ class Wording:
 
 
 def wording(cells: Sequence[str]) -> Wording | None:
-    """The words with which all of these cells begin, or None where they have no parts.
+    """The words with which at least half of these cells begin, as a person may have changed others;
+    None where there are none, and the cells have no parts.
 
-    >>> wording(["Teil 1: 3; Teil 2: 4", "Teil 1: ; Teil 2:"])
+    >>> wording(["Teil 1: 3; Teil 2: 4", "Teil 1: ; Teil 2:", "3; 4"])
     Wording(stem='Teil ', colon=':')
     """
-    beginnings = {
-        found.groups() if (found := _BEGINNING.match(cell[:_LONGEST_BEGINNING])) else None
+    beginnings = Counter(
+        found.groups()
         for cell in cells
-    }
-    only = beginnings.pop() if len(beginnings) == 1 else None
-    return Wording(*only) if only else None
+        if (found := _BEGINNING.match(cell[:_LONGEST_BEGINNING])) is not None
+    )
+    for words, count in beginnings.most_common(1):
+        if 2 * count >= len(cells):
+            return Wording(*words)
+    return None
 
 
 def part_count(cells: Sequence[str], words: Wording) -> int:
