@@ -69,7 +69,7 @@ def test_a_composition_of_velocities() -> None:
             O_{1}A,\curvearrowleft$
         [=] \boldsymbol{v}_{\mathrm{e}} | ? $(OA \cdot \omega)$ | $\perp OA,\curvearrowleft$
         [+] \boldsymbol{v}_{\mathrm{r}} | ? | $O \to B$
-        In the polygons a small letter marks the tip of the velocity or acceleration of the point
+        In a polygon a small letter marks the tip of the vector of the point
             with that letter, laid off from $o$.
         In the polygon, $a'$ denotes the point of $OB$ that coincides with $A$.
         $OB$ makes the acute angle $\psi_{OB}$ with the $x$ axis:
@@ -144,7 +144,7 @@ def test_a_composition_of_velocities_in_a_translating_frame() -> None:
         [ ] \boldsymbol{v}_{\mathrm{a}} | $OC \cdot \omega_{OC} = 10\,\unit{m/s}$ | $\perp OC,\curvearrowleft$
         [=] \boldsymbol{v}_{D} | ? | $+x$
         [+] \boldsymbol{v}_{\mathrm{r}} | ? | $+y$
-        In the polygons a small letter marks the tip of the velocity or acceleration of the point
+        In a polygon a small letter marks the tip of the vector of the point
             with that letter, laid off from $o$.
         Block translates: all its points have the same velocity.
         In the polygon, $c'$ denotes the point of block that coincides with $C$.

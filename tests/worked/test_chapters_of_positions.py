@@ -27,8 +27,8 @@ def test_circles_that_meet() -> None:
     solution = solve_small(FOUR_BAR, x_B="x(B) in m")
     assert read_chapter("# Positions", solution) == as_read(
         r"""
-        Numbers after $\approx$ are rounded, to 4 significant digits and angles to 2 decimals; where
-            they are put in, they count in full.
+        Numbers after $\approx$ are rounded, to 4 significant digits (any angles to 2 decimals);
+            where they are put in, they count in full.
         $O$ is the origin of the coordinates.
         Coordinates of $C$, $A$:
         x_{C} &= 8\,\unit{m}

@@ -42,7 +42,7 @@ def test_velocities_by_a_base_point() -> None:
         [ ] \boldsymbol{v}_{A} | ? | $+y$
         [=] \boldsymbol{v}_{B} | $2\,\unit{m/s}$ | $+x$
         [+] \boldsymbol{v}_{AB} | ? $(BA \cdot \omega)$ | $\perp BA,\curvearrowleft$
-        In the polygons a small letter marks the tip of the velocity or acceleration of the point
+        In a polygon a small letter marks the tip of the vector of the point
             with that letter, laid off from $o$.
         $BA$ makes the acute angle $\psi_{BA}$ with the $x$ axis:
         \tan\psi_{BA} &= \frac{y_{A}}{x_{B}} = \frac{3\,\unit{m}}{4\,\unit{m}} = 0.75
@@ -84,7 +84,7 @@ def test_velocities_by_the_projection_theorem() -> None:
         [ ] \boldsymbol{v}_{A} | ? | $+y$
         [=] \boldsymbol{v}_{B} | $2\,\unit{m/s}$ | $+x$
         [+] \boldsymbol{v}_{AB} | ? $(BA \cdot \omega_{AB})$ | $\perp BA,\curvearrowleft$
-        In the polygons a small letter marks the tip of the velocity or acceleration of the point
+        In a polygon a small letter marks the tip of the vector of the point
             with that letter, laid off from $o$.
         $BA$ makes $\psi_{BA}$ with the $x$ axis, so $\boldsymbol{v}_{AB} \perp BA$ makes
             $90^\circ - \psi_{BA}$ with the $x$ axis.
@@ -228,7 +228,7 @@ def test_accelerations_of_a_rod_that_does_not_turn_at_this_instant() -> None:
         [=] \boldsymbol{a}_{A}^{\mathrm{n}} | $OA \cdot \omega_{OA}^{2} = 12\,\unit{m/s^2}$ | $A \to
             O$
         [+] \boldsymbol{a}_{BA}^{\mathrm{t}} | ? $(AB \cdot \alpha)$ | $\perp AB,\curvearrowleft$
-        In the polygons a small letter marks the tip of the velocity or acceleration of the point
+        In a polygon a small letter marks the tip of the vector of the point
             with that letter, laid off from $o$.
         Here $a_{A}^{\mathrm{t}} = 0$, $a_{BA}^{\mathrm{n}} = 0$.
         $AB$ makes the acute angle $\psi_{AB}$ with the $x$ axis:

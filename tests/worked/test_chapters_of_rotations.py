@@ -63,8 +63,8 @@ def test_meshing_seen_from_the_carrier() -> None:
     solution = solve_small(PLANETS, omega="omega(planet) in rad/s")
     assert read_chapter("# Velocities", solution) == as_read(
         r"""
-        Numbers after $\approx$ are rounded, to 4 significant digits and angles to 2 decimals; where
-            they are put in, they count in full.
+        Numbers after $\approx$ are rounded, to 4 significant digits (any angles to 2 decimals);
+            where they are put in, they count in full.
         Rotations are positive counter-clockwise. The words in brackets after a value give the actual
             sense.
         Given: $\omega_{OA} = 2\,\unit{rad/s}\quad\text{(counter-clockwise)}$,
@@ -110,8 +110,8 @@ def test_a_given_relative_rate() -> None:
     solution = solve_small(LINK, omega="omega(link) in rad/s")
     assert read_chapter("# Velocities", solution) == as_read(
         r"""
-        Numbers after $\approx$ are rounded, to 4 significant digits and angles to 2 decimals; where
-            they are put in, they count in full.
+        Numbers after $\approx$ are rounded, to 4 significant digits (any angles to 2 decimals);
+            where they are put in, they count in full.
         Rotations are positive counter-clockwise. The words in brackets after a value give the actual
             sense.
         Given: the angular velocity of the arm $OA$.

@@ -76,8 +76,8 @@ def test_rolling_on_a_line() -> None:
     solution = solve_small(ON_A_LINE, omega="omega(wheel) in rad/s")
     assert read_chapter("# Velocities", solution) == as_read(
         r"""
-        Numbers after $\approx$ are rounded, to 4 significant digits and angles to 2 decimals; where
-            they are put in, they count in full.
+        Numbers after $\approx$ are rounded, to 4 significant digits (any angles to 2 decimals);
+            where they are put in, they count in full.
         Rotations are positive counter-clockwise. The words in brackets after a value give the actual
             sense.
         Given: the velocity of $C$.
@@ -175,8 +175,8 @@ def test_a_centre_that_is_driven_on_its_circle() -> None:
     solution = solve_small(DRIVEN_ROUND, omega="omega(W) in rad/s", alpha="alpha(W) in rad/s^2")
     assert read_chapter("# Velocities", solution) == as_read(
         r"""
-        Numbers after $\approx$ are rounded, to 4 significant digits and angles to 2 decimals; where
-            they are put in, they count in full.
+        Numbers after $\approx$ are rounded, to 4 significant digits (any angles to 2 decimals);
+            where they are put in, they count in full.
         Angular velocities $\omega$ and angular accelerations $\alpha$ are positive counter-clockwise. The words in brackets after a value give the actual
             sense.
         Given: the velocity of $A$ on its circle about $O$.

@@ -75,3 +75,9 @@ def test_the_opposite_of_a_coordinate_has_its_square() -> None:
         if one.startswith("AS &= ") and "sqrt" in one
     )
     assert line.startswith(r"AS &= \sqrt{x_{S}^{2} + y_{S}^{2}} = \sqrt{(-0.05\,\unit{m})^{2} + ")
+
+
+def test_an_arctangent_of_few_decimals_is_not_about_its_value() -> None:
+    """Half of 75 degrees, found by a ratio of sides."""
+    told = displayed(stated("bar-pushing-rolling-disc", phi="75"))
+    assert r"\psi_{O_{1}C} &= 37.5^\circ" in told

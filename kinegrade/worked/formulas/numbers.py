@@ -84,8 +84,11 @@ def _round_quantity(quantity: Quantity) -> Number:
 
 
 def _is_certain(quantity: Quantity) -> bool:
-    """Whether an enclosure, within its precision, is the decimal to which it is rounded."""
-    return not quantity.is_exact and quantity.decimal(20) == _round_quantity(quantity).digits
+    """Whether an enclosure, within its precision, or an arctangent is the decimal to which it is
+    rounded.
+    """
+    worked_out = not quantity.is_exact or quantity.measure.degrees
+    return worked_out and quantity.decimal(20) == _round_quantity(quantity).digits
 
 
 def _is_settled(number: Any) -> bool:
