@@ -23,6 +23,16 @@ draw = {{ h = [1], r = "1 .. 5 step 1", omega = "1 .. 4 step 1" }}
 """
 WORDS = ("--reproducible", "spring")
 LATE = {"late1": "Li, Late", "=2": "=Later"}
+REWRITTEN = {
+    "answers.csv",
+    "answers.xlsx",
+    "exam.json",
+    "key.jsonl",
+    "key.npz",
+    "key.pdf",
+    "papers.pdf",
+    "solutions.pdf",
+}
 
 
 def roster(students: dict[str, str]) -> str:

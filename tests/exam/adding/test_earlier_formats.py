@@ -5,8 +5,7 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
-from tests.exam.adding.growing_class import CLASS, LATE, added, roster
-from tests.exam.adding.test_growing import REWRITTEN
+from tests.exam.adding.growing_class import CLASS, LATE, REWRITTEN, added, roster
 from tests.small_class import contents, key_lines
 
 

@@ -14,6 +14,7 @@ from openpyxl import load_workbook
 from tests.exam.adding.growing_class import (
     CLASS,
     LATE,
+    REWRITTEN,
     add,
     added,
     drawn,
@@ -25,17 +26,6 @@ from tests.exam.adding.growing_class import (
     write,
 )
 from tests.small_class import contents, key_lines, kinegrade, table
-
-REWRITTEN = {
-    "answers.csv",
-    "answers.xlsx",
-    "exam.json",
-    "key.jsonl",
-    "key.npz",
-    "key.pdf",
-    "papers.pdf",
-    "solutions.pdf",
-}
 
 
 def test_nothing_else_changes(grown: Path) -> None:
