@@ -1,4 +1,6 @@
-"""A body with a slot is a bar, unless its slot is beside its only point or its shape is a disc."""
+"""A body with a slot is a bar, unless its slot is beside the only point about which it turns or its
+shape is a disc.
+"""
 
 from __future__ import annotations
 
@@ -9,12 +11,12 @@ import pytest
 from kinegrade.errors import TemplateError
 from kinegrade.figure.mechanism.layers import Drawing, draw
 from kinegrade.figure.mechanism.paper import scale_to_paper
-from kinegrade.figure.mechanism.straight_parts import Bar, SlottedDisc
+from kinegrade.figure.mechanism.straight_parts import Bar, Rod, SlottedDisc
 from kinegrade.figure.plane import angle_of
 from kinegrade.figure.scene import Disc, Outline
 from kinegrade.figure.sketch import sketch
 from kinegrade.figure.symbols.pins import PIN as PIN_RADIUS
-from kinegrade.mechanics.joints import GROUND, Line, Pin, Slide
+from kinegrade.mechanics.joints import GROUND, Line, Parallel, Pin, Slide
 from kinegrade.mechanics.mechanism import Body, Mechanism
 from kinegrade.mechanics.vector import Vector
 from tests.figure.mechanisms import Case, hinted, polar
@@ -139,3 +141,35 @@ def test_a_geneva_wheel_without_a_crank_on_the_ground_is_refused() -> None:
         "figure.shapes.wheel: no crank with a fixed pin drives this Geneva wheel, whose slots"
         ' depend on it; give the crank a fixed pin, or write the shape "disc"'
     )
+
+
+def draw_ram(*pinned: Pin) -> Drawing:
+    """A ram with an upright slot in which B slides, beside its only point E, at 100 mm per
+    metre.
+    """
+    at = {"C": CENTRE, "B": Vector(0.3, 0.2), "E": Vector(0.5, 0.3)}
+    joints = (
+        Pin("C", ("lever", GROUND)),
+        Slide("B", "lever", Line(at["B"], Vector(0.0, 1.0)), "ram"),
+        *(pinned or (Slide("E", "ram", Line(at["E"], Vector(1.0, 0.0)), GROUND),)),
+        *(() if pinned else (Parallel("ram", GROUND),)),
+    )
+    bodies = (Body("lever", ("C", "B")), Body("ram", ("E",)))
+    mechanism, hints = hinted(Mechanism(at, bodies, joints, ()))
+    return draw(scale_to_paper(mechanism, 100.0), hints)
+
+
+def test_a_body_that_only_translates_is_no_disc_but_a_slotted_bar_with_an_arm() -> None:
+    slotted, arm, rod = (part for part in draw_ram().parts if part.body == "ram")
+    assert isinstance(slotted, Bar)
+    assert isinstance(arm, Bar)
+    assert isinstance(rod, Rod)
+    assert (slotted.start.x, slotted.end.x) == pytest.approx((30.0, 30.0))
+    assert (arm.start.x, arm.start.y, arm.end.x, arm.end.y) == pytest.approx((30, 30, 50, 30))
+    assert slotted.start.y < 20.0
+    assert slotted.end.y >= 30.0
+
+
+def test_a_body_that_turns_about_its_point_is_a_disc() -> None:
+    (disc,) = (part for part in draw_ram(Pin("E", ("ram", GROUND))).parts if part.body == "ram")
+    assert isinstance(disc, SlottedDisc)

@@ -15,7 +15,7 @@ from kinegrade.figure.joints.symbol import Feature, Rim, Symbol, find_fixed_pin,
 from kinegrade.figure.mechanism.geneva_wheels import find_geneva_wheels
 from kinegrade.figure.mechanism.plates import Plate, find_outward_direction, find_plate
 from kinegrade.figure.mechanism.slotted_discs import find_slotted_disc
-from kinegrade.figure.mechanism.straight.laid_bars import group_by_line, lay_bar
+from kinegrade.figure.mechanism.straight.laid_bars import group_by_line, lay_arms, lay_bar
 from kinegrade.figure.mechanism.straight.racks import find_racks
 from kinegrade.figure.mechanism.straight.resting_faces import rest_faces
 from kinegrade.figure.mechanism.straight.rods import find_rods
@@ -52,8 +52,7 @@ def find_straight_parts(
     wheels = {part.body for part in parts if isinstance(part, GenevaWheel)}
     for body in mechanism.bodies:
         if body.name not in round_ones | ropes | wheels and not body.particle:
-            lines = [feature for feature in features if feature.body == body.name]
-            parts += _find_parts(mechanism, body, lines, shapes)
+            parts += _find_parts(mechanism, body, symbols, shapes)
     pins = find_pins(mechanism, symbols)
     parts = [_round_off(part, pins, features) for part in parts]
     parts = [
@@ -69,18 +68,21 @@ def find_straight_parts(
 
 
 def _find_parts(
-    mechanism: Mechanism, body: Body, features: Sequence[Feature], shapes: Mapping[str, str]
+    mechanism: Mechanism, body: Body, symbols: Sequence[Symbol], shapes: Mapping[str, str]
 ) -> Iterator[Bar | Plate | SlottedDisc]:
+    features = [each for symbol in symbols for each in symbol.features if each.body == body.name]
     points = [mechanism.points[name] for name in body.points]
     plate = find_plate(body, points, shapes)
     on_axis: list[set[Vector]] = []
     for group in group_by_line(feature for feature in features if not _is_edge(feature, plate)):
-        disc = find_slotted_disc(body.name, points, group, shapes)
+        disc = find_slotted_disc(mechanism, body, group, symbols, shapes)
         if disc:
             yield disc
             continue
         on_axis.append({point for point in points if on_line(point, group[0].line)})
-        yield lay_bar(body.name, points, group)
+        arms = list(lay_arms(body.name, points, group))
+        yield lay_bar(body.name, [*points, *(arm.start for arm in arms)], group)
+        yield from arms
     if not any(set(points) <= covered for covered in on_axis):
         yield from [plate] if plate else _find_links(body.name, points, shapes)
 

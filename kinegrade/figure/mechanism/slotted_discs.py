@@ -1,16 +1,17 @@
-"""Discs with a straight slot: beside the only point of a body, or along a radius where the author
-says so.
+"""Discs with a straight slot: beside the only point of a body that turns about this, or along a
+radius where the author says so.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from kinegrade.figure.joints.symbol import Feature
+from kinegrade.figure.joints.symbol import Feature, Symbol
 from kinegrade.figure.mechanism.straight_parts import SlottedDisc
 from kinegrade.figure.plane import length, on_line, unit
 from kinegrade.figure.scene import FIRM, Disc, Outline, Primitive
 from kinegrade.figure.symbols.bars import SLOT_WIDTH, trace_round
+from kinegrade.mechanics.mechanism import Body, Mechanism
 from kinegrade.mechanics.vector import Vector
 
 _OVERHANG = 12.0  # millimetres of a disc beyond what slides in its slot, and in a bar across it
@@ -18,14 +19,20 @@ _HUB, _RIM = 3.2, 2.0  # millimetres between a slot and the centre, and the edge
 
 
 def find_slotted_disc(
-    body: str, points: Sequence[Vector], group: Sequence[Feature], shapes: Mapping[str, str]
+    mechanism: Mechanism,
+    body: Body,
+    group: Sequence[Feature],
+    symbols: Sequence[Symbol],
+    shapes: Mapping[str, str],
 ) -> SlottedDisc | None:
     """The disc of a body in whose slot another acts; None where the body is a bar."""
+    points = [mechanism.points[name] for name in body.points]
     line, action = group[0].line, group[0].action
     if group[0].use != "slot" or not points:
         return None
     beside = len(points) == 1 and not on_line(points[0], line)
-    if not beside and shapes.get(body) != "disc":
+    round_one = beside and _turns_about_point(mechanism, body, symbols)
+    if not round_one and shapes.get(body.name) != "disc":
         return None
     centre = points[0]
     radius = length(action - centre) + _OVERHANG
@@ -34,7 +41,13 @@ def find_slotted_disc(
         slot = (centre + out * _HUB, centre + out * (radius - _RIM))
     else:
         slot = _find_chord(centre, radius, action, unit(line.direction))
-    return SlottedDisc(body, centre, radius, slot)
+    return SlottedDisc(body.name, centre, radius, slot)
+
+
+def _turns_about_point(mechanism: Mechanism, body: Body, symbols: Sequence[Symbol]) -> bool:
+    """Whether a body turns about its only point."""
+    turning = any(each.point in body.points and body.name in each.turning for each in symbols)
+    return turning and body.name not in mechanism.find_translating()
 
 
 def _find_chord(

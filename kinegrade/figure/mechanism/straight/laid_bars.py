@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 from kinegrade.figure.joints.symbol import Feature
 from kinegrade.figure.mechanism.straight_parts import Bar
@@ -36,3 +36,12 @@ def lay_bar(body: str, points: Sequence[Vector], group: Sequence[Feature]) -> Ba
         ends.append(last + along * (side * _OVERHANG) if acted else last)
     free = tuple(end for end in ends if all(length(end - station) > 1e-6 for station in stations))
     return Bar(body, ends[0], ends[1], group[0].use, free, actions, group[0].back)
+
+
+def lay_arms(body: str, points: Sequence[Vector], group: Sequence[Feature]) -> Iterator[Bar]:
+    """From the slot of a body the arm to its only point, where that lies beside it."""
+    line = group[0].line
+    if group[0].use == "slot" and len(points) == 1 and not on_line(points[0], line):
+        along = unit(line.direction)
+        foot = line.point + along * (points[0] - line.point).dot(along)
+        yield Bar(body, foot, points[0])
