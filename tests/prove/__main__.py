@@ -4,9 +4,9 @@
 
 Prints a table of the proofs, each with its first seed and how many cases were run of those that the
 proof in full has; below a proof its failures, each as the line that belongs into
-`tests/prove/failed_seeds.py`. The status is 1 if there is any. Each proof has an equal share of the
-minutes that are left when it begins, so that a dear one leaves those after it their turn; none of
-its batches begins later: a table with fewer cases than it should have says so by its numbers. A
+`tests/prove/failed_seeds.py`. The status is 1 if there is any. Each proof has as many shares of the
+minutes that are left when it begins as its weight says, so that a dear one leaves those after it
+their turn; none of its batches begins later: a table with fewer cases than it should have says so by its numbers. A
 proof that promises to compare so many things has their number in its row. Every minute stderr has a
 line that says how far the proof is, and each failure as soon as it is known.
 """
@@ -42,7 +42,8 @@ def main(arguments: Sequence[str] | None = None, proofs: Sequence[Proof] = PROOF
         cases = max(1, round(wanted.scale * proof.cases))
         first = randbelow(SEEDS) if wanted.seed is None else wanted.seed
         begin = time.monotonic()
-        until = begin + (end - begin) / (len(chosen) - place)
+        shares = sum(each.weight for each in chosen[place:])
+        until = begin + (end - begin) * proof.weight / shares
         with tallied(proof, cases) as note:
             seeds = range(first, first + cases)
             found = list(outcomes(proof, seeds, wanted.jobs, until, note))

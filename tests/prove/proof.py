@@ -14,7 +14,8 @@ class Proof:
     `hold` tries it once, at a seed and in a folder of its own process, and raises AssertionError,
     or whatever else breaks it, where it does not hold; it gives how many things it compared, or
     nothing where no number of them is promised. `make prove` runs `cases` seeds in full,
-    `batch` of them in one process; `make test` runs `sample` fixed ones.
+    `batch` of them in one process, and gives the proof so many shares of its time; `make test` runs
+    `sample` fixed ones.
     """
 
     name: str
@@ -22,6 +23,7 @@ class Proof:
     cases: int
     batch: int
     sample: int
+    weight: int = 1
 
     @property
     def address(self) -> str:

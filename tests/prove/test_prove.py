@@ -7,6 +7,7 @@ import re
 import subprocess
 import sys
 import time
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -140,6 +141,9 @@ def test_a_dear_proof_leaves_those_after_it_their_turn(monkeypatch: pytest.Monke
     proof = Proof("invented", invented.hold, cases=1, batch=1, sample=0)
     main(["--minutes", "30"], (proof, proof, proof))
     assert shares == [10, 15, 30]  # of what is left; here none takes its share
+    shares.clear()
+    main(["--minutes", "30"], (replace(proof, weight=4), proof, proof))
+    assert shares == [20, 15, 30]
 
 
 def test_a_case_has_its_own_time_of_the_processor() -> None:
