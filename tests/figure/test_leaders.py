@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import numpy as np
+import pytest
 from msgspec.structs import replace
 
 from kinegrade.figure.placing.layout import Layout
-from kinegrade.figure.placing.letters import trace_wished_leader
+from kinegrade.figure.placing.letters import is_misread, trace_wished_leader
+from kinegrade.figure.placing.obstacles import Obstacles
 from kinegrade.figure.placing.place import Wish
-from kinegrade.figure.scene import BOLD, FIRM, THIN, Label, Strokes
+from kinegrade.figure.scene import BOLD, FIRM, THIN, Disc, Label, Strokes
 from kinegrade.mechanics.vector import Vector
 
 POINT = Vector(0.0, 0.0)
@@ -93,3 +95,13 @@ def test_a_letter_does_not_stand_behind_a_wall_if_there_is_room_before_it() -> N
     for drawn, level in (((), -2.4), ((fence,), 3.4)):
         [letter] = Layout.of(drawn).written((wish,)).labels
         assert letter.centre.y == level
+
+
+@pytest.mark.parametrize(("end", "misread"), [(4.6, True), (5.6, True), (6.4, False), (3.0, False)])
+def test_a_leader_that_ends_at_the_rim_that_it_crosses_would_be_a_radius(
+    end: float, misread: bool
+) -> None:
+    centre = Vector(20.0, 20.0)
+    rings = Obstacles.of([Disc(centre, 5.0, FIRM, "grey")]).rings
+    leader = (centre + Vector(end, 0.0), centre + Vector(1.3, 0.0))
+    assert is_misread(leader, (), rings) == misread

@@ -13,7 +13,7 @@ from tests.figures.angle_flaws import write_as_printed
 from tests.figures.svg_shapes import Letters, Picture
 
 AT_TIP = 4.5  # millimetres from the letter of an axis to its arrowhead at most
-ON_AXIS = 0.9  # millimetres from the origin to an axis at most: one along an edge lies beside that
+ON_AXIS = 0.3  # millimetres from the origin to an axis at most
 FAR = 60.0  # millimetres of an axis at most
 
 

@@ -37,9 +37,6 @@ _BEYOND_LEG = 4.0  # millimetres of an axis beyond the point that gives the side
 _BEYOND_TIP = 5.0  # millimetres of an axis beyond the arrow of a motion that lies on it
 _BEYOND_BAR = (6.0, 7.5, 9.0)  # millimetres of an axis beyond the bar or the ground that it is on
 _ON_EDGE = 5.0  # millimetres of an edge or a bar beyond the longest axis along it
-# Millimetres from a long edge to the axis along it, which is seen beside it, and along the edge to
-# where that axis starts, at the circle of the pin
-_BESIDE_EDGE, _AT_PIN = 0.85, 0.6
 _OUTWARD = 3.0  # share of the way out of a plate, of the way from the tip on its edge to the letter
 _BEFORE_BLOCK = 18.0  # millimetres before a block that have no room for an axis and its letter
 _AT_ORIGIN = 3.0  # millimetres of an axis at its origin, where a pin and other axes are
@@ -64,9 +61,9 @@ def add_frames(
     """The layout with the axes that stand at points: those of bodies, then x and y at the
     origin; their letters keep clear of lines that are still to come. An axis along a bar or the
     ground runs on beyond it, as does one to a block, however far that is where bodies have frames;
-    along the long edge of a plate it lies beside
-    that, along a long link on that, which is broad; one that is the leg of an angle reaches beyond
-    its arc, one along the `likely` arrow of a motion beyond its tip.
+    along the long edge of a plate it lies on that, which is thinner than its head, along a long
+    link on that, which is broad; one that is the leg of an angle reaches beyond its arc, one along
+    the `likely` arrow of a motion beyond its tip.
     """
     axes = [
         axis for frame in hints.frames for axis in _name_axes(*find_frame_place(at, frame), frame)
@@ -94,8 +91,7 @@ def _list_ways(
         shafts = _list_axes(origin + toward * (on + PIN), toward, symbol, _BEYOND_BAR)
         return [replace(shaft, before=(line,)) for shaft in shafts]
     if edge > max(usual) + _ON_EDGE:
-        beside = origin + outward * _BESIDE_EDGE
-        ways = _list_axes(beside + toward * _AT_PIN, toward, symbol, usual)
+        ways = _list_axes(origin + toward * PIN, toward, symbol, usual)
         return [replace(way, away=toward + outward * _OUTWARD, bare=True) for way in ways]
     begins, ends = find_block(origin, toward, drawing)
     led = bool(hints.frames) or _has_line(at, hints, origin, origin + toward * ends)

@@ -10,11 +10,12 @@ import numpy as np
 from msgspec import Struct
 from msgspec.structs import replace
 
-from kinegrade.figure.placing.aligned import list_thin_lines, runs_on
+from kinegrade.figure.placing.aligned import list_thin_lines
 from kinegrade.figure.placing.alternatives import Way, choose_least_covering, keep_demerit
 from kinegrade.figure.placing.beside import adjoins, keep_from_labels, makes_word
 from kinegrade.figure.placing.letters import (
     is_astray,
+    is_misread,
     keep_off_lines,
     place_letter,
     trace_wished_leader,
@@ -116,16 +117,16 @@ class Layout(Struct, frozen=True):
         return placed if led.faulty else self._keep_off_lines(joined, led)
 
     def _keep_off_lines(self, wish: Wish, placed: Placed) -> Placed:
-        """The letter where it was placed, or where its leader does not seem to run on from a thin
-        line, if there is such a place without a fault.
+        """The letter where it was placed, or where its leader is not misread, if there is such a
+        place without a fault.
         """
         leader = trace_wished_leader(wish, placed.label)
         if leader is None:
             return placed
-        lines = list_thin_lines(self.lines)
-        if not runs_on(leader, lines):
+        lines, rings = list_thin_lines(self.lines), self.obstacles.rings
+        if not is_misread(leader, lines, rings):
             return placed
-        off = place_label(keep_off_lines(wish, lines), self.obstacles)
+        off = place_label(keep_off_lines(wish, lines, rings), self.obstacles)
         return placed if off.faulty else off
 
     def _keep_apart(self, wish: Wish, placed: Placed, crowded: Obstacles) -> Placed:

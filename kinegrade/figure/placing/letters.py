@@ -8,6 +8,7 @@ from math import hypot
 import numpy as np
 
 from kinegrade.figure.placing.aligned import runs_on
+from kinegrade.figure.placing.crossing import Boxed
 from kinegrade.figure.placing.obstacles import Obstacles, Segment
 from kinegrade.figure.placing.place import Placed, Wish, place_label
 from kinegrade.figure.placing.wedge import rate_cut_off
@@ -23,6 +24,8 @@ _STANDS_OFF_AMID, _AT_DOT = 3.0, 0.8
 _BEHIND_WALL = 2.6  # the same for a letter behind a wall
 _BEHIND = 20.0  # demerit of a letter behind a wall, as of one that may be read as another's
 _RUNS_ON = 9.0  # demerit of a letter whose leader would seem to run on from another line
+# Millimetres of a leader past the rim that it crosses, and of the radius of a rim at least
+_PAST_RIM, _LEAST_RIM = 0.9, 2.0
 _FAR = 2.9  # millimetres from which on a letter is looked a place closer to its point
 
 
@@ -61,14 +64,25 @@ def _keep_before(walls: Sequence[Segment], close: Wish, point: Vector) -> Wish:
     return close.worse_by(behind)
 
 
-def keep_off_lines(wish: Wish, lines: Sequence[Segment]) -> Wish:
-    """The wish of a point's letter, rather not where its leader would seem to run on from one of
-    the thin lines.
-    """
+def keep_off_lines(wish: Wish, lines: Sequence[Segment], rings: Sequence[Boxed]) -> Wish:
+    """The wish of a point's letter, rather not where its leader would be misread."""
     labels = [wish.label_at(spot) for spot in range(len(wish.spots))]
     leaders = [trace_wished_leader(wish, label) for label in labels]
-    worse = _RUNS_ON * np.array([bool(leader and runs_on(leader, lines)) for leader in leaders])
-    return wish.worse_by(worse)
+    misread = [bool(leader and is_misread(leader, lines, rings)) for leader in leaders]
+    return wish.worse_by(_RUNS_ON * np.array(misread))
+
+
+def is_misread(leader: Segment, lines: Sequence[Segment], rings: Sequence[Boxed]) -> bool:
+    """Whether a leader would seem to run on from one of the thin lines, or, where it ends at one of
+    the rings, to be a radius that is drawn, whose end has the letter.
+    """
+    return runs_on(leader, lines) or any(_stops_at(leader, *ring[:4]) for *_, ring in rings)
+
+
+def _stops_at(leader: Segment, x: float, y: float, _: float, radius: float) -> bool:
+    """Whether a leader from within a circle ends at it."""
+    outer, inner = (hypot(at.x - x, at.y - y) for at in leader)
+    return inner < radius > _LEAST_RIM and abs(outer - radius) < _PAST_RIM
 
 
 def trace_wished_leader(wish: Wish, label: Label) -> Segment | None:
