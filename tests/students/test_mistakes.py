@@ -353,7 +353,7 @@ def test_terms_that_vanish_identically_are_told() -> None:
 
 
 def test_the_report_of_a_check_tells_them() -> None:
-    report = check(load_template("parallelogram-with-sliding-rod"), sample=20)
+    report = check(load_template("parallelogram-with-sliding-rod"), sample=60)
     lines = list(map(said, write_findings(report)))
     kept = lines.index("draws kept although a mistake leads to a right answer:")
     refused = lines.index("draws refused because a mistake leads to a right answer:")
