@@ -136,7 +136,8 @@ SUBTRACTED: Final = TableFile(
 #: The scale by which grades were given: each grade with the percentage from which on it is given,
 #: and whether it passes; only where there is one.
 SCALE: Final = TableFile("scale.csv", ("grade", "from", "result"))
-#: How often the key was corrected before the class was marked; only where it was.
+#: How often the key had changed before the class was marked, as it was corrected or papers changed
+#: hands; only where it had.
 CORRECTIONS: Final = TableFile("corrections.csv", ("corrections",))
 #: Ids that students had before those of this folder; only where somebody's was changed.
 FORMER_IDS: Final = TableFile("former-ids.csv", ("student", "formerly"))

@@ -101,6 +101,19 @@ def test_an_assigned_paper_is_that_of_the_student(exam: Path, tmp_path: Path) ->
     assert totals["0099"] == "3"
 
 
+def test_an_exam_is_whole_after_a_spare_paper_was_assigned(exam: Path) -> None:
+    assert kinegrade("assign", exam, list_codes(exam)[0], "0099", "--name", "Dora").exit_code == 0
+    result = kinegrade("verify", exam)
+    assert (result.exit_code, "not as it was generated" in result.stderr) == (0, False)
+    (exam / "papers" / "0099.html").write_text("edited", encoding="utf-8")
+    (exam / "papers" / "007.html").unlink()
+    said = kinegrade("verify", exam).stderr.splitlines()
+    assert sorted(line for line in said if "not as it was generated" in line) == [
+        f"complaint: {exam}/papers/{name}.html: is not as it was generated"
+        for name in ("007", "0099")
+    ]
+
+
 def test_of_two_papers_assigned_at_once_the_second_is_refused(
     exam: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -86,10 +86,10 @@ class ExamHead(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True, di
     and nobody is to get again. `paper_size` and `engine` printed the papers, which all have so many
     `pages` unless in large print, 0 where earlier versions printed them; `method` found the
     velocities of worked solutions, if one was asked for, and they have graphs over the `cycle`. Of
-    the questions of `choices` papers hold only some, `spares` have no student, the key had so many
-    `corrections`, `papers_before` were exchanged, and where people were `forgotten`, names stand
-    for them and marks have the exam as `known_as`. Papers of an `unprinted` exam are printed when
-    asked for. `given` are digests by path of sources before correction.
+    the questions of `choices` papers hold only some, `spares` have no student, `corrections` is how
+    often the key was corrected or papers changed hands, `papers_before` were exchanged, and where
+    people were `forgotten`, names stand for them and marks have the exam as `known_as`. Papers of
+    an `unprinted` exam are printed when asked for. `given` are digests by path of sources before correction.
     """
 
     format: int

@@ -50,5 +50,6 @@ def digest_grown(exam: ExamFolder, folder: Path) -> Mapping[str, str] | None:
     before = digest_editable(exam.path)
     fresh = digest_editable(folder)
     written = {name: digest for name, digest in fresh.items() if before.get(name) != digest}
-    names = sorted({*stated, *written}, key=PurePosixPath)
+    renamed = before.keys() - fresh.keys()  # with their paper, or gone with what they translated
+    names = sorted({*stated, *written} - renamed, key=PurePosixPath)
     return {name: written.get(name) or stated[name] for name in names}
