@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
 from typing import Any, assert_never
 
 from kinegrade.expressions.evaluation import evaluate
 from kinegrade.expressions.tree import Call, Expression, Name, Number, Operation
 from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.vector import AxisName, Vector
-from kinegrade.problem.quantities.functions import make_quantities
+from kinegrade.problem.quantities.functions import find_motion_calls, make_quantities
 from kinegrade.problem.quantities.reader import find_body_names
 from kinegrade.worked.answers.asked_vectors import (
     find_fact,
@@ -24,8 +25,8 @@ from kinegrade.worked.case import Case
 from kinegrade.worked.findings import Fact
 from kinegrade.worked.formulas.atoms import AXES, ZERO, Measured, add_squares, add_terms
 from kinegrade.worked.formulas.atoms import Number as Numeral
-from kinegrade.worked.formulas.formula import Formula
-from kinegrade.worked.formulas.functions import Function
+from kinegrade.worked.formulas.formula import Absolute, Formula
+from kinegrade.worked.formulas.functions import Function, Root
 from kinegrade.worked.formulas.measures import bearing, double, length
 from kinegrade.worked.formulas.numbers import measure, round_number, state_angle
 from kinegrade.worked.rates.speeds import find_rotation_value, name_rotation
@@ -36,6 +37,7 @@ from kinegrade.worked.vectors.summands import name_component
 from kinegrade.worked.vectors.vectors import UNITS
 
 _MEASURES = frozenset({"magnitude", "x", "y", "along", "angle", "between"})
+_ENCLOSING: Mapping[str, Callable[[Formula], Formula]] = {"abs": Absolute, "sqrt": Root}
 _AXES: tuple[tuple[AxisName, Vector], ...] = (("x", Vector(1, 0)), ("y", Vector(0, 1)))
 
 
@@ -57,6 +59,10 @@ def work_out(tree: Expression, case: Case) -> Working:
             return Working(*state_component(places, value, case, named))
         case Call() if is_rotation_call(tree):
             return _state_rotation(tree, case)
+        case Call(function="abs" | "sqrt" as function, arguments=(argument,)) if any(
+            find_motion_calls(argument)
+        ):
+            return _enclose(_ENCLOSING[function], work_out(argument, case))
         case Operation(left=left) if not isinstance(left, Number):
             return _combine(tree, case)
         case Operation(sign="-", right=right):
@@ -66,6 +72,11 @@ def work_out(tree: Expression, case: Case) -> Working:
             return Working(state_place(tree, case))
         case _:
             assert_never(tree)
+
+
+def _enclose(enclose: Callable[[Formula], Formula], inner: Working) -> Working:
+    """The size or the root of what is worked out."""
+    return Working(enclose(inner.symbols), inner.numbers and enclose(inner.numbers))
 
 
 def _measure(tree: Call, case: Case) -> Working:
