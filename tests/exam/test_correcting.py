@@ -178,7 +178,8 @@ def test_marks_by_the_key_before_and_after_a_correction_are_not_merged(exam: Pat
         assert done.exit_code == 2
         assert done.stderr.splitlines()[0] == (
             f"error: {folder}/OLD: has marks of the same exam as {folder}/NEW by a key that has "
-            "been corrected since, or papers have changed hands - mark all answers again with kinegrade grade"
+            "been corrected since, or papers have changed hands - mark all answers again with "
+            "kinegrade grade"
         )
     assert not (folder / "ALL").exists()
 

@@ -89,7 +89,8 @@ class ExamHead(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True, di
     the questions of `choices` papers hold only some, `spares` have no student, `corrections` is how
     often the key was corrected or papers changed hands, `papers_before` were exchanged, and where
     people were `forgotten`, names stand for them and marks have the exam as `known_as`. Papers of
-    an `unprinted` exam are printed when asked for. `given` are digests by path of sources before correction.
+    an `unprinted` exam are printed when asked for. `given` are digests by path of sources before
+    correction.
     """
 
     format: int
