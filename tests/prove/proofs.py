@@ -2,8 +2,8 @@
 
 In full they take many hours. `make prove` takes one: each proof has shares of what is left of it by
 its weight, and tries as many of its cases as that allows, from a seed that is new every time. Those
-of which no case is like another have most: some twenty minutes of a core
-for "whole tests", five for the next. "fair marks" looks at 160 papers of every template; `make fairness` at 1,000.
+of which no case is like another have most: some twenty minutes of a core for "whole tests", five
+for the next. "fair marks" looks at 160 papers of every template; `make fairness` at 1,000.
 """
 
 from __future__ import annotations
@@ -66,8 +66,8 @@ PROOFS = (
     Proof("graded figures", graded_figures.hold, cases=51, batch=51, sample=0),
     Proof("unlike figures", unlike_figures.hold, cases=EACH, batch=6, sample=0),
     Proof("round trips", round_trips.hold, cases=500, batch=25, sample=1),
-    Proof("by hand", by_hand.hold, cases=len(TAUGHT), batch=1, sample=0, weight=2),
-    Proof("whole papers", whole_papers.hold, cases=10, batch=1, sample=0, weight=2),
+    Proof("by hand", by_hand.hold, cases=len(TAUGHT), batch=1, sample=0, weight=4),
+    Proof("whole papers", whole_papers.hold, cases=10, batch=1, sample=0, weight=3),
     Proof("resumed papers", resumed_papers.hold, cases=1, batch=1, sample=0, weight=3),
     Proof("printed pages", printed_pages.hold, cases=32, batch=1, sample=0, weight=2),
     Proof("practice sheets", practice_sheets.hold, cases=EACH, batch=6, sample=0, weight=2),
