@@ -67,3 +67,38 @@ def test_words_that_name_the_other_sense_are_a_fault(quantity: str, means: str, 
     assert [each.split(": ", 2)[2] for each in find(means, quantity)] == [
         f'write "{sign}", or a minus before the quantity'
     ] * bool(sign)
+
+
+@pytest.mark.parametrize(
+    "means",
+    [
+        "velocity component of $A$ to the left",
+        "velocity component along $x$",
+        "the velocity component in the direction of the guide",
+        "horizontal velocity component of $A$",
+        "component of the velocity of $A$ along the horizontal",
+        "x component of the velocity of $A$",
+        "rightward velocity component of the pin $A$",
+        "the velocity component parallel to the ground",
+        "Geschwindigkeitskomponente von $A$ nach links",
+        "waagerechte Komponente der Geschwindigkeit von $A$",
+        "$A$ 的水平分速度",
+        "点 $A$ 速度沿 $x$ 轴的分量",
+    ],
+)
+def test_no_axis_is_read_within_another_word(means: str) -> None:
+    assert find(means, "x(velocity(A))") == []
+
+
+@pytest.mark.parametrize(
+    ("means", "said"),
+    [
+        ("y component of the velocity", "y component"),
+        ("the vertical component", "vertical component"),
+        ("senkrechte Komponente", "senkrechte Komponente"),
+        ("竖直分速度", "竖直分速度"),
+    ],
+)
+def test_the_other_axis_is_a_fault(means: str, said: str) -> None:
+    [fault] = find(means, "x(velocity(A))")
+    assert f'it says "{said}", and the quantity is the component along x' in fault

@@ -14,7 +14,7 @@ from kinegrade.problem.template.hints import FigureHints, Moving, Turning
 from kinegrade.problem.template.meaning.senses import find_positive
 from kinegrade.problem.template.template import Ask, Parameter, Template
 from kinegrade.problem.template.translated import Translated
-from kinegrade.proof.claims.patterns import list_words
+from kinegrade.proof.claims.patterns import begins_a_word, list_words
 from kinegrade.proof.claims.reading import name_senses, read_claims
 from kinegrade.sign_conventions import OPPOSITE
 
@@ -134,6 +134,6 @@ def _name_kinds_apart(text: str) -> Iterator[str]:
     for kind in _KINDS.values():
         for language in known_languages():
             for word in open_catalogue(language).text(f"template.kind-{kind}").split("|"):
-                if word in text:
+                if begins_a_word(word, text, language):
                     yield kind
                     text = text.replace(word, "")

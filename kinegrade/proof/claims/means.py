@@ -13,7 +13,7 @@ from kinegrade.problem.solution import Solution
 from kinegrade.problem.template.meaning.senses import find_positive
 from kinegrade.problem.template.template import Ask, Parameter, Template
 from kinegrade.proof.claims.nouns import Nouns
-from kinegrade.proof.claims.patterns import list_words
+from kinegrade.proof.claims.patterns import find_words
 from kinegrade.proof.claims.reading import DIFFERENT, find_points, name_senses, read_texts
 from kinegrade.sign_conventions import OPPOSITE
 
@@ -71,7 +71,7 @@ def _find_other_parts(ask: Ask) -> Iterator[Message]:
     """`vertical component` of the component along the x axis."""
     axis = (find_positive(ask) or "")[1:]
     for other, kind in (("x", "vertical-part"), ("y", "horizontal-part")):
-        said = [word for text in ask.means.texts for word in list_words(kind) if word in text]
+        said = [word for text in ask.means.texts for word in find_words(kind, text)]
         if axis == other and said:
             yield Message("template.means-other-part", said=said[0], axis=axis)
 
@@ -88,7 +88,7 @@ def _find_other_lengths(
         if examples and all(_is_distance(each, given, start, end) for each in examples)
     }
     for text in given.means.texts if bars else ():
-        if not any(word in text.lower() for word in list_words("a-length")):
+        if not find_words("a-length", text.lower()):
             continue
         for said, things in nouns.read_nouns(text):
             named = [name for thing in things for name in nouns.list_bodies(thing)]

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping
 from functools import cache
 from itertools import pairwise
 
+from kinegrade.language import Language
 from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.known import known_languages
 from kinegrade.sign_conventions import Convention
@@ -46,6 +47,24 @@ def list_words(kind: str) -> Iterator[str]:
     """The sentences or words of a kind in all languages."""
     for language in known_languages():
         yield from open_catalogue(language).text(f"template.says-{kind}").split("|")
+
+
+def find_words(kind: str, text: str) -> list[str]:
+    """The words of a kind that a text has. None begins within another word, as the y component does
+    in "velocity component"; German joins words, and Chinese parts none.
+    """
+    return [
+        word
+        for language in known_languages()
+        for word in open_catalogue(language).text(f"template.says-{kind}").split("|")
+        if begins_a_word(word, text, language)
+    ]
+
+
+def begins_a_word(word: str, text: str, language: Language) -> bool:
+    """Whether a text has a word that begins one there, or in languages that join words, any."""
+    before = r"(?<![\w-])" if language == "en" else ""
+    return re.search(before + re.escape(word), text) is not None
 
 
 @cache

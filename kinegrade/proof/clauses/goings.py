@@ -13,7 +13,7 @@ from kinegrade.language.message import Message
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.solution import Solution
 from kinegrade.problem.template.template import Template
-from kinegrade.proof.claims.patterns import SENSES, write_words
+from kinegrade.proof.claims.patterns import SENSES, list_words, write_words
 from kinegrade.proof.claims.reading import name_senses
 from kinegrade.proof.clauses.parts import STILL, Part
 from kinegrade.proof.clauses.sentences import Mention, Sentence, has_condition, list_sentences
@@ -55,6 +55,8 @@ def _list_goings(sentence: Sentence) -> Iterator[_Going]:
     """The senses in which a sentence says that known parts go."""
     for sense, kind in _IN_VERBS:
         for verb in _find_words(kind).finditer(sentence.text):
+            if _is_slope(sentence, verb):
+                continue
             yield from _make_going(sentence, verb, verb.end(), sense)
     verbs = [*_find_words("goes").finditer(sentence.text)]
     for match in _find_words(*SENSES.values()).finditer(sentence.text):
@@ -71,12 +73,19 @@ def _make_going(
     subject = sentence.find_subject(verb.start())
     if _find_words("another-matter", "no-going").search(sentence.text, verb.end(), end):
         return
-    if re.search(r"[(:]", sentence.text[verb.end() : end]):
+    another_clause = rf"[(:]|,\s*(?:{'|'.join(list_words('relative-pronoun'))})\b"
+    if re.search(another_clause, sentence.text[verb.end() : end], re.IGNORECASE):
         return
     between = (each for each in sentence.mentions if verb.end() <= each.start < end)
     if subject is not None and all(each.attached for each in between):
         start = subject.start if subject in sentence.mentions else verb.start()
         yield _Going(" ".join(sentence.text[start:end].split()), subject, sense)
+
+
+def _is_slope(sentence: Sentence, verb: re.Match[str]) -> bool:
+    """Whether a verb may say how a line slopes: `rises from $O$ to the right`."""
+    way = re.compile(rf"\s+(?:{write_words('way-of-slope')})", re.IGNORECASE)
+    return way.match(sentence.text, verb.end()) is not None
 
 
 def _is_open(sentence: Sentence, match: re.Match[str]) -> bool:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 
 from kinegrade.problem.template.template import Template
@@ -54,6 +54,11 @@ class Sentence:
         between = self.text[named[-1].end : place] if named else ""
         if re.match(rf"\s*,\s*(?:{write_words('relative-pronoun')})", between, re.IGNORECASE):
             return _keep_known(named[-1])
+        restricting = rf"(?:{write_words('restricting-pronoun')})\s*$"
+        restricted = re.search(restricting, self.text[:place], re.IGNORECASE)
+        if restricted:
+            right_before = self.text[named[-1].end : restricted.start()] if named else ""
+            return _keep_known(named[-1]) if right_before.isspace() else None
         free = [each for each in named if not each.attached]
         pronoun = re.compile(rf"(?:{write_words('personal-pronoun')})", re.IGNORECASE)
         said = [match.start() for match in pronoun.finditer(self.text[:place])]
@@ -65,6 +70,15 @@ class Sentence:
         """What the words at a place stand right behind, as `with $A$ above`, or are said of."""
         named = [each for each in self.mentions if self.text[each.end : place].isspace()]
         return next(iter(named), None) or self.find_subject(place)
+
+    def find_last_named(self, place: int) -> Mention | None:
+        """What is named last before a place, the last of it where that is several: behind
+        `through $O$, and $A$` a new clause may begin with that.
+        """
+        before = [each for each in self.mentions if each.end <= place]
+        if not before or not before[-1].is_known:
+            return None
+        return replace(before[-1], things=before[-1].things[-1:])
 
     def find_apposition(self, place: int) -> Mention | None:
         """What the words at a place stand behind with a comma alone between, as `about the pin $G$,

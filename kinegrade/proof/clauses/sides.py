@@ -137,9 +137,12 @@ def _write_upright(kind: str) -> str:
 
 
 def _is_false_of_all(subject: Mention | None, side: Side, examples: Sequence[Solution]) -> bool:
-    """Whether nothing of which a side may be said lies there in some instance."""
+    """Whether nothing of which a side may be said lies there in some instance: what the sentence
+    speaks of, or what it names last.
+    """
     apposed = side.sentence.find_apposition(side.start)
-    readings = [each for each in (subject, apposed) if each is not None]
+    last = side.sentence.find_last_named(side.start)
+    readings = [each for each in (subject, apposed, last) if each is not None]
     return subject is not None and all(_is_false(each, side, examples) for each in readings)
 
 

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from kinegrade.problem.solution import Solution
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.library.reading import read_template
+from kinegrade.problem.template.template import Template
+from kinegrade.proof.claims.claims import find_false_claims
 from kinegrade.proof.clauses.clauses import find_false_clauses
 from tests.said import all_said
 
@@ -71,9 +74,19 @@ _MECHANISMS = {"drum": _DRUM, "slider": _SLIDER}
 
 def find_faults(mechanism: str, said: str, **choices: list[str]) -> list[str]:
     """What is wrong with these words for it, in two instances where there are as many."""
+    return all_said(find_false_clauses(*_solve(mechanism, said, **choices)))
+
+
+def find_all_faults(mechanism: str, said: str) -> list[str]:
+    """The same with what whole sentences of the catalogues say."""
+    template, solved = _solve(mechanism, said)
+    return all_said([*find_false_clauses(template, solved), *find_false_claims(template, solved)])
+
+
+def _solve(mechanism: str, said: str, **choices: list[str]) -> tuple[Template, list[Solution]]:
     template = read_template("t", _MECHANISMS[mechanism].replace("SAID", said))
     angles = {"phi": template.parameters["phi"].choices} if mechanism == "slider" else {}
     values = [{"phi": each} for each in (angles | choices).get("phi", ())]
     values = values or [{}] * (mechanism == "drum")
     solved = [solve_template(template, each, ()) for each in values]
-    return all_said(find_false_clauses(template, solved))
+    return template, solved
