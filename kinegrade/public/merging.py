@@ -14,6 +14,7 @@ from kinegrade.marks_folder.folder import MarksFolder, open_marks
 from kinegrade.marks_folder.layout import FILES, MARKER
 from kinegrade.marks_folder.merging import Merging, Preference
 from kinegrade.public.outcome import Outcome
+from kinegrade.reports.term.naming import require_different
 from kinegrade.reports.term.split_students import find_renamed_students
 from kinegrade.reports.unlike_names import find_unlike_names
 
@@ -27,9 +28,11 @@ def merge_marks(
 ) -> Outcome:
     """Writes the folder `output`, whole or not at all, with the marks of all folders.
 
-    Raises TableError for students who handed in to several, unless there is a preference, and for
-    those who would stand twice as their id has changed, OutputError.
+    Raises TableError for a folder that is given twice, for students who handed in to several,
+    unless there is a preference, and for those who would stand twice as their id has changed,
+    OutputError.
     """
+    require_different([each.path for each in folders])
     merging = Merging(folders, preference)
     totals = {str(each.path): each.totals for each in folders}
     former_ids = {str(each.path): each.former_ids for each in folders}

@@ -52,6 +52,16 @@ def test_who_was_absent_has_the_marks_of_the_make_up_exam(both: Path) -> None:
     assert merged.elsewhere["007"] == str(both / "later" / "MARKS")
 
 
+def test_a_folder_that_is_given_twice_is_refused(both: Path) -> None:
+    """Everybody in it was said to have handed in several times, or nobody was."""
+    first = both / "first" / "MARKS"
+    again = first.parent / "." / ".." / "first" / "MARKS"
+    for options in ((), ("--prefer", "better")):
+        done = kinegrade("merge", first, again, "-o", both / "ALL", *options)
+        assert (done.exit_code, done.stderr) == (2, f"error: {again}: given twice\n")
+    assert not (both / "ALL").exists()
+
+
 def test_an_id_with_two_names_is_remarked_on(both: Path) -> None:
     grades = both / "later" / "MARKS" / "grades.csv"
     renamed = grades.read_text(encoding="utf-8-sig").replace("Student 007", "Ute Ohm")

@@ -10,6 +10,16 @@ from kinegrade.language.message import Fault, Message
 from kinegrade.marks_folder.folder import MarksFolder
 
 
+def require_different(folders: Sequence[Path]) -> None:
+    """Raises TableError for a folder that is given twice, by whatever path."""
+    places = [folder.resolve() for folder in folders]
+    twice = [
+        folder for folder, place in zip(folders, places, strict=True) if places.count(place) > 1
+    ]
+    if twice:
+        raise TableError(Fault(str(twice[-1]), Message("term.folder-twice")))
+
+
 def name_folders(folders: Sequence[Path]) -> tuple[str, ...]:
     """A name for each folder: its own, or that of the folder around it where several have one name;
     else its path. Raises TableError where a folder is given twice.
@@ -19,12 +29,8 @@ def name_folders(folders: Sequence[Path]) -> tuple[str, ...]:
     >>> name_folders([Path("HOMEWORK"), Path("FINAL")])
     ('HOMEWORK', 'FINAL')
     """
+    require_different(folders)
     places = [folder.resolve() for folder in folders]
-    twice = [
-        folder for folder, place in zip(folders, places, strict=True) if places.count(place) > 1
-    ]
-    if twice:
-        raise TableError(Fault(str(twice[-1]), Message("term.folder-twice")))
     own = tuple(place.name for place in places)
     around = tuple(place.parent.name for place in places)
     for names in (own, around):
