@@ -46,6 +46,7 @@ class Spread:
 
 
 USUAL, TIGHT, LOOSE = Spread(1.0, 1.0), Spread(0.7, 0.85), Spread(1.6, 1.15)
+LOOSER = Spread(2.2, 1.25)  # where a loose last page is not half full
 DENSE = Spread(0.5, 0.78)  # where nothing else saves a page: lines still apart by a tenth
 
 

@@ -27,7 +27,9 @@ from kinegrade.press.solutions.course import Courses, Part, arrange_courses
 from kinegrade.press.solutions.drawing_rows import Drawing, DrawingRow
 from kinegrade.press.solutions.equations import Equations
 from kinegrade.press.solutions.settings import (
+    DENSE,
     LOOSE,
+    LOOSER,
     TIGHT,
     USUAL,
     Body,
@@ -45,7 +47,8 @@ from kinegrade.worked.document import Heading
 _DOUBT = 0.05  # pages by which tight solutions may turn out shorter than their parts are high
 _SURE = 0.05  # pages by which heights of parts are never wrong
 _WELL_BEGUN = 0.15  # of a last page: where it holds more than that, it is needed
-_NEARLY_EMPTY = 0.4  # of a last page: what it holds is less than that
+_SPILLED = 1 / 3  # of a last page: what it holds is less than that
+_HALF_EMPTY = 0.65  # by heights of parts, which are rather too large
 
 
 @dataclass(frozen=True)
@@ -87,17 +90,24 @@ class SolutionLayouts:
         full, over = divmod(self._arrange(USUAL).pages, 1)
         return int(full) + 1 if _WELL_BEGUN < over < 1 - _SURE else None
 
+    def may_spill(self) -> bool:
+        """Whether the last page holds so little that lines close together save it, by heights."""
+        full, over = divmod(self._arrange(USUAL).pages, 1)
+        return bool(full) and over < _SPILLED and self.may_take_fewer(int(full) + 1, DENSE)
+
     def choose_spread(self) -> Spread:
-        """Loose where the last page would hold little more than a few lines, no tight setting saves
-        it and a loose one takes no further page; else the usual spread. All of it by heights of
-        parts.
+        """Loose where the last page would not be half full, no tight setting saves it and a loose
+        one takes no further page; else the usual spread. All of it by heights of parts.
         """
         full, over = divmod(self._arrange(USUAL).pages, 1)
-        if self.sheet.large or not full or not _SURE < over < _NEARLY_EMPTY:
+        if self.sheet.large or not full or not _SURE < over < _HALF_EMPTY:
             return USUAL
         if self.may_take_fewer(int(full) + 1):
             return USUAL
-        return LOOSE if self._arrange(LOOSE).pages < full + 1 - _SURE else USUAL
+        fit = (one for one in (USUAL, LOOSE, LOOSER) if self._arrange(one).pages < full + 1 - _SURE)
+        filled = [(one, self._arrange(one).pages - full) for one in fit]
+        half = (one for one, last in filled if one != USUAL and last >= _HALF_EMPTY)
+        return next(half, filled[-1][0] if filled else USUAL)
 
     def _arrange(self, spread: Spread) -> Courses:
         if spread not in self._arranged:

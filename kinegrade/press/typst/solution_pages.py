@@ -57,7 +57,8 @@ def _list_shorter_sheets(sheet: SolutionSheet, size: PaperSize) -> Iterator[Solu
 
 def _set_evenly(sheet: SolutionSheet, size: PaperSize, typeset: Typeset) -> bytes:
     """A sheet set tighter where that saves a page, and looser where it does not and the last page
-    would hold a few lines only. What saves a page by far is typeset tight at once.
+    would not be half full; with its lines close together where less than a third of a page is
+    saved so. What saves a page by far is typeset tight at once.
     """
     layouts = SolutionLayouts(sheet, size)
     spread, foreseen = layouts.choose_spread(), layouts.foresee_pages()
@@ -67,7 +68,10 @@ def _set_evenly(sheet: SolutionSheet, size: PaperSize, typeset: Typeset) -> byte
             return tight
     usual = typeset(layouts.write(spread))
     pages = count_pages(usual)
-    if pages == 1 or spread != USUAL or not layouts.may_take_fewer(pages):
-        return usual
-    tight = typeset(layouts.write(TIGHT))
-    return tight if count_pages(tight) < pages else usual
+    if pages > 1 and spread == USUAL and layouts.may_take_fewer(pages):
+        tight = typeset(layouts.write(TIGHT))
+        usual = tight if count_pages(tight) < pages else usual
+    if count_pages(usual) == pages > 1 and layouts.may_spill():
+        dense = typeset(layouts.write(DENSE))
+        usual = dense if count_pages(dense) < pages else usual
+    return usual

@@ -311,11 +311,19 @@ def test_a_solution_is_set_tighter_where_that_saves_its_last_page(press: TypstPr
     assert pages == [1, 1, 2]
 
 
-def test_a_solution_whose_last_page_would_hold_a_few_lines_is_set_looser(press: TypstPress) -> None:
+def test_a_solution_whose_last_page_would_not_be_half_full_is_set_looser(press: TypstPress) -> None:
     spreads = [SolutionLayouts(steps(count)).choose_spread() for count in (30, 48, 56, 60, 70)]
     assert spreads == [USUAL, USUAL, LOOSE, LOOSE, USUAL]
-    assert count_pages(press.solution(steps(56))) == 2
+    assert count_pages(press.solution(steps(60))) == 2
     assert SolutionLayouts(replace(steps(56), large=True)).choose_spread() == USUAL
+
+
+def test_lines_stand_close_together_where_a_few_of_them_would_have_a_page(
+    press: TypstPress,
+) -> None:
+    spilled = [SolutionLayouts(steps(count)).may_spill() for count in (30, 56, 70)]
+    assert spilled == [False, True, False]
+    assert count_pages(press.solution(steps(56))) == 1
 
 
 def test_pages_are_foreseen_where_the_last_is_well_begun(press: TypstPress) -> None:
