@@ -75,7 +75,7 @@ def errors(*arguments: str | Path) -> list[str]:
     """The problems of a command that cannot be done."""
     result = kinegrade(*arguments)
     assert (result.exit_code, result.stdout) == (2, "")
-    assert all(line.startswith("error: ") for line in result.stderr.splitlines())
+    assert [line for line in result.stderr.splitlines() if not line.startswith("error: ")] == []
     return [
         line.removeprefix("error: ")
         for line in result.stderr.splitlines()

@@ -30,7 +30,9 @@ def faults(folder: Path, text: str) -> list[str]:
     with pytest.raises(BankError) as caught:
         bank(folder, text)
     where = f"{folder}/"
-    assert all(
-        problem.startswith(where) and "\n" not in problem for problem in caught.value.problems
-    )
+    assert [
+        problem
+        for problem in caught.value.problems
+        if not (problem.startswith(where) and "\n" not in problem)
+    ] == []
     return [problem.removeprefix(where) for problem in caught.value.problems]

@@ -22,7 +22,7 @@ def problem(mechanism: Mechanism) -> str:
     """The refusal of a mechanism, all its lines."""
     with pytest.raises(MechanismError) as refusal:
         solve_motion(mechanism, P.field)
-    assert all("\n" not in line for line in refusal.value.problems)
+    assert [line for line in refusal.value.problems if "\n" in line] == []
     return str(refusal.value)
 
 

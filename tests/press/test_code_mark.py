@@ -25,8 +25,8 @@ def test_the_three_corners_are_marked_and_runs_do_not_touch() -> None:
     tops = [(run.x, run.length) for run in mark.runs if run.y == 0]
     assert tops[0] == (0, 7)
     assert tops[-1] == (14, 7)
-    assert all(
-        one.x + one.length < other.x
+    assert [
+        (one, other)
         for one, other in zip(mark.runs, mark.runs[1:], strict=False)
-        if one.y == other.y
-    )
+        if one.y == other.y and not (one.x + one.length < other.x)
+    ] == []

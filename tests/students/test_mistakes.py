@@ -18,6 +18,7 @@ from kinegrade.draws.draw_filter import DrawFilter
 from kinegrade.draws.examining import Examined, Refused
 from kinegrade.errors import MechanismError
 from kinegrade.language import Language
+from kinegrade.language.known import known_languages
 from kinegrade.numbers.angle import Angle
 from kinegrade.numbers.doubles import convert_number
 from kinegrade.numbers.refusals import Inexact
@@ -78,6 +79,13 @@ def test_every_mistake_has_a_plain_name_and_a_sentence() -> None:
         assert re.fullmatch("[a-z]+(-[a-z]+)*", name)
         assert english[name].endswith(".")
         assert re.search(r"[\u4e00-\u9fff].*。$", chinese[name])
+    sentences = {language: describe_mistakes(language) for language in known_languages()}
+    assert [
+        (language, name)
+        for language, told in sentences.items()
+        for name in MISTAKE_NAMES
+        if not told[name].endswith((".", "。"))
+    ] == []
 
 
 def test_identifiers_are_a_promise_to_banks() -> None:

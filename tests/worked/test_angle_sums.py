@@ -30,7 +30,7 @@ def test_the_angles_of_a_projection_are_worked_out_once() -> None:
 def test_a_sum_of_whole_degrees_is_read_at_a_glance() -> None:
     """sin(beta + gamma), then sin 120 degrees."""
     said = proses(kept("stone-crusher"))
-    assert not any(r"\beta + \gamma =" in text for text in said)
+    assert [text for text in said if "\\beta + \\gamma =" in text] == []
 
 
 @pytest.mark.parametrize(

@@ -31,7 +31,7 @@ def test_a_guided_point_moves_positive_in_the_sense_of_the_question() -> None:
     (line,) = (line for line in displayed(blocks) if line.startswith("v_{D} &="))
     assert line.endswith(r"\approx -196.06\,\unit{mm/s}\quad\text{(upwards)}")
     assert r"-196.06\,\unit{mm/s}" in boxed(blocks)
-    assert not any("asked for" in text for text in proses(blocks))
+    assert [text for text in proses(blocks) if "asked for" in text] == []
 
 
 @pytest.mark.parametrize(
@@ -54,9 +54,9 @@ def test_what_is_asked_clockwise_about_a_centre_has_this_sense_throughout(
     values = list_values(symbol, displayed(blocks))
     assert values, "a line gives it"
     exact = float(solution.answers[asked.name].value)
-    assert all(float(value) == pytest.approx(exact, rel=1e-3) for value in values)
-    assert not any(line.startswith(f"-{symbol} &") for line in displayed(blocks))
-    assert not any("Counted as asked for" in text for text in proses(blocks))
+    assert [value for value in values if float(value) != pytest.approx(exact, rel=0.001)] == []
+    assert [line for line in displayed(blocks) if line.startswith(f"-{symbol} &")] == []
+    assert [text for text in proses(blocks) if "Counted as asked for" in text] == []
 
 
 def list_values(symbol: str, lines: Iterable[str]) -> list[str]:

@@ -106,7 +106,7 @@ def test_an_angle_that_is_a_sum_nobody_has_worked_out_is_in_no_check() -> None:
     solution = solve_template(template, given, asked)
     checks = find_checks(write_worked_solution(solution, asked, ENGLISH).blocks)
     assert checks
-    assert not any("135" in check.left + check.right for check in checks)
+    assert [check for check in checks if "135" in check.left + check.right] == []
 
 
 def test_a_point_in_two_slots_is_checked_by_the_components_that_are_asked() -> None:
@@ -271,7 +271,7 @@ def test_all_that_a_check_says_of_both_sides_agrees(name: str) -> None:
 @pytest.mark.sampled(12, first=1)
 @pytest.mark.parametrize("name", find_template_names())
 def test_a_check_ends_with_the_same_value_on_both_sides(name: str) -> None:
-    assert all(check.agrees for check in read_checks(name))
+    assert [check for check in read_checks(name) if not check.agrees] == []
 
 
 def slip(solution: Solution, rate: Rate) -> list[Check]:

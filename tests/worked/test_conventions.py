@@ -15,8 +15,8 @@ LETTERS = "A vector's letter stands for its component in the direction given in 
 def test_a_solution_without_vectors_says_nothing_of_their_letters() -> None:
     """It spoke of unknown vectors in a train of gears, and of angles from the x axis."""
     blocks = kept("differential-epicyclic-train")
-    assert not any(isinstance(block, TermTable) for block in blocks)
-    assert not any(LETTERS in text for text in proses(blocks))
+    assert [block for block in blocks if isinstance(block, TermTable)] == []
+    assert [text for text in proses(blocks) if LETTERS in text] == []
     assert any(text.startswith("Rotations are positive") for text in proses(blocks))
 
 

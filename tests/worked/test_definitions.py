@@ -44,7 +44,9 @@ def test_two_relative_motions_have_two_symbols() -> None:
     told = displayed(kept("flat-faced-follower-curvature-radius"))
     starts = {line.split("&", maxsplit=1)[0].strip() for line in told}
     columns = "\n".join(lines(kept("flat-faced-follower-curvature-radius")))
-    assert all(rf"\boldsymbol{{{one}}}_{{\mathrm{{r}}K}} | ?" in columns for one in "va")
+    assert [
+        one for one in "va" if f"\\boldsymbol{{{one}}}_{{\\mathrm{{r}}K}} | ?" not in columns
+    ] == []
     assert r"v_{\mathrm{r},x}" in starts
 
 
@@ -79,7 +81,7 @@ def test_an_arm_has_the_symbol_of_the_statement_or_is_worked_out_once() -> None:
     assert [line for line in told if line.startswith("OA &=")] == [
         r"OA &= r_{1} + r_{2} = 0.1\,\unit{m} + 0.08\,\unit{m} = 0.18\,\unit{m}"
     ]
-    assert not any(line.startswith("OA &=") for line in displayed(kept("slider-crank")))
+    assert [line for line in displayed(kept("slider-crank")) if line.startswith("OA &=")] == []
 
 
 def test_a_coordinate_that_is_zero_is_not_put_in() -> None:
@@ -104,15 +106,15 @@ def test_a_given_length_is_not_worked_out_from_coordinates() -> None:
 def test_a_direction_beside_an_answer_is_named_and_a_formula() -> None:
     # it was printed as text, with its dollar signs, then as an angle that nothing derived
     told = displayed(kept("planetary-gear-external-rim-velocities"))
-    assert not any("$" in line for line in told)
-    assert not any("in the direction" in line for line in told)
+    assert [line for line in told if "$" in line] == []
+    assert [line for line in told if "in the direction" in line] == []
     (line,) = (line for line in displayed(kept("crossed-belt-drive")) if line.startswith("v_{A} "))
     assert line.endswith(r"\unit{m/s}\quad\text{(clockwise about }O\text{)}")
 
 
 def test_an_angle_that_a_triangle_has_given_is_not_found_again_by_its_tangent() -> None:
     told = displayed(stated("pose-four-bar-coupler", **COUPLER))
-    assert not any(r"\tan\varphi_{2}" in line for line in told)
+    assert [line for line in told if "\\tan\\varphi_{2}" in line] == []
     (line,) = (line for line in told if line.startswith(r"\varphi_{2} &="))
     assert r"&= \angle(x,\overrightarrow{BD}) + \angle DBC \approx 50.581^\circ" in line
 

@@ -61,6 +61,8 @@ def test_a_pole_outside_the_picture_stands_in_its_caption(language: Language, to
     blocks = write_worked_solution(solution, template.asked(), language, "pole").blocks
     pictures = [one for each in blocks if isinstance(each, Pictures) for one in each.pictures]
     assert pictures[0].caption == told
-    assert not any(
-        isinstance(part, Label) and part.symbol == "P" for part in pictures[0].scene.primitives
-    )
+    assert [
+        part
+        for part in pictures[0].scene.primitives
+        if isinstance(part, Label) and part.symbol == "P"
+    ] == []

@@ -55,10 +55,11 @@ def test_the_same_words_give_the_same_bytes_other_words_other_numbers(
     assert contents(folder / "EXAM") == contents(exam)
     assert generate(folder, "OTHER", "--reproducible", "autumn").exit_code == 0
     ours, others = key_lines(exam), key_lines(folder / "OTHER")
-    assert all(
-        one["questions"] != other["questions"] and one["paper"] != other["paper"]
+    assert [
+        (one, other)
         for one, other in zip(ours, others, strict=True)
-    )
+        if one["questions"] == other["questions"] or one["paper"] == other["paper"]
+    ] == []
 
 
 def test_chinese_papers_have_the_same_key(folder: Path, exam: Path) -> None:

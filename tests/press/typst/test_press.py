@@ -142,7 +142,7 @@ def test_every_page_tells_whose_it_is_and_whether_it_is_the_last(
     pages = pages_of(
         press.paper(replace(ENGLISH, questions=(tall, replace(tall, number=2)))), tmp_path
     )
-    assert all("PaperA-0001" in page and "00123456" in page for page in pages)
+    assert [page for page in pages if not ("PaperA-0001" in page and "00123456" in page)] == []
     assert ["pleaseturnover" in page for page in pages] == [True, False]
 
 
@@ -202,7 +202,7 @@ def test_a_question_longer_than_a_page_goes_on_overleaf(press: TypstPress, tmp_p
     )
     pages = pages_of(press.paper(replace(ENGLISH, questions=(long,))), tmp_path)
     assert len(pages) >= 3
-    assert all(f"Sentence{index}." in "".join(pages) for index in range(120))
+    assert [index for index in range(120) if f"Sentence{index}." not in "".join(pages)] == []
 
 
 @pytest.mark.parametrize("width", [60.0, 120.0])
@@ -274,9 +274,11 @@ def test_the_key_gives_exact_and_decimal_and_warns_on_each_page(
     book = key_book(KEY_CHUNK + 5)
     named = replace(book, papers=(replace(book.papers[0], name="😀"), *book.papers[1:]))
     pages = pages_of(press.key(named).pdf, tmp_path)
-    assert all(
-        "INSTRUCTORONLY" in page and f"page{number}" in page for number, page in enumerate(pages, 1)
-    )
+    assert [
+        (number, page)
+        for number, page in enumerate(pages, 1)
+        if not ("INSTRUCTORONLY" in page and f"page{number}" in page)
+    ] == []
     assert "[U+1F600]" in pages[0]
     for text in ("1.15470", "−0.957427", "[1.14315,1.16625]", "A-0000", "Given:", "0.25m"):
         assert text in pages[0]
