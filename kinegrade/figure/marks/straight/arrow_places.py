@@ -103,8 +103,8 @@ class Site(Struct, frozen=True):
 
     def _list_arrows(self, hint: Moving) -> list[MovingArrow]:
         """Arrows in the direction of the motion: from the point, just above the ground where a bare
-        end slides, beside the rod that leaves it there, from the free end of that, then beside the
-        point, first those clear of the mechanism; never behind something.
+        end slides, beside the bar that leaves it there, from the free end of its rod, then beside
+        it, first those clear of the mechanism; never behind something.
         """
         point, toward = self.mechanism.points[hint.point], self.find_direction(hint)
         across = self._find_open_side(point, toward)
@@ -123,7 +123,7 @@ class Site(Struct, frozen=True):
             MovingArrow(start, toward, hint, _ALONG_ROD + worse, point, outward=side)
             for side, worse in ((across, 0.0), (-across, 0.1))
             for start in (point + side * _BESIDE_ROD + toward * _FROM_PIN,)
-            if any(length(way - toward) < _SAME for way in self._list_rods_from(point))
+            if any(length(way - toward) < _SAME for way in self._list_slender_from(point))
         ]
         ahead += [
             MovingArrow(end + toward * AT_END.tail, toward, hint, _FROM_END, end)
@@ -153,10 +153,10 @@ class Site(Struct, frozen=True):
         bars = (part for part in self.parts if isinstance(part, Bar) and is_slender(part))
         return [unit(way) for bar in bars for way in list_ways(bar, point)]
 
-    def _list_rods_from(self, point: Vector) -> list[Vector]:
-        """The unit vectors along the translating rods that leave a point."""
-        rods = (part for part in self.parts if isinstance(part, Rod))
-        return [unit(way) for rod in rods for way in list_ways(rod, point)]
+    def _list_slender_from(self, point: Vector) -> list[Vector]:
+        """The unit vectors along the slender bars and translating rods that leave a point."""
+        slender = (part for part in self.parts if is_slender(part))
+        return [unit(way) for part in slender for way in list_ways(part, point)]
 
     def _list_rod_ends(self, name: str, toward: Vector) -> Iterator[Vector]:
         """The free ends ahead of a point of the rods that translate with it."""
