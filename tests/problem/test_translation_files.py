@@ -213,3 +213,29 @@ def test_a_bank_is_told_where_its_language_is_said(tmp_path: Path) -> None:
     assert refusal.value.problems == (
         f"{bank}:3: language: unknown key - a bank has none: say --lang de where papers are printed",
     )
+
+
+def write_once(text: str) -> str:
+    """The texts of a template written once, in the language that the file states."""
+    return 'language = "en"\n' + re.sub(r'\{ en = ("[^"]*") \}', r"\1", text)
+
+
+def test_texts_in_the_language_that_a_file_states_may_be_translated_beside(tmp_path: Path) -> None:
+    file = write(tmp_path, BESIDE)
+    before = load_template(str(file))
+    once = write_once(file.read_text(encoding="utf-8"))
+    assert "{ en = " not in once
+    file.write_text(once, encoding="utf-8")
+    found = load_template(str(file))
+    assert find_languages(found) == find_languages(before) == (ENGLISH, CHINESE)
+    assert found.words == before.words
+    assert found.asks["v_x"].means == before.asks["v_x"].means
+
+
+def test_a_text_in_the_stated_language_is_not_given_twice(tmp_path: Path) -> None:
+    file = write(tmp_path, "")
+    file.write_text(write_once(file.read_text(encoding="utf-8")), encoding="utf-8")
+    (tmp_path / "crank.zh.toml").rename(tmp_path / "crank.en.toml")
+    (tmp_path / "crank.en.toml").write_text('title = "Another"\n', encoding="utf-8")
+    [fault] = faults(file)
+    assert 'the text in "en" stands in that file already' in fault

@@ -24,7 +24,7 @@ name the file and the line on which a text does stand.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from glob import escape
 from pathlib import Path
 
@@ -131,6 +131,20 @@ def lay_in(
     return LaidIn(together, _TranslatedSource(source, laid), tuple(one.faults for one in opened))
 
 
+def state_texts(content: Content, places: Iterable[Place]) -> Content:
+    """The tables of a file with its `language` beside each text that it writes once at one of these
+    places, so that other languages may stand beside it.
+    """
+    language = content.get("language")
+    if not isinstance(language, str) or language not in known_languages():
+        return content
+    for place in places:
+        words = find_value(content, place)
+        if isinstance(words, str):
+            content = _put(content, (*place, language), words)
+    return content
+
+
 def find_value(content: object, place: Place) -> object:
     """What stands at a place; None where nothing does."""
     inside = content
@@ -217,6 +231,8 @@ def _replace(inside: object, place: Place, words: str) -> object:
     match inside, first:
         case dict(), str():
             return {**inside, first: _replace(inside.get(first), rest, words)}
+        case str(), str():
+            return {first: words}
         case list(), int():
             return [*inside[:first], _replace(inside[first], rest, words), *inside[first + 1 :]]
         case _:

@@ -15,7 +15,7 @@ from kinegrade.files.fields.place import Source
 from kinegrade.files.fields.table import Table
 from kinegrade.files.fields.values import found
 from kinegrade.language.message import Fault, Message, Quoted
-from kinegrade.problem.template.beside import Beside, LaidIn, Translations, lay_in
+from kinegrade.problem.template.beside import Beside, LaidIn, Translations, lay_in, state_texts
 from kinegrade.problem.template.sections.keys import (
     KNOWN,
     MAX_CHARACTERS,
@@ -87,9 +87,11 @@ def open_template(
 def _lay_in(
     content: Mapping[str, object], source: Source, translations: Translations, file: str
 ) -> LaidIn:
-    return lay_in(
-        content, source, Beside(file, TEMPLATE, translations), list_translated_places(content)
-    )
+    places = list_translated_places(content)
+    beside = Beside(file, TEMPLATE, translations)
+    if translations:
+        content = state_texts(content, places.values())
+    return lay_in(content, source, beside, places)
 
 
 def _read_toml(file: str, text: str) -> Table:

@@ -22,7 +22,7 @@ def _list_places(content: Mapping[str, object]) -> Iterator[tuple[Place, Place]]
     for name, entry in _list_entries(content, "asks"):
         yield from _list_places_of_ask(name, entry)
     for name, entry in _list_entries(content, "reasons"):
-        if isinstance(entry, dict):
+        if isinstance(entry, dict | str):
             yield ("reasons", name), ("reasons", name)
     for name, wordings in _list_entries(content, "text"):
         for number in range(len(wordings) if isinstance(wordings, list) else 0):
