@@ -34,7 +34,7 @@ PLAIN_PROMISE, FEW_PROMISE, MIXED_PROMISE = 3.4, 2.5, 1.3
 GRADE = "grade EXAM answers.csv -o MARKS"
 #: What is promised of whole commands; `grade` has exports and checks of what it has written.
 COMMANDS = {
-    GRADE: 0.8,
+    GRADE: 1,
     "report EXAM MARKS -o report.html": 1 / 6,
     "sharing EXAM MARKS -o sharing.csv": 0.4,
 }
