@@ -17,7 +17,7 @@ from tests.worked.telling import displayed, proses
 
 ROUNDED = re.compile(r"\\approx -?(\d+(?:\.\d+)?)(\^\\circ)?")
 EXACT = 3  # digits of a number that may be exact
-RULE = re.compile(r"rounded, to (\d) significant digits and angles to (\d) decimals")
+RULE = re.compile(r"rounded, to (\d) significant digits \(any angles to (\d) decimals\)")
 
 
 def every_page(name: str) -> Iterator[tuple[Block, ...]]:
