@@ -21,7 +21,7 @@ def find_later_keys(folders: Iterable[MarksFolder]) -> Iterator[Fault]:
     a copy stands there that was not, nobody but people knows which of the two counts.
     """
     for marks in folders:
-        beside = list(_list_beside(marks))
+        beside = list(list_exams_of(marks))
         later = [str(each.path) for each in beside if each.head.corrections > marks.corrections]
         same = [str(each.path) for each in beside if each.head.corrections == marks.corrections]
         if later and same:
@@ -41,7 +41,7 @@ def list_exams_around(folder: Path) -> Iterator[ExamFolder]:
                 yield open_exam(file.parent)
 
 
-def _list_beside(marks: MarksFolder) -> Iterator[ExamFolder]:
+def list_exams_of(marks: MarksFolder) -> Iterator[ExamFolder]:
     """The folders of the exam of these marks."""
     for exam in list_exams_around(marks.path) if marks.exam else ():
         if identify_exam(exam.head) == marks.exam:

@@ -17,6 +17,7 @@ from kinegrade.public.outcome import Outcome
 from kinegrade.reports.term.naming import require_different
 from kinegrade.reports.term.split_students import find_renamed_students
 from kinegrade.reports.unlike_names import find_unlike_names
+from kinegrade.reports.unlike_questions import find_unlike_questions
 
 
 def merge_marks(
@@ -39,7 +40,8 @@ def merge_marks(
     renamed = tuple(find_renamed_students(totals, former_ids))
     if renamed:
         raise TableError(*renamed)
-    complaints = (*merging.find_different_maxima(), *find_unlike_names(totals))
+    unlike = *find_unlike_questions(folders), *find_unlike_names(totals)
+    complaints = (*merging.find_different_maxima(), *unlike)
     contents, edits = (*FILES, moodle.FILE), find_edits(output, marker=MARKER)
     with output_folder(output, marker=MARKER, contents=contents, force=force) as path:
         merging.write(path)

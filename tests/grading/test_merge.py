@@ -9,10 +9,17 @@ from click.testing import Result
 
 from kinegrade.marks_folder.folder import open_marks
 from tests.grading.marked_folder import RIGHT, Page, mark_class
-from tests.small_class import kinegrade, table
+from tests.small_class import generate, kinegrade, table, write_class
 
 LATER = {"007": RIGHT, "S9": ("1.732", "9", "9")}
 FIRST = {"007": (), "0012": RIGHT, "S8": ("1.732", "9", "9")}
+BANK = """title = "Midterm"
+course = "Mechanics"
+tolerance = {{ relative = "1 %" }}
+[[questions]]
+template = "{}"
+asks = {{ v_B = 3 }}
+"""
 
 
 @pytest.fixture
@@ -154,6 +161,37 @@ def test_a_make_up_exam_may_have_other_questions(both: Path) -> None:
     page = both / "report.html"
     done = kinegrade("report", both / "first" / "EXAM", both / "ALL", "-o", page)
     assert done.exit_code == 0, done.stderr
+
+
+UNLIKE = (
+    "complaint: {0}/later/MARKS: question {1} is not that of the same number in {0}/first/MARKS: "
+    "both stand in one column of grades.csv - merged.csv says whose points are from which"
+)
+
+
+def test_a_question_that_asks_something_else_under_the_same_number_is_named(both: Path) -> None:
+    file = both / "later" / "MARKS" / "marks.csv"
+    file.write_text(file.read_text(encoding="utf-8").replace(",a_B,", ",v_C,"), encoding="utf-8")
+    done = merge(both)
+    assert done.exit_code == 1
+    assert done.stderr.splitlines()[1:] == [UNLIKE.format(both, "q2")]
+
+
+def test_a_question_of_another_template_is_named_where_the_exams_stand_beside(
+    tmp_path: Path,
+) -> None:
+    for name, template in (("first", "slider-crank"), ("later", "bar-pushing-rolling-disc")):
+        folder = tmp_path / name
+        folder.mkdir()
+        write_class(folder)
+        (folder / "bank.toml").write_text(BANK.format(template), encoding="utf-8")
+        student = "007" if name == "first" else "0012"
+        (folder / "answers.csv").write_text(f"student,q1.v_B\n{student},1\n", encoding="utf-8")
+        assert generate(folder, "EXAM", "--no-papers").exit_code == 0
+        files = folder / "EXAM", folder / "answers.csv", "-o", folder / "MARKS"
+        assert kinegrade("grade", *files).exit_code in (0, 1)
+    said = merge(tmp_path).stderr.splitlines()
+    assert UNLIKE.format(tmp_path, "q1") in said
 
 
 def mark_by(folder: Path, policy: str) -> Result:
