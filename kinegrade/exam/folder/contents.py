@@ -13,8 +13,8 @@ from kinegrade.problem.template.translation_names import name_beside
 HEAD = "exam.json"
 #: The right answers, one line for each student, with the values drawn and the known mistakes.
 KEY = "key.jsonl"
-#: The same numbers as arrays, by which a large class is marked faster; while they are not those of
-#: `key.jsonl`, that alone is read.
+#: The same numbers as arrays, by which a large class is marked faster; not where papers hold
+#: different questions. While they are not those of `key.jsonl`, that alone is read.
 KEY_COLUMNS = "key.npz"
 #: The same for spare papers that are not assigned.
 SPARES = "spares.jsonl"
