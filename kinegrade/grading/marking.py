@@ -6,16 +6,14 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Callable, Collection, Hashable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
-from functools import lru_cache, partial
 from itertools import chain
 from typing import assert_never
 
 import msgspec
 import numpy as np
-from numpy.typing import NDArray
 
 from kinegrade.exam.folder.asks import Ask, add_counted
 from kinegrade.exam.folder.papers import Paper, PaperBlock
@@ -25,7 +23,8 @@ from kinegrade.files.tables import Complaint
 from kinegrade.grading.doubts import find_doubts, find_rows_of_others
 from kinegrade.grading.fast.another_paper import PapersAnswered
 from kinegrade.grading.fast.block_judge import BlockJudge
-from kinegrade.grading.fast.judged_block import USUAL_CREDITS, JudgedBlock
+from kinegrade.grading.fast.judged_block import JudgedBlock
+from kinegrade.grading.grade_patterns import GradePatterns
 from kinegrade.grading.judging.follow import Follows
 from kinegrade.grading.lateness.submissions import Submissions
 from kinegrade.grading.marks import MarkedBlock, Marks, collect_grades, list_points
@@ -42,7 +41,6 @@ from kinegrade.grading.typed.decimal_style import Mark as DecimalMark
 from kinegrade.language.message import Text
 from kinegrade.marks_folder.grade_list import GradeList
 from kinegrade.marks_folder.rows import Grade, Submission
-from kinegrade.numbers.amounts import add_amounts
 
 Settle = Callable[[Grade, Mapping[str, Fraction]], Grade]
 
@@ -93,7 +91,8 @@ def mark_blocks(papers: PapersAnswered, sheet: Sheet, terms: MarkingTerms) -> It
     judge = BlockJudge(papers, policy, terms.alternatives, styles, terms.follows)
     asks = tuple(policy.ruling(ask.column).ask(ask) for ask in exam.asks)
     submissions = Submissions(policy.penalties)
-    marker = _Marker(sheet, judge, asks, add_counted(asks), terms, submissions)
+    patterns = GradePatterns(asks, papers.questions, add_counted(asks))
+    marker = _Marker(sheet, judge, asks, terms, submissions, patterns)
     for block in exam.blocks(choose_block(len(exam.students))):
         yield marker.block(block)
         del block  # so that the next takes its place
@@ -103,19 +102,15 @@ def mark_blocks(papers: PapersAnswered, sheet: Sheet, terms: MarkingTerms) -> It
 class _Marker:
     """Everything needed to mark a class; `asks` have their points under the policy.
 
-    `patterns` are the grades that were given so far, of no student; `known` are the numbers of
-    those of rows in which every answer gets all or nothing, by their indices into
-    `JudgedBlock.credits`.
+    `patterns` are the grades that were given so far.
     """
 
     sheet: Sheet
     judge: BlockJudge
     asks: tuple[Ask, ...]
-    out_of: Fraction
     terms: MarkingTerms
     submissions: Submissions
-    patterns: list[Grade] = field(default_factory=list)
-    known: dict[Hashable, int] = field(default_factory=dict)
+    patterns: GradePatterns
 
     def block(self, papers: PaperBlock) -> MarkedBlock:
         """The marks of some papers."""
@@ -146,21 +141,16 @@ class _Marker:
         """A student's grade by each row; that of a paper without some alternatives is of the others
         alone.
         """
-        which = self._find_patterns(rows, judged)
+        which = self.patterns.find(rows, judged)
         blank = np.isnan(judged.cells.values.reshape(len(rows), -1))
         for row in np.flatnonzero(blank.all(axis=1)).tolist():  # without a number
             absent = not self._handed_in(rows.papers[row])
-            which[row] = self._change(which[row], absent=absent)
+            which[row] = self.patterns.change(which[row], absent=absent)
         if self.submissions.penalties.are_any:
             for row, (paper, entry) in enumerate(rows):
                 submission = self._find_submission(paper, entry)
-                which[row] = self._change(which[row], submission=submission)
-        return GradeList(rows.papers.students, rows.papers.names, which, self.patterns)
-
-    def _change(self, number: int, **changes: object) -> int:
-        """The number of a pattern that differs from another one so."""
-        self.patterns.append(msgspec.structs.replace(self.patterns[number], **changes))
-        return len(self.patterns) - 1
+                which[row] = self.patterns.change(which[row], submission=submission)
+        return GradeList(rows.papers.students, rows.papers.names, which, self.patterns.grades)
 
     def _find_submission(self, paper: Paper, entry: Entry) -> Submission | None:
         """When and after how many others an entry was handed in, where that costs anything."""
@@ -207,10 +197,10 @@ class _Marker:
         best: dict[str, tuple[Fraction, Row]] = {}
         judged, columns = self._judged(tried), {ask.column for ask in self.asks}
         for number, (row, which) in enumerate(
-            zip(tried, self._find_patterns(tried, judged), strict=True)
+            zip(tried, self.patterns.find(tried, judged), strict=True)
         ):
             student = row[0].student
-            grade = msgspec.structs.replace(self.patterns[which], student=student)
+            grade = msgspec.structs.replace(self.patterns.grades[which], student=student)
             by_hand = student in self.terms.by_hand
             given = list_points(judged, self.asks, number, columns) if by_hand else {}
             total = self._find_net(row, self.terms.settle(grade, given))
@@ -225,55 +215,3 @@ class _Marker:
             return grade.total
         penalties = self.submissions.penalties
         return grade.total - penalties.subtract(submission, grade.total, grade.out_of)
-
-    def _find_patterns(self, rows: Rows, judged: JudgedBlock) -> list[int]:
-        """The number of the pattern of each row; there are few, and each is added up once."""
-        known = self.known if len(judged.credits) == USUAL_CREDITS else {}
-        add_up = lru_cache(maxsize=None)(partial(self._question_points, judged))
-        shares, lacking = judged.shares.reshape(-1, len(self.asks)), rows.papers.lacking
-        keys: list[Hashable] = [*_list_keys(shares)]
-        for row, lacks in lacking.items():
-            keys[row] = keys[row], lacks
-        different = dict(zip(keys, range(len(keys)), strict=True))
-        for key, row in different.items():
-            if key in known:
-                continue
-            known[key] = len(self.patterns)
-            self.patterns.append(self._add_up(shares[row], lacking.get(row, frozenset()), add_up))
-        return [known[key] for key in keys]
-
-    def _add_up(
-        self,
-        shares: NDArray[np.intp],
-        lacks: frozenset[int],
-        add_up: Callable[[range, tuple[int, ...]], Fraction],
-    ) -> Grade:
-        """The points of the questions that a paper holds, None for others, and the maximum."""
-        way = tuple(shares.tolist())
-        points = [add_up(each, way[each.start : each.stop]) for each in self.judge.papers.questions]
-        if not lacks:
-            return Grade("", "", tuple(points), self.out_of)
-        asked = [ask for number, ask in enumerate(self.asks) if number not in lacks]
-        held = {ask.question for ask in asked}
-        own = tuple(
-            each if self.asks[question.start].question in held else None
-            for question, each in zip(self.judge.papers.questions, points, strict=True)
-        )
-        return Grade("", "", own, add_counted(asked))
-
-    def _question_points(
-        self, judged: JudgedBlock, question: range, way: tuple[int, ...]
-    ) -> Fraction:
-        """The points of a question whose asks have these shares."""
-        return add_amounts(
-            judged.credits[share] * self.asks[number].points
-            for number, share in zip(question, way, strict=True)
-            if share
-        )
-
-
-def _list_keys(shares: NDArray[np.intp]) -> list[bytes]:
-    """A key for each row of shares, the same where all of them are."""
-    rows = shares.astype(np.uint16)
-    keys: list[bytes] = rows.view(f"V{rows.itemsize * rows.shape[1]}").ravel().tolist()
-    return keys
