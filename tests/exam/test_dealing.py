@@ -197,7 +197,7 @@ def test_too_few_combinations_are_dealt_round_and_said(tmp_path: Path) -> None:
     write(tmp_path, [f"s{number}" for number in range(25)])
     result = generate(tmp_path, "EXAM")
     assert result.exit_code == 1
-    complaint = f"complaint: {SHORT.format('students')}numbers - expected one for each - widen"
+    complaint = f"complaint: {SHORT.format('students')}numbers - expected one for each - state"
     assert complaint in result.stderr
     head = json.loads((tmp_path / "EXAM" / "exam.json").read_text(encoding="utf-8"))
     assert [question.get("good") for question in head["questions"]] == [None, 20]
