@@ -81,7 +81,9 @@ def without(part: str, name: str) -> Change:
 
 def derive(question: BankQuestion, kept: KeyQuestion) -> SetQuestion:
     """The question by its key, where terms cancel by the roundings of four figures."""
-    return derive_question(question, kept, WHERE, draw_filter(question.template).dealt.find_roundings)
+    return derive_question(
+        question, kept, WHERE, draw_filter(question.template).dealt.find_roundings
+    )
 
 
 @pytest.mark.parametrize("form", [earlier, lambda question: question])

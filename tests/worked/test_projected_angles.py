@@ -90,6 +90,16 @@ def test_two_lines_have_no_angle_beyond_a_straight_one() -> None:
     assert r"Here $\varphi + \psi_{DC} = 100^\circ + 85.9257^\circ \approx 185.9257^\circ$." in told
 
 
+def test_a_vector_makes_the_acute_angle_with_a_line_where_lines_turn_beyond_a_straight_one() -> (
+    None
+):
+    # it was phi + psi - 90 degrees = 106.2 degrees, the supplement of what the projection takes
+    values = {"a": "45", "b": "150", "c": "110", "d": "150", "phi": "130", "n": "160"}
+    told = "\n".join(proses(stated("four-bar-by-lengths", **values)))
+    acute = r"makes $270^\circ - (\varphi + \psi_{DC})$ with $DC$"
+    assert rf"so $\boldsymbol{{v}}_{{B}} \perp AB$ {acute}" in told
+
+
 def test_lines_make_no_obtuse_angle() -> None:
     """beta = 155 degrees: OA made beta with the x axis, and what is normal to it with the y axis."""
     told = " ".join(proses(stated("rod-sliding-on-driven-wheel", beta="155")))

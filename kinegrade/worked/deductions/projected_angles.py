@@ -128,11 +128,12 @@ class _Leaning:
         """The same, where the angle is obtuse by what it differs from one or two half turns: two
         lines make no more than a right angle.
         """
-        turns = round(self.cosine.value / _HALF)
-        if complement or not turns:
+        less = _RIGHT * complement
+        turns = round((self.cosine.value - less) / _HALF)
+        if not turns:
             return self._tell_angle(complement=complement)
-        half, angle = state_angle(turns * _HALF), self.cosine.angle
-        acute = half - angle if self.cosine.value < turns * _HALF else angle - half
+        left, angle = state_angle(turns * _HALF + less), self.cosine.angle
+        acute = left - angle if self.cosine.value < turns * _HALF + less else angle - left
         return f"${self.case.text(acute)}$"
 
     def _measure_angle(self, *, complement: bool) -> float:

@@ -53,19 +53,23 @@ class Face:
 
 
 def write_letters(letters: str, face: Face) -> str:
+    """Letters as one identifier, in their face."""
     normal = ' mathvariant="normal"' if face.upright and len(letters) == 1 else ""
     return f"<mi{normal}{write_weight(face)}>{letters}</mi>"
 
 
 def write_weight(face: Face) -> str:
+    """The attribute of bold letters, else nothing."""
     return ' style="font-weight: bold"' if face.bold else ""
 
 
 def write_space(name: SpaceName) -> str:
+    """A space of that width."""
     return f'<mspace width="{SPACE_WIDTHS[name]:g}em"/>'
 
 
 def write_sign(latex: str) -> str:
+    """A sign by its LaTeX name, spaced as its kind is."""
     forms = SIGNS[latex]
     character = escape(forms.character)
     match forms.kind:
@@ -80,17 +84,20 @@ def write_sign(latex: str) -> str:
 
 
 def write_text(text: str) -> str:
+    """Words, whose spaces are kept."""
     printable = "".join(character if character.isprintable() else " " for character in text)
     return f"<mtext>{escape(printable.replace(' ', chr(0xA0)))}</mtext>"
 
 
 def write_fence(bracket: str) -> str:
+    """A bracket as high as what it encloses; nothing for the LaTeX bracket "."."""
     if bracket == ".":
         return ""
     return f'<mo fence="true" stretchy="true">{SIGNS[bracket].character}</mo>'
 
 
 def write_attached(base: str, below: str | None, above: str | None) -> str:
+    """A base with what stands below it and above it."""
     match below, above:
         case None, None:
             return base
