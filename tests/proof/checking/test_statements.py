@@ -41,8 +41,12 @@ def test_a_point_that_the_statement_names_and_the_figure_does_not_letter_is_rema
     remarks = all_said(check(crank(named), sample=18).remarks)
     assert (
         "the statement names P, which has no letter in the figure: put it on a body that it "
-        "belongs to"
+        'belongs to, or letter a fixed point in [figure], labels = { P = "P" }'
     ) in remarks
+    fixed = ("[bodies]", '[figure]\nlabels = { P = "P" }\n\n[bodies]')
+    assert not [
+        each for each in all_said(check(crank(named, fixed), sample=18).remarks) if "P," in each
+    ]
     lettered = ('OA = "O A"', 'OA = "O A P"')
     assert not [
         each for each in all_said(check(crank(named, lettered), sample=18).remarks) if "P," in each
