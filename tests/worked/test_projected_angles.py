@@ -151,3 +151,13 @@ def test_two_sides_of_a_triangle_make_its_angle(language: Language, said: str) -
     page = "\n".join(proses(stated("scissor-lift", language, theta="55")))
     assert said in page
     assert r"$2\theta - 90^\circ$" in page
+
+
+@pytest.mark.parametrize(
+    ("language", "joint"),
+    [("en", r"$BA$ and "), ("de", r"$\theta$ und bildet "), ("zh", r"$\theta$ 角，")],
+)
+def test_angles_of_two_vectors_are_two_clauses(language: Language, joint: str) -> None:
+    """A word that joins nouns alone stood between them in Chinese."""
+    told = _read("slotted-bar-between-two-rods", language)
+    assert rf"{joint}$\boldsymbol{{v}}_{{A}} \parallel y$" in told

@@ -215,7 +215,10 @@ def _join(found: Sequence[_Leaning]) -> Message:
     )
     if not following:
         return reason
-    return Message("solution.so", reason=reason, following=Listing(following, "and"))
+    told, *others = following
+    for one in others:
+        told = Message("solution.vectors-make-both", first=told, next=one)
+    return Message("solution.so", reason=reason, following=told)
 
 
 def _list_leaning(stage: Stage, projection: Projection) -> Iterator[_Leaning]:
