@@ -215,9 +215,9 @@ def _join(found: Sequence[_Leaning]) -> Message:
     )
     if not following:
         return reason
-    told, *others = following
-    for one in others:
-        told = Message("solution.vectors-make-both", first=told, next=one)
+    told, *further = following
+    for clause in further:
+        told = Message("solution.vectors-make-both", first=told, next=clause)
     return Message("solution.so", reason=reason, following=told)
 
 
