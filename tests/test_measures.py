@@ -57,8 +57,8 @@ def test_lines_of_code_are_lines_without_docstrings_comments_and_blanks(tmp_path
 # did when fairness came to be bounded (mistakes, follow-through, papers alike hard) and when
 # mechanisms came to move (cycles)
 FAR = {
-    "syntax nodes": 904_900,
-    "lines of code": 91_420,
+    "syntax nodes": 960_000,
+    "lines of code": 95_000,
     "syntax nodes a line": 9.9,
 }
 COPIED = """

@@ -65,3 +65,17 @@ def test_arrows_on_the_ground_begin_on_their_dot_with_their_symbols_above(seed: 
         [label] = [each for each in scene.labels if each.symbol == symbol]
         assert 0 < measure_off(label, shaft) < 3.5
         assert all(abs(label.centre.x - dot.x) < abs(arc.centre.x - dot.x) for arc in arcs)
+
+
+@pytest.mark.parametrize(
+    ("template", "seed", "symbol"),
+    [("two-wheels-on-cylinder", "v71a", "v_{A}"), ("toggle-press", "v71b", "v")],
+)
+def test_an_arrow_begins_at_the_centre_of_its_wheel_and_beside_a_short_rod(
+    template: str, seed: str, symbol: str
+) -> None:
+    # one stood at a point of the rolling wheel that moves otherwise, one above the rod on a stalk
+    scene = draw(template, seed)
+    pins = [part.centre for part in scene.primitives if isinstance(part, Disc)]
+    tail = Point(find_shaft(scene, symbol).coords[0])
+    assert min(tail.distance(Point(pin)) for pin in pins) < AT_PIN

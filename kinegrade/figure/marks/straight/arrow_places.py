@@ -37,8 +37,9 @@ _AHEAD = {
 # of its point
 _ABOVE = 0.95
 # Millimetres of an arrow beside the rod that leaves its point ahead of it, and from the point to
-# its tail, with the demerit
-_BESIDE_ROD, _FROM_PIN, _ALONG_ROD = 1.15, 0.3, 0.6
+# its tail; its lengths, a shorter one beside a short rod, with their demerits
+_BESIDE_ROD, _FROM_PIN = 1.15, 0.3
+_ALONG_ROD = {ARROW: 0.6, 7.0: 0.8}
 # Millimetres beside the line of motion, on the free side first, and along it to the tail: level
 # with the point, unless a bar leaves it there
 _OFFSETS = {3.6: 1.0, -3.6: 1.3, 2.8: 1.6, -2.8: 1.9, 5.0: 2.0, -5.0: 2.3, 6.6: 3.0, -6.6: 3.3}
@@ -120,7 +121,8 @@ class Site(Struct, frozen=True):
         ]
         ahead = above or ahead
         ahead += [
-            MovingArrow(start, toward, hint, _ALONG_ROD + worse, point, outward=side)
+            MovingArrow(start, toward, hint, usual + worse, point, size=size, outward=side)
+            for size, usual in _ALONG_ROD.items()
             for side, worse in ((across, 0.0), (-across, 0.1))
             for start in (point + side * _BESIDE_ROD + toward * _FROM_PIN,)
             if any(length(way - toward) < _SAME for way in self._list_slender_from(point))

@@ -26,7 +26,7 @@ _ACROSS_ARC = 12.0  # demerit of an arrow across the arc of an angle, which woul
 _BEHIND, _SLANTED = 60.0, 4.0
 # Demerit of an arrow beside the centre of a wheel, other points of which move otherwise, and the
 # radius in millimetres from which on a circle is that of a wheel
-_OFF_CENTRE, _WHEEL = 30.0, 2.0
+_OFF_CENTRE, _WHEEL = 60.0, 2.0
 _PAST_HATCHING = 1.4  # millimetres from a rail to the way past its hatching
 _SAME = 1e-3  # between two unit vectors of one direction
 
