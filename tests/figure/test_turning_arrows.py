@@ -242,3 +242,29 @@ def test_the_arrow_of_a_ring_is_not_between_its_pivot_and_its_centre() -> None:
         for arrow in arrows:
             aside = arrow.radius * cos(arrow.start + arrow.sweep / 2)
             assert aside * (arrow.centre.x - middle) > 0
+
+
+def turn_both(of: str, phi: float) -> list[Bow]:
+    """The arrows of an angular velocity and acceleration of one body."""
+    mechanism, hints = slider_crank(0.2, 1.75, phi)
+    body = "OA" if of == "ground" else "AB"
+    arrows = (
+        Turning(r"\omega", body, None, "velocity", of),
+        Turning(r"\alpha", body, None, "acceleration", of),
+    )
+    drivers = (Rotation(body, 2.0, -1.0, of),)
+    scene = sketch(replace(mechanism, drivers=drivers), replace(hints, arrows=arrows))
+    return [part for part in scene.primitives if isinstance(part, Bow) and part.pen == FIRM]
+
+
+@pytest.mark.parametrize("phi", [20.0, 60.0, 120.0])
+def test_the_two_arrows_of_a_body_do_not_follow_one_another_on_one_arc(phi: float) -> None:
+    one, other = turn_both("ground", phi)
+    turned = shorter_way(one.start + one.sweep / 2 - other.start - other.sweep / 2)
+    assert abs(degrees(turned)) > 85.0 or abs(one.radius - other.radius) >= 2.5
+
+
+@pytest.mark.parametrize("phi", [30.0, 60.0, 120.0])
+def test_two_arrows_of_a_relative_rotation_have_radii_that_differ(phi: float) -> None:
+    one, other = turn_both("OA", phi)
+    assert abs(one.radius - other.radius) >= 2.5

@@ -17,9 +17,7 @@ from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.plane import length, nearest_of, polar
 from kinegrade.figure.scene import BOLD, FIRM, THIN, Bow, Disc, Strokes
 from kinegrade.mechanics.vector import Vector
-from tests.figure.test_places_of_arrows import BOTH, RIGHT, lay_floor, list_shafts, slider
-
-UP = Vector(0.0, 1.0)
+from tests.figure.arrows_at_sliders import BOTH, RIGHT, UP, lay_floor, list_shafts, slider
 
 
 def lay_under_block(at: Vector) -> Rail:
