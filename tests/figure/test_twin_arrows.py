@@ -104,15 +104,38 @@ def rod_with_walls() -> tuple[Site, Layout, Vector]:
     return Site(mechanism, (), (rod,)), layout, end
 
 
-@pytest.mark.parametrize(("count", "levels"), [(1, [0.0]), (2, [-0.7, 0.7])])
-def test_arrows_along_a_rod_start_at_its_free_end(count: int, levels: list[float]) -> None:
+def list_arrows_at_rod(count: int) -> tuple[list[tuple[Vector, Vector]], Vector]:
+    """The shafts of so many arrows along a rod with walls, and its end."""
     site, layout, end = rod_with_walls()
     layout = add_motions(layout, site, BOTH[:count])
     _, *shafts = [part.lines[0] for part in layout.lines if isinstance(part, Strokes)]
-    assert sorted(start.y - end.y for start, _ in shafts) == pytest.approx(levels)
+    return shafts, end
+
+
+def test_an_arrow_along_a_rod_starts_at_its_free_end() -> None:
+    [(start, tip)], end = list_arrows_at_rod(1)
+    assert start.y == tip.y == end.y
+    assert 0.2 < start.x - end.x < 0.5
+
+
+def test_an_arrow_leaves_the_free_end_of_a_rod_where_there_is_room_beside_it_too() -> None:
+    # under the rod it would be squeezed, with its tip at the rail of the guide
+    site, _, end = rod_with_walls()
+    rod = Strokes(((site.mechanism.points["B"], end),), BOLD)
+    shaft = add_motions(Layout.of([rod]), site, BOTH[:1]).lines[1]
+    assert isinstance(shaft, Strokes)
+    [(start, tip)] = shaft.lines
+    assert start.y == tip.y == end.y
+    assert start.x > end.x
+
+
+def test_two_arrows_along_a_rod_touch_its_end_on_either_side() -> None:
+    shafts, end = list_arrows_at_rod(2)
+    touching = (BOLD.width + FIRM.width) / 2
+    assert sorted(start.y - end.y for start, _ in shafts) == pytest.approx([-touching, touching])
     for start, tip in shafts:
         assert start.y == tip.y
-        assert 0.2 < start.x - end.x < 0.5
+        assert 0.3 < end.x - start.x < 1.0
 
 
 def test_an_arrow_whose_symbol_names_its_point_does_not_start_at_the_end_of_a_rod() -> None:

@@ -45,7 +45,8 @@ _ALONG_ROD = {ARROW: 0.6, 7.0: 0.8}
 _OFFSETS = {3.6: 1.0, -3.6: 1.3, 2.8: 1.6, -2.8: 1.9, 5.0: 2.0, -5.0: 2.3, 6.6: 3.0, -6.6: 3.3}
 _SHIFTS = {0.0: 0.0, 2.5: 6.0, 4.0: 9.0}
 _FREER = 3.0  # millimetres by which the mechanism lies on one side for the other to be the free one
-_FROM_END = 6.0  # demerit of an arrow from the free end of a rod
+# Demerit of an arrow from the free end of a rod, and millimetres from that to its tail
+_FROM_END, _OFF_END = 0.5, 0.3
 _ROOM_BELOW = 2.0  # millimetres from a point without a block to its ground, as of a rack, for twins
 _PAIR = 2  # motions of one point that may be twins
 # Cosine of the angle between a motion and a bar from its point under which no twins have room
@@ -128,7 +129,7 @@ class Site(Struct, frozen=True):
             if any(length(way - toward) < _SAME for way in self._list_slender_from(point))
         ]
         ahead += [
-            MovingArrow(end + toward * AT_END.tail, toward, hint, _FROM_END, end)
+            MovingArrow(end + toward * _OFF_END, toward, hint, _FROM_END, end)
             for end in self._list_rod_ends(hint.point, toward)
             if hint.point not in hint.symbol  # else it is read as leaving that point
         ]

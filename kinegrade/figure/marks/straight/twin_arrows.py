@@ -11,6 +11,7 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from kinegrade.figure.marks.straight.moving_arrow import ARROW, LEAVING, MovingArrow
+from kinegrade.figure.scene import BOLD, FIRM
 from kinegrade.mechanics.vector import Vector
 
 LONG = ARROW + 4.5  # millimetres of the longer one
@@ -31,7 +32,8 @@ class Stance(Struct, frozen=True):
 
 AT_PIN = Stance(2.0, 0.5)
 IN_BLOCK = Stance(1.4, 0.75, 0.2)  # on the ground, whose block has an edge on which neither lies
-AT_END = Stance(1.4, 0.3)  # of a rod
+# Of a rod, along which both tails lie: they hang in the air beside nothing
+AT_END = Stance(BOLD.width + FIRM.width, -0.4)
 
 
 def list_twins(
