@@ -99,4 +99,7 @@ def test_a_pole_beside_a_point_that_moves_along_an_axis_is_on_the_normal_there()
     """SB = y_B - y_S stood there, and nothing said that S is below B."""
     solution = solve_template(load_template("pole-sleeve-slider-rod"), {})
     told = "\n".join(lines(write_worked_solution(solution, solution.template.asked(), "en").blocks))
-    assert "$S$ of the rod $BD$ lies on the vertical through $B$, as $B$ moves horizontally" in told
+    assert (
+        "As $B$ moves horizontally, the velocity pole $S$ of the rod $BD$ lies on the vertical"
+        in told
+    )

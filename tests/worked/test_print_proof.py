@@ -186,6 +186,14 @@ WRONG: dict[Law, tuple[Block, ...]] = {
             (read_math(r"v = 2.419\,\unit{m/s} \cdot \sin 7^\circ \approx 0.3\,\unit{m/s}", ""),)
         ),
     ),
+    "solved": (
+        Display(
+            (
+                read_math(r"v - 2\,\unit{rad/s} \cdot 3\,\unit{m} = 0", ""),
+                read_math(r"v = 2\,\unit{rad/s} \cdot 4\,\unit{m} = 8\,\unit{m/s}", ""),
+            )
+        ),
+    ),
     "label": (Display((read_math(r"v_S = 2\,\unit{m}", ""),)), _draw([ALONG], [ACROSS, BACK])),
 }
 

@@ -52,6 +52,7 @@ from tests.worked.reader.meanings import (
 )
 from tests.worked.reader.polygons import judge_polygons
 from tests.worked.reader.signs import find_senseless
+from tests.worked.reader.solved import find_unsolved
 from tests.worked.reader.tables import find_early, find_without_sense
 from tests.worked.reader.zeros import find_rounded_away
 
@@ -87,8 +88,10 @@ Law: TypeAlias = Literal[
     "signed",
     "zero",
     "independent",
+    "solved",
 ]
 LAWS: dict[Law, str] = {
+    "solved": "an equation with its unknown on the left holds with what is found of that",
     "independent": "a check says of what has been found something else than each line before it",
     "equal": "a sign of equality joins equal values, to within what rounding can do",
     "rounded": "a rounded decimal stands after an approximate sign",
@@ -145,14 +148,21 @@ class _Known:
     letters: Set[str]
     named: set[str] = field(default_factory=set)
     angles: list[float] = field(default_factory=list)
+    first: dict[str, Amount] = field(default_factory=dict)  # a letter has the sense of its first
 
     def worth(self, symbol: str) -> Amount:
         if symbol not in self.amounts:
             raise Unreadable(symbol)
         return self.amounts[symbol]
 
+    def worth_at_first(self, symbol: str) -> Amount:
+        if symbol not in self.first:
+            raise Unreadable(symbol)
+        return self.first[symbol]
+
     def learn(self, symbol: str, amount: Amount) -> None:
         self.amounts[symbol] = amount
+        self.first.setdefault(symbol, amount)
         self.angles.append(abs(math.degrees(amount.value)) if amount.is_pure else math.nan)
 
 
@@ -175,6 +185,9 @@ def find_faults(blocks: Sequence[Block], solution: Solution) -> Iterator[Fault]:
                 yield from _judge_line(part, sought, known)
                 if is_off(part):
                     yield Fault("figure", part.text)
+    equations = (one for one in parts if isinstance(one, Line))
+    unsolved = find_unsolved(equations, known.worth_at_first)
+    yield from (Fault("solved", line) for line in unsolved)
     yield from (Fault("used", line) for line in find_unused(blocks))
     yield from (Fault("once", sentence) for sentence in find_repeated(blocks))
     yield from (Fault("sense", column) for column in find_without_sense(blocks))

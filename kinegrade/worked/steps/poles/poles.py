@@ -9,7 +9,7 @@ from kinegrade.mechanics.vector import AxisName, Vector
 from kinegrade.problem.pole_names import choose_pole_letter, find_poles, name_asked_pole
 from kinegrade.worked.case import Case
 from kinegrade.worked.document import Block
-from kinegrade.worked.formulas.atoms import AXES, OTHER, add_terms
+from kinegrade.worked.formulas.atoms import AXES, OTHER, ZERO, add_terms
 from kinegrade.worked.formulas.equation import Equation, drop_repetition, equate
 from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.measures import double
@@ -49,6 +49,8 @@ def explain_pole(body: str, case: Case) -> Iterator[Block]:
     yield from find_point(base.chain, symbol, case, "velocity")
     velocity = find_vector(base.chain, case.motion, "velocity")
     yield case.say(_say_where(name, body, velocity, case))
+    vanishing = (_state_vanishing(axis, name, body, velocity, case) for axis in AXES)
+    yield case.show(*filter(None, vanishing))
     yield case.show(*(_state_coordinate(axis, name, body, velocity, case) for axis in AXES))
 
 
@@ -63,7 +65,26 @@ def _say_where(pole: str, body: str, velocity: Vector, case: Case) -> Message:
             return Message("solution.pole-on-vertical", body=name, pole=letter, base=start)
         if not double(velocity.x):
             return Message("solution.pole-on-horizontal", body=name, pole=letter, base=start)
-    return Message("solution.pole-of", body=name, pole=letter)
+    return Message("solution.pole-of", body=name, pole=letter, base=start)
+
+
+def _state_vanishing(
+    axis: AxisName, pole: str, body: str, velocity: Vector, case: Case
+) -> Equation | None:
+    """v_Ax - omega (y_P - y_A) = 0, v_Ay + omega (x_P - x_A) = 0; None for the component that
+    vanishes as the pole lies on an axis through A.
+    """
+    other, across = OTHER[axis], {"x": -1, "y": 1}[axis]
+    base = case.motion.frames.bases[body].point
+    known = find_known(name_point_vector(base, "velocity", case), velocity, case)
+    shares = [one.in_symbols for one in list_component(known, axis, case)]
+    if not shares:
+        return None
+    arm: Formula = name_coordinate(other, case.naming.letter(pole))
+    if choose_axes(case.construction).coordinate(other, base) != NOTHING:
+        arm = arm - name_coordinate(other, case.naming.letter(base))
+    turned = (case.naming.omega(body) * arm).signed(across)
+    return Equation(add_terms((*shares, turned)), equate(ZERO))
 
 
 def _state_coordinate(

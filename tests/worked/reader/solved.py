@@ -1,0 +1,37 @@
+"""Equations that hold their unknowns, such as v_B cos psi = v_A sin phi."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+
+from tests.worked.reader.amounts import Amount, MixedUnits, Unreadable
+from tests.worked.reader.equations import Line
+from tests.worked.reader.formula_reader import find_symbols, name_symbol, read_formula
+
+CLOSE = 1e-9
+
+
+def find_unsolved(lines: Iterable[Line], worth: Callable[[str], Amount]) -> Iterator[str]:
+    """The equations with more on their left than a symbol or numbers that do not hold with the
+    values that the page has told by its end.
+    """
+    for line in lines:
+        symbols = {*find_symbols(line.left)}
+        if not symbols or symbols == {name_symbol(line.left)}:
+            continue
+        rows = (line.left, *(side.row for side in line.sides))
+        try:
+            first, *others = (read_formula(row, worth) for row in rows)
+        except Unreadable:
+            continue
+        except MixedUnits:
+            yield line.text
+            continue
+        if not all(_agree(first, one) for one in others):
+            yield line.text
+
+
+def _agree(first: Amount, other: Amount) -> bool:
+    """Whether two amounts are the same, to within what rounding can do."""
+    room = first.room + other.room + CLOSE * (1 + abs(first.value))
+    return first.has_unit_of(other) and abs(first.value - other.value) <= room
