@@ -111,7 +111,8 @@ def _list_shapes() -> Mapping[str, str]:
     word = f"(?!{write_words('preposition')}|{_NAME}){_LATIN}"
     unnamed = rf"(?u:(?![\w-]))(?!\s*\$|\s*{_NAME})"
     lies = f"(?:{write_words('lies')})"
-    which = rf",?\s*(?:(?:{write_words('which')})\s*)?"
+    resumed = rf",\s*(?:{write_words('finite-verb')})"  # of what stands before an insertion
+    which = rf"(?!{resumed}),?\s*(?:(?:{write_words('which')})\s*)?"
     return {
         **_SHAPES,
         "NEAR": f"{part}*?",

@@ -17,6 +17,7 @@ from kinegrade.proof.claims.patterns import SENSES, list_words, write_words
 from kinegrade.proof.claims.reading import name_senses
 from kinegrade.proof.clauses.parts import STILL, Part
 from kinegrade.proof.clauses.sentences import Mention, Sentence, has_condition, list_sentences
+from kinegrade.proof.clauses.subjects import find_subject
 from kinegrade.sign_conventions import Convention
 
 _TURNS: Mapping[Convention, float] = {"ccw": 1.0, "cw": -1.0}
@@ -70,7 +71,7 @@ def _make_going(
     sentence: Sentence, verb: re.Match[str], end: int, sense: Convention
 ) -> Iterator[_Going]:
     """That the subject of a verb goes in a sense, where nothing else is spoken of before that."""
-    subject = sentence.find_subject(verb.start())
+    subject = find_subject(sentence, verb.start())
     if _find_words("another-matter", "no-going").search(sentence.text, verb.end(), end):
         return
     another_clause = rf"[(:]|,\s*(?:{'|'.join(list_words('relative-pronoun'))})\b"

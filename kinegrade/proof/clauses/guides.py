@@ -15,6 +15,7 @@ from kinegrade.proof.claims.patterns import write_words
 from kinegrade.proof.claims.reading import DIFFERENT
 from kinegrade.proof.clauses.parts import STILL
 from kinegrade.proof.clauses.sentences import Sentence, has_condition, list_sentences
+from kinegrade.proof.clauses.subjects import find_subject
 
 _LIE: Mapping[str, Vector] = {
     "is-horizontal": Vector(1.0, 0.0),
@@ -63,7 +64,7 @@ def _moves_otherwise(
     sentence: Sentence, place: int, along: Vector, examples: Sequence[Solution]
 ) -> bool:
     """Whether all that the sentence may speak of moves across an axis in an instance."""
-    subject = sentence.find_subject(place)
+    subject = find_subject(sentence, place)
     if subject is None:
         return False
     for each in examples:

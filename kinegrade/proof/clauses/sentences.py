@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cache
 
 from kinegrade.problem.template.template import Template
@@ -47,60 +47,6 @@ class Sentence:
     text: str
     mentions: tuple[Mention, ...]
     before: Sentence | None = None
-
-    def find_subject(self, place: int) -> Mention | None:
-        """What the words at a place are said of; None where that is not certain."""
-        named = [each for each in self.mentions if each.end <= place]
-        between = self.text[named[-1].end : place] if named else ""
-        if re.match(rf"\s*,\s*(?:{write_words('relative-pronoun')})", between, re.IGNORECASE):
-            return _keep_known(named[-1])
-        restricting = rf"(?:{write_words('restricting-pronoun')})\s*$"
-        restricted = re.search(restricting, self.text[:place], re.IGNORECASE)
-        if restricted:
-            right_before = self.text[named[-1].end : restricted.start()] if named else ""
-            return _keep_known(named[-1]) if right_before.isspace() else None
-        free = [each for each in named if not each.attached]
-        pronoun = re.compile(rf"(?:{write_words('personal-pronoun')})", re.IGNORECASE)
-        said = [match.start() for match in pronoun.finditer(self.text[:place])]
-        if said and (not free or free[-1].end <= said[-1]):
-            return self._find_antecedent(said[-1])
-        return _keep_known(free[-1]) if free else None
-
-    def find_neighbour(self, place: int) -> Mention | None:
-        """What the words at a place stand right behind, as `with $A$ above`, or are said of."""
-        named = [each for each in self.mentions if self.text[each.end : place].isspace()]
-        return next(iter(named), None) or self.find_subject(place)
-
-    def find_last_named(self, place: int) -> Mention | None:
-        """What is named last before a place, the last of it where that is several: behind
-        `through $O$, and $A$` a new clause may begin with that.
-        """
-        before = [each for each in self.mentions if each.end <= place]
-        if not before or not before[-1].is_known:
-            return None
-        return replace(before[-1], things=before[-1].things[-1:])
-
-    def find_apposition(self, place: int) -> Mention | None:
-        """What the words at a place stand behind with a comma alone between, as `about the pin $G$,
-        to the right of $C$`: it may be this of which they are said.
-        """
-        before = [each for each in self.mentions if self.text[each.end : place].strip() == ","]
-        return _keep_known(before[-1]) if before else None
-
-    def _find_antecedent(self, place: int) -> Mention | None:
-        """What a pronoun stands for: what its sentence began with, or else the one before."""
-        for named in (
-            [each for each in self.mentions if each.end <= place],
-            self.before.mentions if self.before else (),
-        ):
-            free = [each for each in named if not each.attached]
-            if free:
-                return _keep_known(free[0])
-        return None
-
-
-def _keep_known(mention: Mention) -> Mention | None:
-    return mention if mention.is_known else None
 
 
 def list_sentences(template: Template) -> Iterator[Sentence]:

@@ -21,6 +21,11 @@ from kinegrade.proof.claims.patterns import NO_SUBJECT, write_words
 from kinegrade.proof.claims.reading import DIFFERENT, read_claims
 from kinegrade.proof.clauses.parts import Part, list_guides
 from kinegrade.proof.clauses.sentences import Mention, Sentence, has_condition, list_sentences
+from kinegrade.proof.clauses.subjects import (
+    find_neighbour,
+    find_subject,
+    list_other_readings,
+)
 
 _SIDES: Mapping[str, Vector] = {
     "above": Vector(0.0, 1.0),
@@ -55,11 +60,13 @@ class Side:
 
 def find_wrong_sides(template: Template, examples: Sequence[Solution]) -> Iterator[Message]:
     """What is said of sides that is so in no way in which the words can be read."""
-    known = [claim["said"] for kind in _KNOWN for claim in read_claims(template, kind, NO_SUBJECT)]
+    claims = [claim for kind in _KNOWN for claim in read_claims(template, kind, NO_SUBJECT)]
+    known = [_squeeze(claim["ahead"] + claim["said"]) for claim in claims]
     for sentence in list_sentences(template):
         for side in _list_sides(sentence):
             yield from _find_wrong_chain(side, examples)
-            if any(each.endswith(side.said) for each in known):
+            words = _squeeze(sentence.text[: side.reference.end])
+            if any(words.endswith(each) or each.endswith(words) for each in known):
                 continue
             subject = _find_subject(side)
             given = _find_length(template, side.given)
@@ -72,9 +79,14 @@ def find_wrong_sides(template: Template, examples: Sequence[Solution]) -> Iterat
                 yield Message("template.lies-otherwise", said=" ".join(said.split()))
 
 
+def _squeeze(text: str) -> str:
+    """A text without room."""
+    return "".join(text.split())
+
+
 def _find_wrong_chain(side: Side, examples: Sequence[Solution]) -> Iterator[Message]:
     """`$A$ above $O$ and to its left`: another side of the same part."""
-    text, subject = side.sentence.text, side.sentence.find_neighbour(side.start)
+    text, subject = side.sentence.text, find_neighbour(side.sentence, side.start)
     for kind, toward in _SIDES.items():
         pattern = rf"\s*,?\s*(?:{write_words('or')})\s+(?:{write_words(f'chain-{kind}')})"
         match = re.compile(pattern, re.IGNORECASE).match(text, side.reference.end)
@@ -87,7 +99,7 @@ def _find_wrong_chain(side: Side, examples: Sequence[Solution]) -> Iterator[Mess
 
 def _find_subject(side: Side) -> Mention | None:
     """What is said to lie on a side; None where that may be the place of a contact."""
-    subject = side.sentence.find_subject(side.start)
+    subject = find_subject(side.sentence, side.start)
     contact = re.compile(write_words("contact-verb"), re.IGNORECASE)
     start = subject.end if subject and subject.end <= side.start else 0
     return None if contact.search(side.sentence.text[start : side.start]) else subject
@@ -140,9 +152,8 @@ def _is_false_of_all(subject: Mention | None, side: Side, examples: Sequence[Sol
     """Whether nothing of which a side may be said lies there in some instance: what the sentence
     speaks of, or what it names last.
     """
-    apposed = side.sentence.find_apposition(side.start)
-    last = side.sentence.find_last_named(side.start)
-    readings = [each for each in (subject, apposed, last) if each is not None]
+    readings = [] if subject is None else [subject]
+    readings += list_other_readings(side.sentence, side.start)
     return subject is not None and all(_is_false(each, side, examples) for each in readings)
 
 
