@@ -29,6 +29,7 @@ from kinegrade.problem.template.sections.opening import TEMPLATE
 
 RIGHT, UP = Vector(1.0, 0.0), Vector(0.0, 1.0)
 Case = tuple[Mechanism, FigureHints]
+Postures = dict[str, tuple[Callable[..., Case], list[tuple[float, ...]]]]
 
 
 def hinted(mechanism: Mechanism, **table: Any) -> Case:
@@ -37,6 +38,11 @@ def hinted(mechanism: Mechanism, **table: Any) -> Case:
     hints = read_figure(file, Names(set(mechanism.points), bodies))
     file.faults.require_none()
     return mechanism, hints
+
+
+def each_once(*builds: Callable[..., Case]) -> Postures:
+    """Each mechanism in its one posture."""
+    return {build.__name__: (build, [()]) for build in builds}
 
 
 def polar(radius: float, degrees: float) -> Vector:
@@ -208,7 +214,7 @@ def slotted_bar(size: float, theta: float) -> Case:
     )
 
 
-EIGHT: dict[str, tuple[Callable[..., Case], list[tuple[float, ...]]]] = {
+EIGHT: Postures = {
     "slider-crank": (slider_crank, [(0.2, 1.75, 60), (0.5, 1.5, 150), (0.1, 4, 25), (0.3, 2, 90)]),
     "planetary-velocities": (
         planetary_velocities,

@@ -17,7 +17,7 @@ from kinegrade.mechanics.joints import GROUND, Circle, Roll
 from kinegrade.mechanics.mechanism import Body, Mechanism
 from kinegrade.mechanics.vector import Vector
 from tests.figure.mechanisms import Case, hinted, polar
-from tests.figure.more_mechanisms import wheel_in_track
+from tests.figure.wheel_mechanisms import wheel_in_track
 
 ORIGIN = Vector(0.0, 0.0)
 ARC = {"shapes": {"ground": "arc"}, "radii": [{"symbol": "R", "centre": "O1"}]}

@@ -16,7 +16,7 @@ from kinegrade.mechanics.joints import GROUND, Belt, Circle, Line
 from kinegrade.mechanics.mechanism import Body, Mechanism
 from kinegrade.mechanics.vector import Vector
 from tests.figure.mechanisms import Case
-from tests.figure.more_mechanisms import belt_about_fixed_pulley, belt_on_arm, crossed_belt_on_arm
+from tests.figure.wheel_mechanisms import belt_about_fixed_pulley, belt_on_arm, crossed_belt_on_arm
 
 CENTRES = {"O": Vector(1.0, -2.0), "A": Vector(4.0, 2.0)}  # 5 apart
 

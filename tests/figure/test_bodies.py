@@ -17,17 +17,17 @@ from kinegrade.figure.sketch import sketch
 from kinegrade.mechanics.joints import GROUND, Line, Parallel, Pin, Slide
 from kinegrade.mechanics.mechanism import Body, Mechanism
 from kinegrade.mechanics.vector import Vector
-from tests.figure.mechanisms import RIGHT, UP, Case, hinted, polar, slider_crank, slotted_rocker
-from tests.figure.more_mechanisms import (
+from tests.figure.guided_mechanisms import (
     bent_coupler,
     corner_in_two_sleeves,
-    meshing_gears,
     parallelogram_with_sleeve,
     plate_on_fixed_corners,
     sleeve_with_arm,
     sliding_plate,
     swivelling_rod,
 )
+from tests.figure.mechanisms import RIGHT, UP, Case, hinted, polar, slider_crank, slotted_rocker
+from tests.figure.wheel_mechanisms import meshing_gears
 
 ORIGIN = Vector(0.0, 0.0)
 

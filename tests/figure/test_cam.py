@@ -16,8 +16,8 @@ from kinegrade.figure.scene import PITCH, Disc, Outline, Primitive, Strokes
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.library.library import load_template
+from tests.figure.guided_mechanisms import pointed_follower
 from tests.figure.mechanisms import follower_curvature
-from tests.figure.more_mechanisms import pointed_follower
 
 
 @given(st.floats(0.1, 0.5), st.integers(-30, 30), st.floats(0.4, 1.6))

@@ -15,8 +15,9 @@ from kinegrade.figure.symbols.bars import BAR_WIDTH
 from kinegrade.mechanics.joints import GROUND, Circle, Line, Mesh, Pin, Roll, Slide
 from kinegrade.mechanics.mechanism import Body, Mechanism
 from kinegrade.mechanics.vector import Vector
+from tests.figure.guided_mechanisms import pin_in_two_slots, sliding_plate
 from tests.figure.mechanisms import RIGHT, UP, Case, hinted
-from tests.figure.more_mechanisms import pin_in_two_slots, rack_and_gear, sliding_plate
+from tests.figure.wheel_mechanisms import rack_and_gear
 
 ORIGIN = Vector(0.0, 0.0)
 

@@ -24,8 +24,8 @@ from kinegrade.mechanics.mechanism import Body, Mechanism
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import Angle, Axes, BodyFrame, FigureHints, Length
 from tests.figure.clear import faults, heads, lines
+from tests.figure.guided_mechanisms import sliding_plate
 from tests.figure.mechanisms import RIGHT, UP, follower_circle, slider_crank
-from tests.figure.more_mechanisms import sliding_plate
 
 EMPTY = Drawing((), (), (), (), (), ())
 

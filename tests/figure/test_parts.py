@@ -20,8 +20,9 @@ from kinegrade.mechanics.drivers import Component, Rotation
 from kinegrade.mechanics.joints import GROUND, Circle, Line, Pin, Roll, Slide
 from kinegrade.mechanics.mechanism import Body, Mechanism
 from kinegrade.mechanics.vector import Vector
+from tests.figure.guided_mechanisms import plate_on_fixed_corners
 from tests.figure.mechanisms import RIGHT, UP, Case, hinted, polar, slider_crank, slotted_bar
-from tests.figure.more_mechanisms import bar_pushing_disc, plate_on_fixed_corners, rack_and_gear
+from tests.figure.wheel_mechanisms import bar_pushing_disc, rack_and_gear
 
 ORIGIN = Vector(0.0, 0.0)
 

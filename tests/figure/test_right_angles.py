@@ -17,8 +17,8 @@ from kinegrade.figure.symbols.bars import BAR_WIDTH
 from kinegrade.mechanics.joints import GROUND, Pin
 from kinegrade.mechanics.mechanism import Body, Mechanism
 from kinegrade.mechanics.vector import Vector
+from tests.figure.guided_mechanisms import corner_in_two_sleeves, sleeve_with_arm
 from tests.figure.mechanisms import Case, hinted, polar
-from tests.figure.more_mechanisms import corner_in_two_sleeves, sleeve_with_arm
 
 
 def bent_rod(degrees: float) -> Case:

@@ -33,6 +33,7 @@ from kinegrade.figure.scene import (
 from kinegrade.figure.sketch import HEIGHT, WIDTH, draw_unit_figure, sketch
 from kinegrade.mechanics.vector import Vector
 from tests.figure.clear import faults
+from tests.figure.guided_mechanisms import GUIDED
 from tests.figure.mechanisms import (
     EIGHT,
     Case,
@@ -43,11 +44,11 @@ from tests.figure.mechanisms import (
     slider_crank,
     slotted_bar,
 )
-from tests.figure.more_mechanisms import MORE
+from tests.figure.wheel_mechanisms import WITH_WHEELS
 
 CASES = [
     pytest.param(build, values, id=f"{name}-{number}")
-    for name, (build, postures) in {**EIGHT, **MORE}.items()
+    for name, (build, postures) in {**EIGHT, **GUIDED, **WITH_WHEELS}.items()
     for number, values in enumerate(postures)
 ]
 

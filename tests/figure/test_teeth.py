@@ -20,7 +20,7 @@ from kinegrade.figure.teeth import TOOTH_ROOT, TOOTH_TIP, find_teeth_of_rack, tr
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
 from tests.figure.mechanisms import Case
-from tests.figure.more_mechanisms import planet_in_ring, rack_and_gear, rack_in_a_guide
+from tests.figure.wheel_mechanisms import planet_in_ring, rack_and_gear, rack_in_a_guide
 
 ORIGIN = Vector(0.0, 0.0)
 
