@@ -38,7 +38,8 @@ def test_two_arrows_of_one_sense_both_begin_at_their_point() -> None:
     at = mechanism.points["B"]
     layout = add_motions(Layout.of(()), Site(mechanism, [lay_floor(at)]), BOTH)
     one, other = list_shafts(layout)
-    assert all(at.x <= start.x <= at.x + 4.0 < end.x for start, end in (one, other))
+    for start, end in (one, other):
+        assert at.x <= start.x <= at.x + 4.0 < end.x
     assert abs(one[0].y - other[0].y) > 2.5
 
 

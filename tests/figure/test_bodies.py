@@ -162,7 +162,7 @@ def test_the_pin_of_a_sleeve_with_an_arm_is_a_half_circle_beside_the_bar_away_fr
     assert layer(drawing, sleeve) < layer(drawing, half) < layer(drawing, through)
     assert circles_at(drawing, at) == []
     toward = place(case, "D") - at
-    assert all((corner - at).dot(toward) < 0 for corner in half.corners)
+    assert [corner for corner in half.corners if not (corner - at).dot(toward) < 0] == []
 
 
 def test_a_bar_ends_at_the_pin_of_a_sleeve_not_at_what_slides_there() -> None:
@@ -204,9 +204,9 @@ def test_the_rod_of_a_yoke_is_welded_to_the_edge_of_its_bar_whose_slot_runs_on_p
     assert Point(rod.start).distance(edge) == pytest.approx(0.0, abs=0.01)
     gussets = [Polygon(part.corners) for part in black_triangles_of(case)]
     assert len(gussets) == 2
-    assert all(edge.buffer(0.01).intersects(gusset) for gusset in gussets)
+    assert [gusset for gusset in gussets if not edge.buffer(0.01).intersects(gusset)] == []
     slots = [part for part in drawing.primitives if isinstance(part, Outline) and part.pen == THIN]
-    assert any(Polygon(slot.corners).contains(Point(along * -2.0)) for slot in slots)
+    assert any(Polygon(slot.corners).contains(Point(along * -2.0)) for slot in slots), slots
 
 
 def test_a_marked_point_does_not_interrupt_its_bar() -> None:

@@ -114,7 +114,7 @@ def test_a_reference_line_to_a_pin_in_a_slot_lies_over_the_slotted_bar() -> None
     line = Strokes(((ends[0], ends[1]),), THIN)
     bars = [part for part in parts if isinstance(part, Outline) and part.fill == "grey"]
     assert bars
-    assert all(parts.index(line) > parts.index(bar) for bar in bars)
+    assert [bar for bar in bars if not parts.index(line) > parts.index(bar)] == []
 
 
 def prolonged(angle_to: str) -> Scene:
@@ -172,7 +172,11 @@ def test_the_edge_of_a_plate_rests_on_knife_edges_not_in_sleeves() -> None:
         part for part in drawing.primitives if isinstance(part, Outline) and len(part.corners) == 3
     ]
     # Outside
-    assert all(part.corners[1].dot(part.corners[0]) > part.corners[0].squared() for part in wedges)
+    assert [
+        part
+        for part in wedges
+        if not part.corners[1].dot(part.corners[0]) > part.corners[0].squared()
+    ] == []
 
 
 def test_a_rod_through_its_point_has_two_free_ends_with_letters() -> None:
@@ -231,7 +235,7 @@ def test_the_track_of_a_wheel_reaches_to_a_ground_pin_on_it() -> None:
     assert any(
         min(start.x, end.x) == pytest.approx(0.0) and start.y == pytest.approx(0.0)
         for start, end in surfaces
-    )
+    ), surfaces
 
 
 def test_wheels_on_one_line_share_one_surface() -> None:

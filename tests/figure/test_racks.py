@@ -38,7 +38,7 @@ def test_a_rack_without_a_gear_has_its_teeth_towards_the_rest_and_its_back_on_th
     drawing = _draw_steering(0.3 * side)
     [rack] = (part for part in drawing.parts if isinstance(part, Bar) and part.use == "rack")
     assert (rack.start, rack.end, rack.back.y) == (C, C + Vector(22.0, 0.0), -side)
-    assert not any(isinstance(part, Rod) for part in drawing.parts)
+    assert [part for part in drawing.parts if isinstance(part, Rod)] == []
     [contour] = (
         part for part in drawing.primitives if isinstance(part, Outline) and part.pen == TOOTHED
     )

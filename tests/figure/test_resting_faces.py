@@ -25,4 +25,4 @@ def test_the_face_of_a_follower_touches_the_rim_from_outside_where_a_dot_is(name
     edge_of_rim, half_plate = contact.y + FIRM.width / 2, BOLD.width / 2
     assert levels == [pytest.approx(edge_of_rim + half_plate)]
     assert min(at.y for line in lines for at in line) == pytest.approx(levels[0])
-    assert any(part.centre == contact for part in primitives if isinstance(part, Disc))
+    assert contact in [part.centre for part in primitives if isinstance(part, Disc)]

@@ -53,7 +53,9 @@ def test_a_rope_runs_from_the_tangent_point_to_its_end_and_needs_no_guide(shape:
     drawing = hoist(shape)
     assert [rope.pen for rope in ropes(drawing)] == [THIN]
     assert drawing.parts == ()
-    assert not any(isinstance(part, Strokes) and part.pen == BOLD for part in drawing.primitives)
+    assert [
+        part for part in drawing.primitives if isinstance(part, Strokes) and part.pen == BOLD
+    ] == []
 
 
 def test_a_load_hangs_below_the_end_of_its_rope() -> None:

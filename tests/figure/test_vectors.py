@@ -70,7 +70,7 @@ def test_arrows_come_out_from_under_the_pin_at_which_they_start() -> None:
     last_shaft = max(
         place for place, part in enumerate(parts) if isinstance(part, Strokes) and part.pen == FIRM
     )
-    assert any(isinstance(part, Disc) and part.fill == "white" for part in parts[last_shaft:])
+    assert "white" in [part.fill for part in parts[last_shaft:] if isinstance(part, Disc)]
 
 
 def test_what_is_zero_or_too_short_is_left_out() -> None:
