@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 from msgspec.structs import replace
-from shapely import LineString, Polygon
+from shapely import LineString, MultiLineString, MultiPolygon, Polygon
 
 from kinegrade.errors import TemplateError
 from kinegrade.figure.mechanism.anatomy import Anatomy
@@ -180,61 +180,77 @@ def test_a_floor_ends_near_where_a_rod_would_cross_it_but_not_at_the_block(angle
     assert ends[1] == 7.5
 
 
-@pytest.mark.parametrize(
-    ("angle", "ends"),
-    [
-        (20, (-18.4, 7.5)),
-        (45, (-10.0, 7.5)),
-        (80, (-7.5, 7.5)),
-        (120, (-7.5, 7.5)),
-        (150, (-7.5, 13.5)),
-    ],
-)
-def test_the_floor_is_open_for_a_rod_through_its_block_and_runs_on_past_that(
-    angle: float, ends: tuple[float, float]
-) -> None:
+def lay_through(angle: float) -> Rail:
+    """The rail of a block through which a rod passes at an angle."""
     points = {"B": ORIGIN, "A": polar(0.4, angle), "C": polar(-0.4, angle)}
     joints = (Slide("B", "AC", Line(ORIGIN, RIGHT), GROUND),)
-    mechanism = Mechanism(points, (Body("AC", ("A", "B", "C")),), joints, ())
-    (rail,) = find_rails(anatomy_of(mechanism))
+    (rail,) = find_rails(anatomy_of(Mechanism(points, (Body("AC", ("A", "B", "C")),), joints, ())))
+    return rail
+
+
+def list_ground(rail: Rail) -> list[LineString]:
+    """The lines of the ground and the strokes of its hatching."""
+    strokes = [part for part in draw_ground_sliders([rail]) if isinstance(part, Strokes)]
+    return [LineString(line) for part in strokes for line in part.lines]
+
+
+@pytest.mark.parametrize("angle", [70, 80, 90, 100, 110])
+def test_the_floor_is_open_for_a_steep_rod_through_its_block(angle: float) -> None:
+    rail = lay_through(angle)
     assert rail.side == DOWN
-    assert (rail.start.x, rail.end.x) == pytest.approx(ends, abs=0.05)
+    assert (rail.start.x, rail.end.x) == (-7.5, 7.5)
     (white,) = (
         part
         for part in draw_ground_sliders([rail])
         if isinstance(part, Outline) and part.pen is None and part.fill == "white"
     )
-    level = rail.start.y
     gap = [abs((corner - ORIGIN).cross(polar(1.0, angle))) for corner in white.corners]
     assert min(gap) == pytest.approx(max(gap)) == pytest.approx(1.2)
-    assert min(corner.y for corner in white.corners) < level - 1.4
+    assert min(corner.y for corner in white.corners) < rail.start.y - 1.4
 
 
-@pytest.mark.parametrize("angle", range(20, 165, 5))
-def test_a_floor_with_an_opening_is_seen_on_both_sides_of_its_block(angle: float) -> None:
-    points = {"B": ORIGIN, "A": polar(0.4, angle), "C": polar(-0.4, angle)}
-    joints = (Slide("B", "AC", Line(ORIGIN, RIGHT), GROUND),)
-    (rail,) = find_rails(anatomy_of(Mechanism(points, (Body("AC", ("A", "B", "C")),), joints, ())))
-    _, line, white, _ = draw_ground_sliders([rail])
-    assert isinstance(line, Strokes)
-    assert isinstance(white, Outline)
-    assert rail.block is not None
-    seen = LineString(line.lines[0]).difference(Polygon(white.corners))
-    left, _, right, _ = seen.bounds
-    assert min(-left, right) > rail.block.length / 2 + 2
-
-
-@pytest.mark.parametrize("angle", [20, 45, 80, 120, 150])
+@pytest.mark.parametrize("angle", [70, 80, 90, 100, 110])
 def test_a_stroke_that_the_opening_of_a_floor_would_cut_is_left_out_whole(angle: float) -> None:
-    points = {"B": ORIGIN, "A": polar(0.4, angle), "C": polar(-0.4, angle)}
-    joints = (Slide("B", "AC", Line(ORIGIN, RIGHT), GROUND),)
-    mechanism = Mechanism(points, (Body("AC", ("A", "B", "C")),), joints, ())
-    hatching, _, white, _ = draw_ground_sliders(find_rails(anatomy_of(mechanism)))
+    hatching, _, white, _ = draw_ground_sliders([lay_through(angle)])
     assert isinstance(hatching, Strokes)
     assert isinstance(white, Outline)
     strokes = [LineString(stroke) for stroke in hatching.lines]
     assert strokes
     assert [stroke for stroke in strokes if not Polygon(white.corners).disjoint(stroke)] == []
+
+
+@pytest.mark.parametrize("angle", [10, 15, 20, 25, 30, 45, 55, 125, 135, 150, 160, 170])
+def test_a_block_is_guided_on_both_sides_of_a_slanted_rod_through_it(angle: float) -> None:
+    rail = lay_through(angle)
+    drawn = list(draw_ground_sliders([rail]))
+    assert not [part for part in drawn if isinstance(part, Outline) and part.pen is None]
+    rod = LineString([polar(-20.0, angle), polar(20.0, angle)]).buffer(0.4)
+    assert min(line.distance(rod) for line in list_ground(rail)) > 0.25
+    floor, ceiling = (
+        [line for line in list_ground(rail) if (line.centroid.y > 0) == above]
+        for above in (False, True)
+    )
+    for wall in (floor, ceiling):
+        assert len(wall) > 4
+        ends = [end for line in wall for end in line.coords]
+        assert max(abs(x) for x, _ in ends) >= 7.5
+
+
+@pytest.mark.parametrize("angle", range(10, 175, 5))
+def test_the_ground_is_seen_on_both_sides_of_a_block_through_which_a_rod_passes(
+    angle: float,
+) -> None:
+    rail = lay_through(angle)
+    assert rail.block is not None
+    walls = [line for line in list_ground(rail) if line.length > 2.5]
+    whites = [
+        Polygon(part.corners)
+        for part in draw_ground_sliders([rail])
+        if isinstance(part, Outline) and part.pen is None
+    ]
+    seen = MultiLineString(walls).difference(MultiPolygon(whites))
+    left, _, right, _ = seen.bounds
+    assert min(-left, right) > rail.block.length / 2 + 2
 
 
 @pytest.mark.parametrize(("through", "use"), [(True, "link"), (False, "slot"), (False, "link")])

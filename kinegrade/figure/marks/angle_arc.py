@@ -133,8 +133,8 @@ class AngleArc(Struct, frozen=True):
         bow = self.bow
         parts: tuple[Primitive, ...] = ()
         for broad, pen in ((False, THIN), (True, PITCH)):
-            lines = (leg.line(bow.centre, bow.radius) for leg in self.legs if leg.broad == broad)
-            sides = tuple(line for line in lines if line)
+            legs = (leg for leg in self.legs if leg.broad == broad)
+            sides = tuple(line for leg in legs for line in leg.list_seen(bow.centre, bow.radius))
             parts += (Strokes(sides, pen),) if sides else ()
         if self.hint.sense or self.hint.signed:
             parts += (draw_arc_head(bow),)

@@ -13,9 +13,10 @@ from kinegrade.figure.mechanism.straight_parts import Bar, is_slender
 from kinegrade.figure.placing.mark import direction
 from kinegrade.figure.placing.obstacles import Segment
 from kinegrade.figure.plane import NEAR, angle_of, length, on_line, polar, unit
-from kinegrade.figure.scene import BOLD, FIRM, THIN, Primitive, Strokes
+from kinegrade.figure.scene import BOLD, FIRM, THIN, Disc, Primitive, Strokes
 from kinegrade.figure.symbols.bars import BAR_WIDTH
 from kinegrade.figure.symbols.pins import PIN
+from kinegrade.figure.symbols.sliding import BLOCK_IN_SLOT
 from kinegrade.mechanics.joints import Line
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import Angle
@@ -24,15 +25,20 @@ from kinegrade.problem.template.hints import Angle
 _BEYOND, SHORT = 2.5, 1.0
 _DOUBLE = 1.2  # millimetres within which the ground and a line along it would look like one
 LEFT = 4.2  # millimetres from a vertex in which its own bars leave beside a side
+_LEAST_PART = 1.0  # millimetres of an axis that is seen as a line between two things that cover it
+_OFF_AXIS = 0.4  # millimetres between an axis and the middle of the outline at which it stops
 _AT_PIN = 0.15  # millimetres from the radius of a pin to where a line ends on the edge of it
+
+Span = tuple[float, float]  # millimetres along a side from its vertex
 
 
 class Side(Struct, frozen=True):
     """A side of an angle: its direction, how far a bar is drawn along it, how far away the point
     on it is (0 for none), whether the bar is so broad that its axis has to be drawn, how far
     outside the angle the ground runs that takes the place of a line, how far a line goes `beyond`
-    the arc, how far the arrow of a motion is likely to hide it, and how far the open pins reach
-    that are where the bar ends and at the point on the side.
+    the arc, how far the arrow of a motion is likely to hide it, how far the open pins reach
+    that are where the bar ends and at the point on the side, and between which millimetres the
+    axis of a broad bar is `covered` by a pin or a block.
     """
 
     angle: float
@@ -43,6 +49,7 @@ class Side(Struct, frozen=True):
     beyond: float = _BEYOND
     hidden: float = 0.0
     pins: tuple[float, float] = (0.0, 0.0)
+    covered: tuple[Span, ...] = ()
 
     @property
     def half(self) -> float:
@@ -63,6 +70,23 @@ class Side(Struct, frozen=True):
             self.drawn + self.pins[0], PIN + _AT_PIN
         ), vertex + toward * far
 
+    def list_seen(self, vertex: Vector, radius: float) -> Iterator[Segment]:
+        """The parts of its line that are not covered."""
+        line = self.line(vertex, radius)
+        if line is None:
+            return
+        if not self.covered:
+            yield line
+            return
+        toward = polar(self.angle)
+        begin, far = ((end - vertex).dot(toward) for end in line)
+        for span in (*sorted(self.covered), (far, far)):
+            first, last = span
+            end = min(first, far)
+            if end - begin > _LEAST_PART:
+                yield vertex + toward * begin, vertex + toward * end
+            begin = max(begin, last)
+
 
 def find_sides(at: Mapping[str, Vector], hint: Angle, drawing: Drawing) -> tuple[Side, ...]:
     """The first and the last side of an angle."""
@@ -78,8 +102,31 @@ def find_sides(at: Mapping[str, Vector], hint: Angle, drawing: Drawing) -> tuple
             _reach_pin(vertex + way * reach, drawing),
         )
         broad = _is_broad(vertex, way, drawing)
-        legs.append(Side(angle_of(way), drawn, reach, broad, lag, pins=pins))
+        covered = tuple(_list_covered(vertex, way, drawing)) if broad else ()
+        legs.append(Side(angle_of(way), drawn, reach, broad, lag, pins=pins, covered=covered))
     return tuple(legs)
+
+
+def _list_covered(vertex: Vector, toward: Vector, drawing: Drawing) -> Iterator[Span]:
+    """Where the open pins and the blocks on the axis of a broad bar are, but for the pin at its
+    vertex, on whose edge its line begins.
+    """
+    axis = Line(vertex, toward)
+    for at, half in _list_covering(drawing):
+        if on_line(at, axis) and length(at - vertex) > NEAR:
+            middle = (at - vertex).dot(toward)
+            reach = half + _OFF_AXIS
+            yield middle - reach, middle + reach
+
+
+def _list_covering(drawing: Drawing) -> Iterator[tuple[Vector, float]]:
+    """The middles of open pins and of blocks in slots, with half their sizes."""
+    for part in drawing.primitives:
+        if isinstance(part, Disc) and part.fill == "white":
+            yield part.centre, part.radius
+    for symbol in drawing.symbols:
+        if symbol.block:
+            yield symbol.block.point, BLOCK_IN_SLOT / 2
 
 
 def _reach_pin(at: Vector, drawing: Drawing) -> float:

@@ -13,10 +13,16 @@ from kinegrade.figure.joints.symbol import Guide, Symbol, find_fixed_pins
 from kinegrade.figure.mechanism.anatomy import Anatomy
 from kinegrade.figure.mechanism.block_sizes import BlockSize, choose_block_size
 from kinegrade.figure.mechanism.straight.broad_links import find_frame_place
-from kinegrade.figure.mechanism.straight_parts import Bar, Rod, find_half_width, list_ways
+from kinegrade.figure.mechanism.straight.leaving_bars import (
+    Leaving,
+    find_opening,
+    has_bar_through,
+    list_leaving,
+)
+from kinegrade.figure.mechanism.straight_parts import Bar
+from kinegrade.figure.placing.obstacles import Segment
 from kinegrade.figure.plane import NEAR, length, mean, meet, unit
-from kinegrade.figure.scene import BOLD, FIRM
-from kinegrade.figure.symbols.ground import HATCHING
+from kinegrade.figure.scene import FIRM
 from kinegrade.figure.symbols.sliding import BLOCK_LENGTH
 from kinegrade.figure.symbols.teeth import RACK_DEPTH
 from kinegrade.mechanics.joints import Line
@@ -25,23 +31,21 @@ from kinegrade.mechanics.vector import Vector
 
 _REACH = 7.5  # millimetres of a rail on either side of its block
 _SEEN = 2.0  # at least beyond a block: it is seen to run on, even behind a bar
-_PAST_BAR = 4.5  # past the hatching of a bar that passes through it close to its block
-_FURTHER = 12.0  # more than usual that such a rail may reach
 _BEYOND_RACK = 5.0  # millimetres of a guide on either side of the rack in it
 _BARE = 0.0  # from the axis of a guide where a bare end slides: the ground is the guide
+_PAST_MIDDLE = 0.5  # from the middle of a block to the ground on its other side
 _CLEAR = 0.3  # millimetres between a rail and a bar
 _HALF_STAND = 4.2  # millimetres along a rail between a pin and the end of the rail
 _LEVEL_OF_STANDS = 6.0  # millimetres between a guide and a pin whose stand may be in its way
 _CORNER = 4.5  # millimetres from a block to a corner at least
-OPENING = 0.8  # millimetres of the ground that are open on either side of a bar through it
-Leaving = tuple[Vector, float]  # the unit vector of a bar that leaves a point, and half its width
 
 
 class Rail(Struct, frozen=True):
     """The ground along a guide: `at` is the block or bare end on it, `start` and `end` its ends,
     `side` the side of the guide on which it is, and `level` how far from the guide; `crossed` are
-    the bars that pass through it, for which it is open, and `axes` the directions of axes of a
-    body's frame that leave the block across its hatching, among which they would be lost.
+    the bars that pass through it, for which it is open, `axes` the directions of axes of a body's
+    frame that leave the block across its hatching, among which they would be lost, and `facing`
+    the ends of the ground on the other side of the block, where there is some.
     """
 
     at: Vector
@@ -53,6 +57,7 @@ class Rail(Struct, frozen=True):
     block: BlockSize | None
     crossed: tuple[Leaving, ...] = ()
     axes: tuple[Vector, ...] = ()
+    facing: Segment | None = None
 
     @property
     def bare(self) -> bool:
@@ -94,43 +99,57 @@ def _lay_under_rack(guide: Guide, rack: Bar) -> Rail:
 
 
 def _lay_rail(anatomy: Anatomy, name: str, along: Vector, pinned: bool) -> Rail:
-    """Below its block, so that a guide looks alike in all postures, and open for a bar that passes
-    through, at which it ends unless that leaves steeply; on the other side where a bar leaves
-    downward. A wall is on the side away from the mechanism.
+    """Below its block, so that a guide looks alike in all postures; on the other side where a bar
+    leaves downward. Where one passes through the block, the ground is open for it if it is steep,
+    else on both sides as far as it leaves them free. A wall is on the side away from the mechanism.
     """
     at = anatomy.mechanism.points[name]
     block = choose_block_size(at, anatomy.parts) if pinned else None
     half = (block.length if block else BLOCK_LENGTH) / 2
     level = block.width / 2 + FIRM.width / 2 if block else _BARE
-    leaving = list(_list_leaving(anatomy, name))
+    leaving = list(list_leaving(anatomy.mechanism, anatomy.parts, name))
     sides = _order_sides(anatomy.mechanism, at, along)
     most = _find_room_between_stands(anatomy, name, along)
     reaches = [_find_reaches(along, side, leaving, level, most) for side in sides]
     narrowest = [min(back, ahead) for back, ahead in reaches]
-    usual = 1 if narrowest[1] >= half > narrowest[0] else 0
-    passing = all(reach != most for reach in reaches)
-    back, ahead = (max(each, half + _SEEN) for each in (most if passing else reaches[usual]))
-    ground, side = at + sides[usual] * level, sides[usual]
+    passing = all(reach != most for reach in reaches) or has_bar_through(leaving, along)
+    usual = 1 if not passing and narrowest[1] >= half > narrowest[0] else 0
+    side, facing = sides[usual], None
+    back, ahead = most if passing else reaches[usual]
     crossed = tuple(each for each in leaving if passing and each[0].dot(side) > NEAR)
-    for leave in crossed:
-        opening = level * leave[0].dot(along) / leave[0].dot(side)
-        if opening < -half / 2:
-            back = _end_at_opening(-opening, leave, side, half + _SEEN, most[0])
-        elif opening > half / 2:
-            ahead = _end_at_opening(opening, leave, side, half + _SEEN, most[1])
-    start, end = ground - along * back, ground + along * ahead
+    beyond = _reach_past_middle(crossed, along, most)
+    if beyond and any(find_opening(each, along, side, level) > half for each in crossed):
+        back, ahead = reaches[usual]
+        facing = _lay_wall(at + sides[1] * level, along, beyond)
+        crossed = ()
+    else:
+        back = max(back, half + _SEEN)
+        ahead = max(ahead, half + _SEEN)
+    start, end = _lay_wall(at + side * level, along, (back, ahead))
     axes = tuple(axis for axis in _list_axes(anatomy, at) if axis.dot(side) > NEAR)
-    return Rail(at, along, side, start, end, level, block, crossed, axes)
+    return Rail(at, along, side, start, end, level, block, crossed, axes, facing)
 
 
-def _end_at_opening(opening: float, bar: Leaving, side: Vector, least: float, most: float) -> float:
-    """How far a rail reaches on the side on which a bar passes through it: up to that where this is
-    at least so far, else past it, so that the rail is seen to run on, where there is room.
+def _lay_wall(at: Vector, along: Vector, reach: tuple[float, float]) -> Segment:
+    """A straight piece of the ground so far backward and forward from a place."""
+    back, ahead = reach
+    return at - along * back, at + along * ahead
+
+
+def _reach_past_middle(
+    crossed: Sequence[Leaving], along: Vector, most: tuple[float, float]
+) -> tuple[float, float] | None:
+    """How far the ground may reach backward and forward on the other side of a block: from its
+    middle to where bars leave it, so that the letter has its place; None where they leave both
+    ways.
     """
-    (way, half), sine = bar, bar[0].dot(side)
-    white = (half + OPENING) / sine
-    past = opening + white + HATCHING * abs(way.cross(side)) / sine + _PAST_BAR
-    return past if opening - white < least and past < most + _FURTHER else min(opening, most)
+    back, ahead = most
+    ways = {way.dot(along) > 0 for way, _ in crossed}
+    if ways == {True}:
+        return -_PAST_MIDDLE, ahead
+    if ways == {False}:
+        return back, -_PAST_MIDDLE
+    return None
 
 
 def _list_axes(anatomy: Anatomy, at: Vector) -> Iterator[Vector]:
@@ -148,23 +167,6 @@ def _order_sides(mechanism: Mechanism, at: Vector, along: Vector) -> tuple[Vecto
         return (-across, across) if across.y > 0 else (across, -across)
     away = (at - mean(mechanism.points.values())).dot(across)
     return (-across, across) if away < 0 else (across, -across)
-
-
-def _list_leaving(anatomy: Anatomy, name: str) -> Iterator[Leaving]:
-    """The bars of a point's bodies that leave it; of a plate, the directions to its points."""
-    points = anatomy.mechanism.points
-    at = points[name]
-    for body in anatomy.mechanism.bodies:
-        if name not in body.points:
-            continue
-        bars = [
-            part for part in anatomy.parts if isinstance(part, Bar | Rod) and part.body == body.name
-        ]
-        for bar in bars:
-            yield from ((unit(way), find_half_width(bar)) for way in list_ways(bar, at))
-        if not bars:
-            steps = (points[other] - at for other in body.points)
-            yield from ((unit(step), BOLD.width / 2) for step in steps if length(step) > NEAR)
 
 
 def _find_room_between_stands(anatomy: Anatomy, name: str, along: Vector) -> tuple[float, float]:

@@ -8,13 +8,14 @@ from msgspec.structs import replace
 
 from kinegrade.figure.mechanism.anatomy import Anatomy
 from kinegrade.figure.mechanism.pins import find_swivels
-from kinegrade.figure.mechanism.rails import OPENING, Leaving, Rail
+from kinegrade.figure.mechanism.rails import Rail
+from kinegrade.figure.mechanism.straight.leaving_bars import OPENING, Leaving
 from kinegrade.figure.plane import NEAR, length
 from kinegrade.figure.scene import FIRM, Outline, Primitive, Strokes
 from kinegrade.figure.symbols.bars import SLEEVE_WIDTH, SLOT_WIDTH
 from kinegrade.figure.symbols.ground import HATCHING, draw_ground
 from kinegrade.figure.symbols.sliding import (
-    BLOCK_LENGTH,
+    BLOCK_IN_SLOT,
     SLEEVE_LENGTH,
     WIDTH_ABOUT_PIN,
     draw_block,
@@ -38,7 +39,7 @@ def draw_blocks(anatomy: Anatomy) -> Iterator[Primitive]:
     for symbol in anatomy.symbols:
         if symbol.block:
             at, along = symbol.block.point, symbol.block.direction
-            yield draw_block(at, along, BLOCK_LENGTH - 1.0, SLOT_WIDTH)
+            yield draw_block(at, along, BLOCK_IN_SLOT, SLOT_WIDTH)
 
 
 def draw_ground_sliders(rails: Iterable[Rail]) -> Iterator[Primitive]:
@@ -61,6 +62,8 @@ def _draw_rail(rail: Rail) -> Iterator[Primitive]:
     yield from (_clear_hatching(rail, axis) for axis in rail.axes)
     yield line
     yield from (_open_ground(rail, each) for each in rail.crossed)
+    if rail.facing:
+        yield from draw_ground(*rail.facing, -rail.side)
 
 
 def _is_cut(stroke: tuple[Vector, Vector], rail: Rail) -> bool:

@@ -8,6 +8,7 @@ from kinegrade.figure.symbols.ground import HATCHING, draw_ground
 from kinegrade.mechanics.vector import Vector
 
 BLOCK_LENGTH, BLOCK_WIDTH = 5.0, 3.0
+BLOCK_IN_SLOT = 4.0  # the length of a block in the slot of a bar
 SLEEVE_LENGTH, WIDTH_ABOUT_PIN = 6.4, 4.4  # of a sleeve; its width about a pin beside its bar
 _GUIDE_GAP = BOLD.width / 2 + 0.55  # from the axis of a rod to its guide
 # Millimetres: half the width of a cylinder, its length, and from its floor to the piston in it
