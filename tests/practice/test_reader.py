@@ -3,10 +3,14 @@
 from __future__ import annotations
 
 import re
+import sys
+from collections import defaultdict
 from random import Random
 from typing import Any
+from unicodedata import category
 
 from kinegrade.grading.typed.answers import Reading, read
+from kinegrade.grading.typed.keyboard import fold
 from kinegrade.language.message import Message
 from kinegrade.sign_conventions import CONVENTIONS
 from tests.grading.test_typed_answers import ROWS, STYLES
@@ -23,7 +27,7 @@ USUAL = (
     "v_B = 3.2 m/s", "ω≈12 rad/s (clockwise)", "clockwise: 5", "↻ 3", "3 ↺", "逆时针 2.5 rad/s",
     "-3 cw", "+3 to the left", "nach links 4", "ca. 7,25", "about 2 m/s", "30 rpm", "30 r/min",
     "30 1/min", "2 Hz", "5 m s^-2", "5 ms⁻²", "5 m/s/s", "5 米/秒²", "5 metres per second squared",
-    "5 cm/s", "1/rpm", "5 constructor", "2 min⁻¹ cm/cm", "2^17", "10^40", "(10)^20 m/s", "π/0", "5 km/h", "5 ft/s", "45°", "45 deg", "π/4 rad", "π/4", "50 %", "3 apples", "3 4", "3;4",
+    "5 cm/s", "1/rpm", "5 constructor", "2 min⁻¹ cm/cm", "2^17", "10^40", "(10)^20 m/s", "(0010)^69", "(+10)^20", "10.0^20", "(10^1)^20", "(-10)^20", "(2*5)^20", "〔1/2〕√3", "π/0", "5 km/h", "5 ft/s", "45°", "45 deg", "π/4 rad", "π/4", "50 %", "3 apples", "3 4", "3;4",
     "1e200", "199\t956", "199\t956 m/s²", "5\tm/s²", "5\x1cm", "3±0.1", "<b>1</b>", "0x10", "１２．５", "½ v_B =", "1.2.3", "1'000.5", "7 (m/s)",
 )  # fmt: skip
 PIECES = (
@@ -32,6 +36,11 @@ PIECES = (
     "rpm", "1 234.5", "nach rechts", "米/秒", "Hz", "per second", "squared", "，", "。", "−", "'",
     "m s⁻²", "[", "]", "2½", "un", "about ",
 )  # fmt: skip
+PLACES = (
+    "3{}", "{}3", "3 {} m/s", "29 1/{}", "3 *{}m", "x{} = 3", "{}x=3", "√{}3", "3 m{}", "3{}4", "pi{}=3",
+    "3 cw{}", "{}cw 3", "2 {}rads^-1", "3 square {}m", "3 m/{}s", "1{}3 4",
+)  # fmt: skip
+EACH = 6
 
 
 def list_unlike(texts: list[str], seed: int) -> list[str]:
@@ -95,3 +104,19 @@ def test_the_table_of_typed_answers_is_read_as_in_a_file() -> None:
 
 def test_made_up_texts_are_read_as_in_a_file() -> None:
     assert list_unlike_made_up(7, 4000) == []
+
+
+def list_signs_of_all_kinds() -> list[str]:
+    """Characters that are folded into others, and some of each category of Unicode."""
+    kinds = defaultdict(list)
+    for code in range(sys.maxunicode + 1):
+        kinds[category(chr(code))].append(chr(code))
+    del kinds["Cs"], kinds["Cn"]  # halves, and what browsers may know and Python does not
+    folded = [sign for signs in kinds.values() for sign in signs if fold(sign) != sign]
+    return folded + [sign for signs in kinds.values() for sign in signs[:: -(-len(signs) // EACH)]]
+
+
+def test_signs_of_all_kinds_are_read_as_in_a_file() -> None:
+    """For the page, 1/Ⅳ behind a number was another number, and 〔1/2〕√3 none."""
+    texts = [place.format(sign) for sign in list_signs_of_all_kinds() for place in PLACES]
+    assert list_unlike(texts, 1) == []

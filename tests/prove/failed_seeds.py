@@ -31,5 +31,10 @@ FAILED = {
     ("printed mathematics", 66709691): "the reader took the words between two formulas for one",
     ("tactile sheets", 16): "pose-four-bar-coupler: labels of axes took the room of a letter",
     ("typed texts", 254360791): "a page multiplied what a raised dot stands between: 1∙1",
+    (
+        "typed texts",
+        745403411,
+    ): "a page took 1/Ⅳ behind a number for another number, not for a unit",
+    ("typed texts", 745403413): "a page took (0010)^69, which is 10^69, for too high a power",
     ("typed texts", 2): "2π*0/5 was read as 2, its first number",
 }

@@ -22,7 +22,7 @@ const LABEL =
 const ABOUT = "[≈~≃≅∼]";
 const TAIL = /[\s.;,!、]+$/;
 const NEXT_NUMBER = /^[\s.,;'、~=≈]*(?:[+-]\s*)?\(?\s*[0-9]/;
-const SHARE_OF_TIME = /^(?:\s*1\s*\/\s*[\p{L}_]|\s*\(\s*1\s*\/)/u;
+const SHARE_OF_TIME = new RegExp(`^(?:\\s*1\\s*/\\s*${LETTER}|\\s*\\(\\s*1\\s*/)`, "u");
 
 /** Reads answers with the words of a vocabulary. */
 class AnswerReader {

@@ -13,10 +13,13 @@ const RAISED_TO = /\s*(?:\^|\*\*)\s*(?:\(\s*([+-]?[0-9]{1,3})\s*\)|([+-]?[0-9]{1
 const HALF =
   /\s*(?:\^|\*\*)\s*(?:\(\s*1\/2\s*\)|\(\s*0?[.,]5\s*\)|0?[.,]5(?![0-9.,]))/y;
 const OPERATOR = /\s*([-+*/])(?!\*)/y;
-const TEN_ALONE = /^[\s(]*10[\s)]*$/;
 const BRACKET_OR_PI = /^\s*(?:[πΠ𝜋]|\(\s*[0-9√])/u;
 
-/** @typedef {() => number} Work what a formula is worth; it throws Unreadable where it has no value */
+/**
+ * What a formula is worth; it throws Unreadable where it has no value. A single number, in brackets
+ * or not, is its `literal`.
+ * @typedef {(() => number) & {literal?: number}} Work
+ */
 
 /**
  * @typedef {object} Formula
@@ -146,15 +149,16 @@ class FormulaReader {
 
   /** @param {number} depth @returns {Work} */
   power(depth) {
-    const start = this.place;
     const base = this.atom(depth);
-    const most = TEN_ALONE.test(this.text.slice(start, this.place)) ? LARGEST_EXPONENT : MOST_POWER;
+    const most = base.literal === 10 ? LARGEST_EXPONENT : MOST_POWER;
     if (this.take(HALF)) return this.rootOf(base);
     const found = this.take(RAISED_TO);
     if (!found) return base;
     const exponent = Number(found[1] ?? found[2]);
     if (Math.abs(exponent) > most) throw new Unreadable("large-whole-power", { most });
-    return () => raise(base(), exponent);
+    return base.literal === 10
+      ? makeLiteral(raise(10, exponent))
+      : () => raise(base(), exponent);
   }
 
   /** @param {number} depth @returns {Work} */
@@ -221,7 +225,7 @@ class FormulaReader {
       throw new Unreadable("no-number", { typed: quote(this.text), rest });
     }
     const value = (found?.value ?? 0) + (vulgar ? readVulgar(vulgar[0]) : 0);
-    return () => value;
+    return found && vulgar ? () => value : makeLiteral(value);
   }
 
   /** @param {RegExp} pattern @returns {RegExpExecArray | null} what it finds here, taken */
@@ -239,6 +243,11 @@ class FormulaReader {
   fault(key) {
     return new Unreadable(key, { typed: quote(this.text) });
   }
+}
+
+/** @param {number} value @returns {Work} */
+function makeLiteral(value) {
+  return Object.assign(() => value, { literal: value });
 }
 
 /** @param {string} mark @param {Work} first @param {Work} second @returns {Work} */

@@ -9,6 +9,8 @@ const SURROUNDING = new RegExp(`^[${BLANKS}]+|[${BLANKS}]+$`, "g");
 const CONTROL = new RegExp(`[${CONTROLS}]`, "g");
 const SPACE = new RegExp(`[${SPACES}]`, "g");
 const INVISIBLES = new RegExp(`[${INVISIBLE}]`, "g");
+// A letter, or a numeral that is no digit (Ⅳ): [^\W\d] of Python
+const LETTER = "[\\p{L}\\p{Nl}\\p{No}_]";
 const SUPERSCRIPTS = "⁰¹²³⁴⁵⁶⁷⁸⁹";
 const DOTS = "·⋅•∙・";
 const RAISED = new RegExp(`[⁺⁻]?[${SUPERSCRIPTS}]+(?=([0-9])?)`, "g");
@@ -21,8 +23,10 @@ const FOLDED = [
   [/[×✕✖]/g, "*"],
   [/[÷\u2044\u2215]/g, "/"],
   [/[\u2019\u2018\u02bc]/g, "'"],
-  [/[【〔]/g, "["],
-  [/[】〕]/g, "]"],
+  [/【/g, "["],
+  [/】/g, "]"],
+  [/〔/g, "("],
+  [/〕/g, ")"],
 ];
 
 /** @param {string} text @returns {string} without blanks around it */

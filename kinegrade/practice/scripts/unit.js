@@ -31,7 +31,7 @@ const FACTOR =
   /(\p{L}+|°|%)(?:(?:\s*(?:\^|\*\*)\s*)?(?:([+-]?[0-9])|\(([+-]?[0-9])\)|\{([+-]?[0-9])\}))?/uy;
 const LINK = /\s*(\*|\/|\.|)\s*/y;
 const SHARE = /1\s*(?=\/)|(?=\/)/y;
-const TIMES = /^\*\s*(?=[\p{L}_]|°)/u;
+const TIMES = new RegExp(`^\\*\\s*(?=${LETTER}|°)`, "u");
 /** @type {Record<string, string>} by the exponents of length, time and angle */
 const KINDS = {
   "0,0,0": "kind-number",
