@@ -16,8 +16,8 @@ from kinegrade.figure.mechanism.fitting import measure_span
 from kinegrade.figure.mechanism.layers import draw
 from kinegrade.figure.mechanism.paper import scale_to_paper
 from kinegrade.figure.mechanism.view import crop_to_view
-from kinegrade.figure.scene import Box, Disc, Primitive, Scene, find_common_box
-from kinegrade.figure.tactile.braille import measure_label
+from kinegrade.figure.scene import Box, Primitive, Scene, find_common_box
+from kinegrade.figure.tactile.filling import Filling
 from kinegrade.figure.tactile.labels import Named
 from kinegrade.figure.tactile.named import (
     Cells,
@@ -27,11 +27,9 @@ from kinegrade.figure.tactile.named import (
     list_right_angles,
 )
 from kinegrade.figure.tactile.parts import Skeleton, list_parts
-from kinegrade.figure.tactile.piece import Piece
 from kinegrade.figure.tactile.sheet import Sheet
 from kinegrade.figure.tactile.sizes import EDGE_OF_PAGE, PAGE_HEIGHT, PAGE_WIDTH
 from kinegrade.mechanics.mechanism import Mechanism
-from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import FigureHints
 
 _BESIDE = 36.0  # millimetres beside a mechanism in which labels stand
@@ -92,7 +90,7 @@ def _fill(
     letters = list(list_letters(skeleton, cells))
     names = list(list_body_names(skeleton, cells))
     givens = list(list_given_pieces(skeleton, page, cells))
-    filling = _Filling(page, number, parts, letters)
+    filling = Filling(page, number, parts, letters)
     shown, lost_parts, lost_names = filling.fill_parts(names)
     given, lost = filling.fill_givens(givens, len(shown))
     sheets = [_finish(sheet, False, [*letters, *names]) for sheet in shown]
@@ -103,100 +101,6 @@ def _fill(
 def _finish(sheet: Sheet, given: bool, everything: Sequence[Named]) -> TactileSheet:
     named = tuple(each for each in everything if each.piece in sheet.pieces)
     return TactileSheet(sheet.draw(), given, named)
-
-
-@dataclass(frozen=True)
-class _Filling:
-    """The pages of one figure, and what may stand on each of them."""
-
-    page: Box
-    number: Callable[[int], str]
-    parts: Sequence[Piece]
-    letters: Sequence[Named]
-
-    def fill_parts(self, names: Sequence[Named]) -> tuple[list[Sheet], list[Piece], list[Named]]:
-        """Sheets of parts with letters and names; then the parts and names without room."""
-        sheets: list[Sheet] = []
-        waiting, unnamed = list(self.parts), [*self.letters, *names]
-        while waiting or unnamed:
-            sheet = self._begin(len(sheets) + 1)
-            if sheets:
-                sheet = self._with_letters(self._with_dots(sheet, unnamed))
-            sheet = sheet.with_pieces(waiting)
-            if sheets:
-                sheet = sheet.with_pieces(self._list_neighbours(sheet.pieces))
-            sheet = self._with_letters(sheet)
-            sheet = sheet.with_pieces(named.piece for named in names if named in unnamed)
-            left = [part for part in waiting if part not in sheet.pieces]
-            still = [named for named in unnamed if named.piece not in sheet.pieces]
-            if (left, still) == (waiting, unnamed):
-                break
-            sheets.append(sheet)
-            waiting, unnamed = left, still
-        return sheets, waiting, unnamed
-
-    def fill_givens(self, givens: list[Named], before: int) -> tuple[list[Sheet], list[Named]]:
-        """Sheets of what is given, and what has no room on any."""
-        sheets: list[Sheet] = []
-        lost: list[Named] = []
-        waiting = givens
-        while waiting:
-            begun = self._begin(before + len(sheets) + 1)
-            sheet = self._with_givens(begun.with_pieces(self.parts), waiting)
-            if not _holds_any(sheet, waiting):
-                sheet = self._with_givens(self._with_dots(begun, waiting[:1]), waiting[:1])
-                sheet = self._with_letters(sheet.with_pieces(self.parts))
-            if _holds_any(sheet, waiting):
-                sheets.append(sheet)
-            else:
-                lost.append(waiting[0])
-            waiting = [
-                named for named in waiting if named.piece not in sheet.pieces and named not in lost
-            ]
-        return sheets, lost
-
-    def _begin(self, place: int) -> Sheet:
-        """A page with its number in the corner."""
-        cells = self.number(place)
-        width, height = measure_label(cells)
-        corner = Vector(self.page.left + EDGE_OF_PAGE, self.page.top - EDGE_OF_PAGE)
-        middle = corner + Vector(width / 2, -height / 2)
-        return Sheet(self.page, labels=((cells, middle),))
-
-    def _with_letters(self, sheet: Sheet) -> Sheet:
-        """The sheet with the letters of its dots."""
-        shown = [each.piece for each in self.letters if _has_dots(sheet, each.piece)]
-        return sheet.with_pieces(shown)
-
-    def _with_dots(self, sheet: Sheet, named: Sequence[Named]) -> Sheet:
-        """The sheet with the dots of the points that things need."""
-        wanted = [at for each in named for at in each.piece.at]
-        dots = [part for part in self.parts if len(part.at) == 1 and part.at[0] in wanted]
-        bare = [dot for dot in dots if len(dot.ways) == 1 and len(dot.ways[0].primitives) == 1]
-        return sheet.with_pieces(bare)
-
-    def _list_neighbours(self, pieces: Sequence[Piece]) -> list[Piece]:
-        """The parts on which points of these lie; all, beside what is at no point."""
-        shared = {at for piece in pieces for at in piece.at}
-        return [part for part in self.parts if not shared or shared & set(part.at)]
-
-    def _with_givens(self, sheet: Sheet, givens: Sequence[Named]) -> Sheet:
-        """The sheet with letters and those of the givens whose points have dots and letters."""
-        for piece in (each.piece for each in givens):
-            if _has_dots(sheet, piece):
-                own = [each.piece for each in self.letters if each.piece.at[0] in piece.at]
-                sheet = sheet.with_piece(piece, own)
-        return self._with_letters(sheet)
-
-
-def _holds_any(sheet: Sheet, named: Sequence[Named]) -> bool:
-    return any(each.piece in sheet.pieces for each in named)
-
-
-def _has_dots(sheet: Sheet, piece: Piece) -> bool:
-    """Whether a dot is at each of the points of a piece."""
-    dots = {line.centre for line in sheet.lines if isinstance(line, Disc) and line.fill == "black"}
-    return set(piece.at) <= dots
 
 
 def _list_layouts(mechanism: Mechanism, hints: FigureHints) -> Iterator[tuple[Skeleton, Box]]:
