@@ -48,6 +48,9 @@ _DIGIT = re.compile(r"\d")
 _TAIL = re.compile(r"[\s.;,!\u3001]+$")
 _SIGN = re.compile(r"([+-]?)\s*")
 _NEXT_NUMBER = re.compile(r"[\s.,;'\u3001~=\u2248]*(?:[+-]\s*)?\(?\s*[0-9]")
+_OTHER_NUMBER = re.compile(
+    r"(?:^|\s)(?:[^\W\d_]+\.?\s+|[\u4e00-\u9fff]+\s*|[|&]\s*)[+-]?[0-9]"
+)  # behind a word: 3 or 4
 _SHARE_OF_TIME = re.compile(r"\s*1\s*/\s*[^\W\d]|\s*\(\s*1\s*/")
 
 
@@ -195,7 +198,7 @@ def _read(
     answer = _TAIL.sub("", undress(answer))
     sign = _SIGN.match(answer)
     place = sign.end() if sign else 0
-    found = scan_value(answer, place, style)
+    found = scan_value(answer, place, style, typed.strip(BLANKS))
     if found is None:
         raise Unreadable(Message("typing.not-a-number", typed=Quoted(show(typed.strip(BLANKS)))))
     rest = answer[found.end :]
@@ -215,9 +218,15 @@ def _read(
 
 def _find_conversion(rest: str, unit: str, typed: str) -> Conversion:
     """The conversion that the text after the number calls for. Raises Unreadable or WrongUnit."""
+    several = Message("typing.more-than-one", typed=Quoted(show(typed.strip(BLANKS))))
     if _NEXT_NUMBER.match(rest) and not _SHARE_OF_TIME.match(rest):
-        raise Unreadable(Message("typing.more-than-one", typed=Quoted(show(typed.strip(BLANKS)))))
-    return find_conversion(rest, unit)
+        raise Unreadable(several)
+    try:
+        return find_conversion(rest, unit)
+    except Unreadable as unknown:
+        if _OTHER_NUMBER.search(rest):
+            raise Unreadable(several) from unknown
+        raise
 
 
 def _read_as_typed(typed: str, found: TypedNumber, minus: bool, remark: Text) -> Reading:

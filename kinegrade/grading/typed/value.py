@@ -55,17 +55,19 @@ class Formula:
     remark: Text
 
 
-def scan_value(text: str, place: int, style: DecimalStyle) -> TypedNumber | Formula | None:
+def scan_value(
+    text: str, place: int, style: DecimalStyle, typed: str
+) -> TypedNumber | Formula | None:
     """The number or formula at `place` of a folded text; None where neither begins there.
 
-    Raises Unreadable for what cannot be one value.
+    Raises Unreadable for what cannot be one value, which quotes the answer as it was `typed`.
     """
     plain = scan(text, place, style)
     if plain is not None and not signs.is_continued(text, plain.end):
         return plain
     if plain is None and not signs.compile_beginnings().value.match(text, place):
         return None
-    reader = _Reader(text, place, style)
+    reader = _Reader(text, place, style, typed)
     tree = reader.sum(0)
     return Formula(tree, reader.place, reader.roots, reader.pi, reader.remark)
 
@@ -73,15 +75,11 @@ def scan_value(text: str, place: int, style: DecimalStyle) -> TypedNumber | Form
 class _Reader:
     """Recursive descent over one folded text; `place` is where the next token begins."""
 
-    def __init__(self, text: str, place: int, style: DecimalStyle) -> None:
+    def __init__(self, text: str, place: int, style: DecimalStyle, typed: str) -> None:
         self.text, self.place, self.style = text, place, style
+        self.typed = Quoted(show(typed))
         self.roots, self.surds, self.pi, self.atoms = 0, False, False, 0
         self.remark: Text = ""
-
-    @property
-    def typed(self) -> Quoted:
-        """The whole text, for a message."""
-        return Quoted(show(self.text))
 
     def sum(self, depth: int) -> Expression:
         before, self.surds = self.surds, False

@@ -22,6 +22,8 @@ const LABEL =
 const ABOUT = "[≈~≃≅∼]";
 const TAIL = /[\s.;,!、]+$/;
 const NEXT_NUMBER = /^[\s.,;'、~=≈]*(?:[+-]\s*)?\(?\s*[0-9]/;
+const OTHER_NUMBER =
+  /(?:^|\s)(?:[\p{L}\p{Nl}\p{No}]+\.?\s+|\p{Script=Han}+\s*|[|&]\s*)[+-]?[0-9]/u;
 const SHARE_OF_TIME = new RegExp(`^(?:\\s*1\\s*/\\s*${LETTER}|\\s*\\(\\s*1\\s*/)`, "u");
 
 /** Reads answers with the words of a vocabulary. */
@@ -59,17 +61,34 @@ class AnswerReader {
     const answer = this.undress(unsensed).replace(TAIL, "");
     const signed = /^([+-]?)\s*/.exec(answer);
     const sign = signed?.[1] ?? "";
-    const found = scanValue(answer, signed?.[0].length ?? 0, this.beginnings);
+    const found = scanValue(answer, signed?.[0].length ?? 0, this.beginnings, typed);
     if (!found) throw new Unreadable("not-a-number", { typed: quote(typed) });
     const rest = answer.slice(found.end);
     if (NEXT_NUMBER.test(rest) && !SHARE_OF_TIME.test(rest)) {
       throw new Unreadable("more-than-one", { typed: quote(typed) });
     }
-    const factor = this.units.convert(rest, ask.unit);
+    const factor = this.convert(typed, rest, ask.unit);
     if (found.pi && ask.unit === "deg" && !rest.trim()) throw new Unreadable("pi-for-degrees");
     const turn = sense ? findDirection(sense, sign, ask) : 1;
     const size = (found.work ? found.work() : found.value) * factor;
     return requireFinite(sign === "-" ? -size * turn : size * turn);
+  }
+
+  /**
+   * What the text behind a number makes of it; of two numbers with a word between, the whole is said.
+   * @param {string} typed
+   * @param {string} rest
+   * @param {string} unit
+   * @returns {number}
+   */
+  convert(typed, rest, unit) {
+    try {
+      return this.units.convert(rest, unit);
+    } catch (fault) {
+      const unknown = fault instanceof Unreadable && !(fault instanceof WrongUnit);
+      if (!unknown || !OTHER_NUMBER.test(rest)) throw fault;
+      throw new Unreadable("more-than-one", { typed: quote(typed) });
+    }
   }
 
   /** @param {string} text @returns {string} without a label before the number (v_B =) or "about" */

@@ -53,13 +53,14 @@ function compileBeginnings(words) {
  * @param {string} text
  * @param {number} place
  * @param {Beginnings} beginnings
+ * @param {string} typed the whole answer, as faults quote it
  * @returns {(TypedNumber & {work?: undefined, pi?: undefined}) | Formula | null}
  */
-function scanValue(text, place, beginnings) {
+function scanValue(text, place, beginnings, typed) {
   const plain = scanNumber(text, place);
   if (plain && !isContinued(text, plain.end, beginnings)) return plain;
   if (!plain && !matchAt(beginnings.value, text, place)) return null;
-  const reader = new FormulaReader(text, place, beginnings);
+  const reader = new FormulaReader(text, place, beginnings, typed);
   const work = reader.sum(0);
   return { work, end: reader.place, pi: reader.pi };
 }
@@ -73,9 +74,15 @@ function isContinued(text, place, beginnings) {
 
 /** Recursive descent over one folded text; `place` is where the next token begins. */
 class FormulaReader {
-  /** @param {string} text @param {number} place @param {Beginnings} beginnings */
-  constructor(text, place, beginnings) {
+  /**
+   * @param {string} text
+   * @param {number} place
+   * @param {Beginnings} beginnings
+   * @param {string} typed
+   */
+  constructor(text, place, beginnings, typed) {
     this.text = text;
+    this.typed = typed;
     this.place = place;
     this.beginnings = beginnings;
     this.roots = 0;
@@ -222,7 +229,7 @@ class FormulaReader {
     const vulgar = !found || /^[0-9]+$/.test(found.digits) ? this.take(MIXED) : null;
     if (!found && !vulgar) {
       const rest = quote(this.text.slice(this.place));
-      throw new Unreadable("no-number", { typed: quote(this.text), rest });
+      throw new Unreadable("no-number", { typed: quote(this.typed), rest });
     }
     const value = (found?.value ?? 0) + (vulgar ? readVulgar(vulgar[0]) : 0);
     return found && vulgar ? () => value : makeLiteral(value);
@@ -241,7 +248,7 @@ class FormulaReader {
 
   /** @param {string} key */
   fault(key) {
-    return new Unreadable(key, { typed: quote(this.text) });
+    return new Unreadable(key, { typed: quote(this.typed) });
   }
 }
 
