@@ -49,16 +49,16 @@ Problem: TypeAlias = Text | Fault
 
 
 class KinegradeError(Exception):
-    """Something a person can fix; `faults` holds what is wrong, a line each, to be said in any
-    language.
+    """Something a person can fix; `faults` holds what is wrong, a line each and each once, to be
+    said in any language.
 
     >>> str(KinegradeError(Fault("bank.toml", "no title"), Fault("bank.toml", "no questions")))
     'bank.toml: no title\\nbank.toml: no questions'
     """
 
     def __init__(self, *faults: Problem) -> None:
-        self.faults = faults
-        super().__init__(*faults)
+        self.faults = tuple(dict.fromkeys(faults))
+        super().__init__(*self.faults)
 
     @property
     def problems(self) -> tuple[str, ...]:

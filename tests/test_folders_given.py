@@ -60,6 +60,8 @@ def test_swapped_folders_of_an_export_are_one_fault(tmp_path: Path) -> None:
         ("diff MARKS EXAM -o OUT", "EXAM", "MARKS"),
         ("report EXAM EXAM -o OUT", "EXAM", "MARKS"),
         ("feedback MARKS MARKS -o OUT", "MARKS", "EXAM"),
+        ("diff EXAM EXAM", "EXAM", "MARKS"),
+        ("merge EXAM EXAM -o OUT", "EXAM", "MARKS"),
     ],
 )
 def test_the_other_kind_of_folder_is_named(
@@ -83,6 +85,12 @@ def test_a_file_of_a_folder_is_not_the_folder(
     assert refusals(tmp_path, *arguments.split()) == [
         said(tmp_path, given, "a file", expected, "name that folder")
     ]
+
+
+@pytest.mark.parametrize("command", ["diff OUT OUT", "merge OUT OUT -o ALL"])
+def test_a_missing_folder_that_is_given_twice_is_one_fault(tmp_path: Path, command: str) -> None:
+    [fault] = refusals(tmp_path, *command.split())
+    assert str(tmp_path / "OUT") in fault
 
 
 @pytest.mark.parametrize(
