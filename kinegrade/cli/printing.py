@@ -48,7 +48,9 @@ def sample(bank: Path, *, output: Path, seed: str, language: Language, force: bo
     from kinegrade.files.output import write_file
 
     blueprint = kinegrade.Bank.read(bank).blueprint
-    write_file(output, print_first_proof(blueprint, seed, language), "pdf", force=force)
+    proof = print_first_proof(blueprint, seed, language)
+    write_file(output, proof.pdf, "pdf", force=force)
+    finish_with_complaints(proof.complaints)
 
 
 @command()

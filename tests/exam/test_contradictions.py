@@ -50,6 +50,20 @@ def test_a_statement_that_contradicts_the_mechanism_is_a_complaint(tmp_path: Pat
     assert strict == (2, [f"error: {line}" for line in WRONG])
 
 
+def test_a_first_proof_says_what_the_papers_would_contradict(tmp_path: Path) -> None:
+    """What is read through before an exam is set is the paper that the complaint is about."""
+    wrong = crank_text(("turns with {{ omega }}", "turns clockwise with {{ omega }}"))
+    proof = tmp_path / "proof.pdf"
+    for text, complaints in ((crank_text(), []), (wrong, WRONG)):
+        (tmp_path / "crank.toml").write_text(text, encoding="utf-8")
+        bank = BANK.format(template="crank.toml", rest=OWN.format(most=9))
+        (tmp_path / "bank.toml").write_text(bank, encoding="utf-8")
+        made = kinegrade("sample", tmp_path / "bank.toml", "-o", proof, "--force")
+        assert proof.exists()
+        assert made.stderr.splitlines() == [f"complaint: {line}" for line in complaints]
+        assert made.exit_code == (1 if complaints else 0)
+
+
 def test_shipped_templates_at_their_own_values_are_not_looked_at_again(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -5,6 +5,7 @@ of a bank (`sample`), a worked solution (`solve -o`).
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from fractions import Fraction
 
 from kinegrade.cycles.chapter import require_graphs
@@ -18,6 +19,7 @@ from kinegrade.exam.printing.printing import PressOrder
 from kinegrade.exam.printing.solution_pages import work_question
 from kinegrade.exam.roster.roster import Roster
 from kinegrade.exam.roster.students import Student
+from kinegrade.exam.setting.contradictions import list_contradictions
 from kinegrade.exam.setting.dealing import deal_exam
 from kinegrade.language import Language
 from kinegrade.language.message import Fault, Message
@@ -62,8 +64,16 @@ def print_sample(template: Template, seed: str, language: Language) -> bytes:
     return TypstPress().paper(lay_out_paper(dealt.bank, next(dealt.papers()), language))
 
 
-def print_first_proof(blueprint: Blueprint, seed: str, language: Language) -> bytes:
-    """One paper of a bank, as nobody gets it, as PDF. Raises BankError, DrawError, TypesetError."""
+@dataclass(frozen=True)
+class FirstProof:
+    """One paper of a bank, as nobody gets it, as PDF, and what it says that is not so."""
+
+    pdf: bytes
+    complaints: tuple[Fault, ...]
+
+
+def print_first_proof(blueprint: Blueprint, seed: str, language: Language) -> FirstProof:
+    """A first proof of a bank. Raises BankError, DrawError, TypesetError."""
     secret = FromWords(seed)
     bank = blueprint.bank(secret.drawing)
     require_bank_language(bank, language)
@@ -71,7 +81,8 @@ def print_first_proof(blueprint: Blueprint, seed: str, language: Language) -> by
     dealt = deal_exam(bank, Roster((student,), ()), secret)
     press = PressOrder(bank.engine, "a4").press()
     sheet = lay_out_paper(bank, next(dealt.papers()), language)
-    return press.papers({student.file_name: sheet})[student.file_name].pdf
+    pdf = press.papers({student.file_name: sheet})[student.file_name].pdf
+    return FirstProof(pdf, tuple(list_contradictions(dealt)))
 
 
 def print_worked_solution(
