@@ -5,7 +5,7 @@ from __future__ import annotations
 from itertools import pairwise
 
 import pytest
-from shapely import LineString, Polygon
+from shapely import LineString
 
 from kinegrade.figure.plane import length
 from kinegrade.figure.scene import THIN, Disc, Outline, Scene
@@ -62,16 +62,29 @@ def test_the_hatching_of_a_guide_is_whole_where_an_axis_passes_through_it(x_b: s
     assert max(right - left for left, right in pairwise(feet)) < 1.3
 
 
-@pytest.mark.parametrize("symbol", ["x_2", "y_2"])
-def test_an_axis_has_white_beside_it_in_the_hatching_of_a_guide(symbol: str) -> None:
-    scene = draw_rod("1.0", "1.0")
-    axis = find_axis(scene, symbol)
-    whites = [
-        Polygon(part.corners)
+@pytest.mark.parametrize("x_b", ["-1.2", "-0.7", "0.6", "1.0", "1.4"])
+def test_nothing_is_wiped_out_about_an_axis_in_the_hatching_of_a_guide(x_b: str) -> None:
+    scene = draw_rod("1.0", x_b)
+    assert not [
+        part
         for part in scene.primitives
         if isinstance(part, Outline) and part.pen is None and part.fill == "white"
     ]
-    assert max(white.intersection(axis).length for white in whites) > 1.0
+
+
+@pytest.mark.parametrize(
+    ("x_b", "symbol"), [("-1.2", "x_2"), ("-0.7", "x_2"), ("0.8", "y_2"), ("1.4", "y_2")]
+)
+def test_an_axis_passes_between_the_strokes_along_it(x_b: str, symbol: str) -> None:
+    scene = draw_rod("1.0", x_b)
+    level = find_slider(scene).y
+    strokes = [
+        LineString([start, end])
+        for start, end in lines(scene, THIN)
+        if start.y > level and start.y < end.y and length(end - start) < STROKE
+    ]
+    middles = [stroke.centroid for stroke in strokes]
+    assert min(find_axis(scene, symbol).distance(middle) for middle in middles) > 0.3
 
 
 def test_the_number_of_a_body_is_not_at_the_tip_of_an_axis() -> None:

@@ -44,8 +44,8 @@ class Rail(Struct, frozen=True):
     """The ground along a guide: `at` is the block or bare end on it, `start` and `end` its ends,
     `side` the side of the guide on which it is, and `level` how far from the guide; `crossed` are
     the bars that pass through it, for which it is open, `axes` the directions of axes of a body's
-    frame that leave the block across its hatching, among which they would be lost, and `facing`
-    the ends of the ground on the other side of the block, where there is some.
+    frame that leave the block across its hatching, and `facing` the ends of the ground on the other
+    side of the block, where there is some.
     """
 
     at: Vector

@@ -13,7 +13,7 @@ from kinegrade.figure.mechanism.straight.leaving_bars import OPENING, Leaving
 from kinegrade.figure.plane import NEAR, length
 from kinegrade.figure.scene import FIRM, Outline, Primitive, Strokes
 from kinegrade.figure.symbols.bars import SLEEVE_WIDTH, SLOT_WIDTH
-from kinegrade.figure.symbols.ground import HATCHING, draw_ground
+from kinegrade.figure.symbols.ground import HATCHING, HATCHING_DEPTH, draw_ground
 from kinegrade.figure.symbols.sliding import (
     BLOCK_IN_SLOT,
     SLEEVE_LENGTH,
@@ -22,7 +22,7 @@ from kinegrade.figure.symbols.sliding import (
 )
 from kinegrade.mechanics.vector import Vector
 
-_BESIDE_AXIS = 0.45  # millimetres of white on either side of an axis in hatching
+_LEAN = -1.0  # millimetres along the ground to which a stroke of hatching goes in each of depth
 
 
 def draw_sleeves(anatomy: Anatomy) -> Iterator[Primitive]:
@@ -52,18 +52,29 @@ def draw_ground_sliders(rails: Iterable[Rail]) -> Iterator[Primitive]:
 
 def _draw_rail(rail: Rail) -> Iterator[Primitive]:
     """The ground with its openings; a stroke of hatching that one would cut is left out whole, as
-    its rest would be a crumb. An axis passes through the hatching, which stays whole beside it.
+    its rest would be a crumb. An axis passes over the hatching, between strokes along it.
     """
-    hatching, line = draw_ground(rail.start, rail.end, rail.side)
+    between = _find_between_strokes(rail) if rail.axes else None
+    hatching, line = draw_ground(rail.start, rail.end, rail.side, between=between)
     if isinstance(hatching, Strokes):
         whole = (stroke for stroke in hatching.lines if not _is_cut(stroke, rail))
         hatching = replace(hatching, lines=tuple(whole) or hatching.lines)
     yield hatching
-    yield from (_clear_hatching(rail, axis) for axis in rail.axes)
     yield line
     yield from (_open_ground(rail, each) for each in rail.crossed)
     if rail.facing:
         yield from draw_ground(*rail.facing, -rail.side)
+
+
+def _find_between_strokes(rail: Rail) -> float:
+    """How far from the start of a rail two strokes begin between which the axis passes that is
+    most nearly along them.
+    """
+    slopes = [axis.dot(rail.along) / axis.dot(rail.side) for axis in rail.axes]
+    slope = min(slopes, key=lambda each: abs(each - _LEAN))
+    middle = HATCHING_DEPTH / 2
+    foot = slope * (rail.level + middle) - _LEAN * middle
+    return float((rail.at - rail.start).dot(rail.along) + foot)
 
 
 def _is_cut(stroke: tuple[Vector, Vector], rail: Rail) -> bool:
@@ -78,19 +89,7 @@ def _is_cut(stroke: tuple[Vector, Vector], rail: Rail) -> bool:
 def _open_ground(rail: Rail, bar: Leaving) -> Outline:
     """White about a bar through the ground and its hatching."""
     way, half = bar
-    return _clear_strip(rail, way, half + OPENING, rail.level - FIRM.width)
-
-
-def _clear_hatching(rail: Rail, axis: Vector) -> Outline:
-    """White about an axis in the hatching."""
-    return _clear_strip(rail, axis, _BESIDE_AXIS, rail.level)
-
-
-def _clear_strip(rail: Rail, way: Vector, aside: float, depth: float) -> Outline:
-    """White so far on both sides of a way from the point on a rail, from a depth to the end of the
-    hatching.
-    """
-    beside = way.turned() * aside
-    depths = depth, rail.level + HATCHING
+    beside = way.turned() * (half + OPENING)
+    depths = rail.level - FIRM.width, rail.level + HATCHING
     near, far = (rail.at + way * (each / way.dot(rail.side)) for each in depths)
     return Outline((near - beside, far - beside, far + beside, near + beside), None, "white")

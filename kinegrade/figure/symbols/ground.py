@@ -10,17 +10,26 @@ from kinegrade.figure.scene import FIRM, THIN, Bow, Disc, Primitive, Strokes
 from kinegrade.mechanics.vector import Vector
 
 HATCHING = 1.5  # depth of ground hatching
+HATCHING_DEPTH = 0.75 * HATCHING  # that of straight ground, to the ends of its strokes
 _OPEN = (4.2, 3.0)  # millimetres before and after an angle without hatching, whose strokes lean
 
 
 def draw_ground(
-    start: Vector, end: Vector, side: Vector, share: float = 1.0
+    start: Vector,
+    end: Vector,
+    side: Vector,
+    share: float = 1.0,
+    between: float | None = None,
 ) -> tuple[Primitive, ...]:
-    """A fixed straight surface with hatching on the given side, of that share of the usual size."""
+    """A fixed straight surface with hatching on the given side, of that share of the usual size;
+    `between` are the millimetres from its start to a place midway between two strokes, which lean
+    backward.
+    """
     along, size = unit(end - start), length(end - start)
     count = max(3, ceil(size / (1.25 * share)))
-    steps = [start + along * (size * (index + 0.5) / count) for index in range(count)]
-    stroke = (side - along) * (HATCHING * 0.75 * share)
+    phase = 0.5 if between is None else (between * count / size + 0.5) % 1
+    steps = [start + along * (size * (index + phase) / count) for index in range(count)]
+    stroke = (side - along) * (HATCHING_DEPTH * share)
     hatching = tuple((step, step + stroke) for step in steps)
     return (Strokes(hatching, THIN), Strokes(((start, end),), FIRM))
 
