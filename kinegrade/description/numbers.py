@@ -109,6 +109,8 @@ class NumberLengths:
         """Whether what stands on the right of a product is its length."""
         if self._has_lengths(left):
             return False
+        if _is_unit_vector(right) and _has_number(left):
+            return False
         return self._has_lengths(right) or _work_out(left) is None
 
     def _has_lengths(self, tree: Expression) -> bool:
@@ -129,6 +131,30 @@ def _work_out(tree: Expression) -> Any:
             return None if None in numbers else _WORKED_OUT[sign](*numbers)
         case Operation() | Name() | Call():
             return None
+        case _:
+            assert_never(tree)
+
+
+def _is_unit_vector(tree: Expression) -> bool:
+    """Whether a tree is a direction: (1, 0), (cos(phi), sin(phi))."""
+    match tree:
+        case Call(function="", arguments=parts):
+            return not any(map(_has_number, parts))
+        case Call() | Name() | Number() | Operation():
+            return False
+        case _:
+            assert_never(tree)
+
+
+def _has_number(tree: Expression) -> bool:
+    """Whether a factor of a tree is a number other than 0, 1 and -1, and so may be its length."""
+    match tree:
+        case Number(value=value):
+            return not (value == 0 or value * value == 1)
+        case Operation(left=left, right=right):
+            return _has_number(left) or _has_number(right)
+        case Name() | Call():
+            return False
         case _:
             assert_never(tree)
 

@@ -45,6 +45,13 @@ PLACES = {
         "E has the coordinates x = x_B - 125 mm and y = y_B - 120 mm sin 60°."
     ),
     "B + (0.05, l/2)": "l/2",
+    "B + 0.12*(cos(pi/3), sin(pi/3))": "the vector 120 mm(cos 60°, sin 60°).",
+    "B - (cos(pi/3), sin(pi/3))*0.12": "the vector -(cos 60°, sin 60°) 120 mm.",
+    "B + 0.12*sin(pi/3)*(1, 0)": "the vector 120 mm sin 60° · (1, 0).",
+    "B + 0.12*sin(pi/3)*(cos(pi/6), -sin(pi/6))": "120 mm sin 60° · (cos 30°, - sin 30°).",
+    "B + sqrt(2)*0.06*(0, 1)": "60 mm(0, 1).",
+    "B - sin(pi/3)*0.12*(-1, 0)": "sin 60° · 120 mm",
+    "B + sin(pi/3)*(0.06, 0)": "the vector sin 60° · (60 mm, 0).",
     "polar(B, 2*l, pi/6)": "2l",
     "polar(B, 0.3, pi/6)": "E lies at the distance 300 mm from B in the direction 30°.",
     "polar(B, l + 0.1, pi/6)": "E lies at the distance l + 100 mm from B in the direction 30°.",
