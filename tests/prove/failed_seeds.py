@@ -20,6 +20,8 @@ FAILED = {
     ("printed figures", 452640244): "a letter under the beginning of an extension line",
     ("printed figures", 391559609): "a length between its crank and the arrow of a rotation",
     ("printed mathematics", 411014085): "a coordinate was left out of which the square is used",
+    ("printed mathematics", 181832623): "the reader took a Chinese semicolon for part of a unit",
+    ("printed mathematics", 181832629): "-9.01 was no value of -9.013: the last digit is rounded",
     ("tactile sheets", 80): "scotch-yoke-driven-by-guide: a slot ran into the number of the sheet",
     ("described figures", 907070209): "an answer that equals a given by chance was taken as told",
     ("described figures", 907070514): "an answer that equals a given by chance was taken as told",

@@ -33,7 +33,6 @@ from tests.worked.reader.forms import (
     is_decimal,
     is_exact_form,
     is_long,
-    measure_last_digit,
 )
 from tests.worked.reader.formula_reader import (
     find_symbols,
@@ -51,6 +50,7 @@ from tests.worked.reader.meanings import (
     find_unnamed,
 )
 from tests.worked.reader.polygons import judge_polygons
+from tests.worked.reader.rounding import find_room
 from tests.worked.reader.signs import find_senseless
 from tests.worked.reader.solved import find_unsolved
 from tests.worked.reader.tables import find_early, find_without_sense
@@ -270,7 +270,7 @@ def _learn(line: Line, values: Values, known: _Known) -> None:
 
 def _judge_values(line: Line, values: Values) -> Iterator[Fault]:
     """Whether the sides are equal, and whether their signs say what is rounded."""
-    room = _find_room(*values[-1]) if values else 0.0
+    room = find_room(*values[-1]) if values else 0.0
     for side, amount in values[:-1]:
         end = values[-1][1]
         if side.relation == r"\propto":
@@ -288,18 +288,11 @@ def _judge_values(line: Line, values: Values) -> Iterator[Fault]:
             yield from _judge_decimal(side, amount, before[0], line)
 
 
-def _find_room(side: Side, amount: Amount) -> float:
-    """How far rounding may have moved the end of a line: of a decimal by its last digit."""
-    if side.relation == r"\approx" and is_decimal(side.row) and amount.value:
-        return max(amount.room, measure_last_digit(side.row, amount.value) / 2)
-    return amount.room
-
-
 def _count_rounding(side: Side, amount: Amount, before: Values) -> Amount:
     """A decimal of few digits, where it rounds what has been rounded before."""
     rounds = side.relation == r"\approx" and is_decimal(side.row) and amount.value
     if rounds and before and before[-1][1].precise is None:
-        return replace(amount, precise=None, room=_find_room(side, amount))
+        return replace(amount, precise=None, room=find_room(side, amount))
     return amount
 
 

@@ -26,7 +26,7 @@ _COMPONENT = re.compile(r"\^\{\\mathrm\{[nt]\}\}|,[xy]")
 _FRAME = re.compile(r"\\mathrm\{e\}|'")  # leads to the moving frame's point
 _RELATIVE = re.compile(r"\\mathrm\{(r|Cor)\}")  # both lead from the moving frame's point
 _ROTATION = re.compile(r"_\{[A-Z]('|_\{\d+\})*[A-Z]")  # of a point about a base
-_BRACKET = re.compile(r"\s*[(（]")
+_BEHIND_SCALE = re.compile(r"\s*[(（;；]")
 _BETWEEN = 2.0  # millimetres by which a symbol longer than its arrow may be nearer to another
 _LEAVES = 0.4  # millimetres from a label to the leader that leaves it
 _UNDRAWN = 0.01  # of the longest vector: shorter ones are not drawn
@@ -100,7 +100,7 @@ def _read_scale_unit(caption: str) -> float:
     """What the unit at the end of a caption is in SI: "1 mm corresponds to 2 cm/s", before
     arrows drawn as outlines and vectors that are too short to draw.
     """
-    scale = _BRACKET.split(caption)[0].partition(";")[0]
+    scale = _BEHIND_SCALE.split(caption)[0]
     return read_unit(scale.rsplit(maxsplit=1)[-1].replace("²", "^2")).value
 
 

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
+from dataclasses import replace
 
 from tests.worked.reader.amounts import Amount, MixedUnits, Unreadable
-from tests.worked.reader.equations import Line
+from tests.worked.reader.equations import Line, Side
 from tests.worked.reader.formula_reader import find_symbols, name_symbol, read_formula
+from tests.worked.reader.rounding import find_room
 
 CLOSE = 1e-9
 
@@ -19,9 +21,9 @@ def find_unsolved(lines: Iterable[Line], worth: Callable[[str], Amount]) -> Iter
         symbols = {*find_symbols(line.left)}
         if not symbols or symbols == {name_symbol(line.left)}:
             continue
-        rows = (line.left, *(side.row for side in line.sides))
+        sides = (Side("=", line.left), *line.sides)
         try:
-            first, *others = (read_formula(row, worth) for row in rows)
+            first, *others = (_read_side(side, worth) for side in sides)
         except Unreadable:
             continue
         except MixedUnits:
@@ -29,6 +31,12 @@ def find_unsolved(lines: Iterable[Line], worth: Callable[[str], Amount]) -> Iter
             continue
         if not all(_agree(first, one) for one in others):
             yield line.text
+
+
+def _read_side(side: Side, worth: Callable[[str], Amount]) -> Amount:
+    """What a side is worth, and how far rounding may have moved it."""
+    amount = read_formula(side.row, worth)
+    return replace(amount, room=find_room(side, amount))
 
 
 def _agree(first: Amount, other: Amount) -> bool:
