@@ -22,6 +22,14 @@ FAILED = {
     ("printed mathematics", 411014085): "a coordinate was left out of which the square is used",
     ("printed mathematics", 181832623): "the reader took a Chinese semicolon for part of a unit",
     ("printed mathematics", 181832629): "-9.01 was no value of -9.013: the last digit is rounded",
+    (
+        "printed mathematics",
+        181832525,
+    ): "the reader saw no head of the arrow by which a symbol stood",
+    (
+        "printed mathematics",
+        181832620,
+    ): "the reader saw no head of the arrow by which a symbol stood",
     ("tactile sheets", 80): "scotch-yoke-driven-by-guide: a slot ran into the number of the sheet",
     ("described figures", 907070209): "an answer that equals a given by chance was taken as told",
     ("described figures", 907070514): "an answer that equals a given by chance was taken as told",

@@ -19,14 +19,7 @@ KNOWN: Mapping[Law, frozenset[str]] = {
     "angle": frozenset(),
     "point": frozenset(),
     "closed": frozenset(),
-    # a short arrow whose symbol is about as near to one that passes by: it is read rightly
-    "label": frozenset(
-        (
-            "five-bar-two-driven-cranks",
-            "slider-driven-gear-on-rack",
-            "slotted-bar-between-two-rods",
-        )
-    ),
+    "label": frozenset(),
     "corner": frozenset(),
     # of all that may be asked together: a speed of which only the components are used
     "used": frozenset(("flat-faced-follower-eccentric-circle",)),

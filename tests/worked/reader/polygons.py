@@ -45,10 +45,11 @@ class PolygonFault:
 
 @dataclass(frozen=True)
 class _Arrow:
-    """An arrow as it is drawn."""
+    """An arrow as it is drawn, with the corners of its head behind the tip."""
 
     start: Vector
     tip: Vector
+    head: tuple[Vector, ...] = ()
 
     @property
     def length(self) -> float:
@@ -123,10 +124,10 @@ def _read_arrows(scene: Scene) -> Iterator[_Arrow]:
         match part:
             case Strokes(lines=((start, _),)):
                 pass
-            case Outline(corners=(tip, _, _)):
-                yield _Arrow(start, tip)
-            case Outline(corners=(left, _, _, tip, _, _, right)):
-                yield _Arrow((left + right) / 2, tip)
+            case Outline(corners=(tip, *head)) if len(head) == 2:
+                yield _Arrow(start, tip, tuple(head))
+            case Outline(corners=(left, _, one, tip, other, _, right)):
+                yield _Arrow((left + right) / 2, tip, (one, other))
 
 
 def _judge_chains(
@@ -250,8 +251,10 @@ def _stands_well(
 
 
 def _measure_gap(label: Label, arrow: _Arrow) -> float:
-    """Millimetres of paper between a label and an arrow."""
-    points = [arrow.start + (arrow.tip - arrow.start) * (place / 40) for place in range(41)]
+    """Millimetres of paper between a label and an arrow, its shaft or its head."""
+    ends = (arrow.start, *arrow.head)
+    lines = [(end, arrow.tip - end, place / 40) for end in ends for place in range(41)]
+    points = [start + line * share for start, line, share in lines]
     return min(
         hypot(
             max(abs(point.x - label.centre.x) - label.width / 2, 0.0),
