@@ -8,7 +8,7 @@ from dataclasses import replace
 from math import hypot
 
 import pytest
-from shapely import Point, Polygon
+from shapely import LineString, Point, Polygon
 
 from kinegrade.figure.marks.frames import add_axes_aside, add_frames
 from kinegrade.figure.mechanism.layers import Drawing
@@ -187,6 +187,25 @@ def test_an_axis_along_the_edge_of_a_plate_lies_on_it_and_its_letter_outside() -
     (letter,) = (label for label in scene.labels if label.symbol == "x_2")
     assert not area.contains(Point(letter.centre))
     assert tip.distance(Point(letter.centre)) < 5.0
+
+
+def test_an_axis_along_the_edge_of_a_plate_has_a_shaft_and_a_tip_of_its_own() -> None:
+    mechanism, _ = sliding_plate()
+    frames = (BodyFrame("x_2", "y_2", "B", "B", "C"), BodyFrame("x_3", "y_3", "C", "C", "B"))
+    scene = sketch(mechanism, FigureHints(frames=frames))
+    firm = [LineString(line) for line in lines(scene, FIRM)]
+    outlines = [part for part in scene.primitives if isinstance(part, Outline) and part.pen == FIRM]
+    firm += [LineString((*part.corners, part.corners[0])) for part in outlines if part.closed]
+    points = mechanism.points
+    toward = unit(points["C"] - points["B"])
+    on_edge = [
+        head.corners[0]
+        for head in heads(scene)
+        if abs(unit(head.corners[0] - (head.corners[1] + head.corners[2]) / 2).cross(toward)) < 0.01
+    ]
+    assert len(on_edge) == 2
+    for tip in on_edge:
+        assert min(line.distance(Point(tip)) for line in firm) > 0.8
 
 
 @pytest.mark.parametrize(("corner", "gap"), [("A", 0.0), ("B", PIN)])

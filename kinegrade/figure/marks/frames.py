@@ -13,6 +13,7 @@ from msgspec.structs import replace
 from kinegrade.figure.marks.drawn import find_block, find_edge, is_rigid, measure_drawn, meets_face
 from kinegrade.figure.mechanism.layers import Drawing
 from kinegrade.figure.mechanism.straight.broad_links import find_frame_place, measure_way
+from kinegrade.figure.mechanism.straight.edge_axes import has_room_for_axis
 from kinegrade.figure.mechanism.straight_parts import Bar
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.placing.obstacles import Segment
@@ -36,7 +37,6 @@ _LEG_LENGTHS = (22.0, 25.0, 19.0)  # millimetres of an axis that is the leg of a
 _BEYOND_LEG = 4.0  # millimetres of an axis beyond the point that gives the side of an angle
 _BEYOND_TIP = 5.0  # millimetres of an axis beyond the arrow of a motion that lies on it
 _BEYOND_BAR = (6.0, 7.5, 9.0)  # millimetres of an axis beyond the bar or the ground that it is on
-_ON_EDGE = 5.0  # millimetres of an edge or a bar beyond the longest axis along it
 _OUTWARD = 3.0  # share of the way out of a plate, of the way from the tip on its edge to the letter
 _BEFORE_BLOCK = 18.0  # millimetres before a block that have no room for an axis and its letter
 _AT_ORIGIN = 3.0  # millimetres of an axis at its origin, where a pin and other axes are
@@ -61,8 +61,8 @@ def add_frames(
     """The layout with the axes that stand at points: those of bodies, then x and y at the
     origin; their letters keep clear of lines that are still to come. An axis along a bar or the
     ground runs on beyond it, as does one to a block, however far that is where bodies have frames;
-    along the long edge of a plate it lies on that, which is thinner than its head, along a long
-    link on that, which is broad; one that is the leg of an angle reaches beyond its arc, one along
+    along the long edge of a plate it lies on that, which is thin, along a long link on that, which
+    is broad; one that is the leg of an angle reaches beyond its arc, one along
     the `likely` arrow of a motion beyond its tip.
     """
     axes = [
@@ -90,7 +90,7 @@ def _list_ways(
         line = (origin + toward * PIN, origin + toward * (on - PIN))
         shafts = _list_axes(origin + toward * (on + PIN), toward, symbol, _BEYOND_BAR)
         return [replace(shaft, before=(line,)) for shaft in shafts]
-    if edge > max(usual) + _ON_EDGE:
+    if has_room_for_axis(edge):
         ways = _list_axes(origin + toward * PIN, toward, symbol, usual)
         return [replace(way, away=toward + outward * _OUTWARD, bare=True) for way in ways]
     begins, ends = find_block(origin, toward, drawing)
