@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from shapely import LineString, Point
 
-from kinegrade.figure.scene import FIRM, Disc, Label, Scene, Strokes
+from kinegrade.figure.scene import FIRM, THIN, Disc, Label, Scene, Strokes
 from kinegrade.figure.sketch import sketch
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.printed_givens import mark_question
@@ -82,3 +82,33 @@ def test_an_arrow_begins_at_the_centre_of_its_wheel_and_beside_a_short_rod(
     pins = [part.centre for part in scene.primitives if isinstance(part, Disc)]
     tail = Point(find_shaft(scene, symbol).coords[0])
     assert min(tail.distance(Point(pin)) for pin in pins) < AT_PIN
+
+
+@pytest.mark.parametrize("seed", ["v71b", *SEEDS[:4]])
+def test_an_arrow_ends_at_no_axis_and_its_symbol_is_on_its_side_of_the_floor(seed: str) -> None:
+    # one ended at the y axis, as the dimension of OA would, and a symbol stood below the hatching
+    scene = draw("elliptic-trammel-end-driven", seed)
+    [name] = [label.centre for label in scene.labels if label.symbol == "A"]
+    floor = find_floor(scene)
+    for symbol in ("v_{A}", "a_{A}"):
+        shaft = find_shaft(scene, symbol)
+        [label] = [each for each in scene.labels if each.symbol == symbol]
+        beside = label.centre.x - label.width / 2, label.centre.x + label.width / 2
+        assert label.centre.y > floor[0].y or beside[1] < floor[0].x or beside[0] > floor[1].x
+        for line in list_upright_lines(scene):
+            assert shaft.distance(line) > 1.0 or abs(line.coords[0][0] - name.x) < 5.0
+
+
+def find_floor(scene: Scene) -> tuple[Vector, Vector]:
+    """The lowest firm level line of some length, from left to right."""
+    lines = [part.lines[0] for part in scene.primitives if isinstance(part, Strokes)]
+    level = [(start, end) for start, end in lines if start.y == end.y and abs(end.x - start.x) > 9]
+    start, end = min(level, key=lambda line: line[0].y)
+    return (start, end) if start.x < end.x else (end, start)
+
+
+def list_upright_lines(scene: Scene) -> list[LineString]:
+    """The thin lines that stand upright."""
+    thin = [part for part in scene.primitives if isinstance(part, Strokes) and part.pen == THIN]
+    lines = [line for part in thin for line in part.lines]
+    return [LineString(line) for line in lines if abs(line[0].x - line[1].x) < 1e-6]

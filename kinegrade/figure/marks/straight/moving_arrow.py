@@ -9,6 +9,7 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from kinegrade.figure.mechanism.rails import Rail
+from kinegrade.figure.placing.extent import measure_symbol
 from kinegrade.figure.placing.obstacles import Segment
 from kinegrade.figure.placing.place import (
     LOST,
@@ -38,9 +39,9 @@ _ROOM_FOR_SYMBOL, _IN_BETWEEN = 4.8, 4.0
 _MISTAKEN = 20.0  # demerit of a symbol about as near to another arrow at the same point
 _NEARER = 0.5  # millimetres by which a symbol is nearer to its own arrow than to another one
 _CLAIMED = 4.0  # millimetres past the tip of an arrow that are its own
-# Demerit of a symbol on the other side of the rail of the arrow's point, and millimetres past an
-# end of the rail from which on there is no other side
-_PARTED, _PAST_END = LOST, 1.5
+# Demerit of a symbol on the other side of the rail of the arrow's point, and millimetres of paper
+# between an end of the rail and a symbol for which there is no other side
+_PARTED, _PAST_END = LOST, 0.4
 _LEAST_OFFSET = 1.3  # millimetres from which on an arrow stands beside its point
 _ONE_LINE = 1.0  # millimetres within which two arrows lie on one line
 # Millimetres by which an arrow is longer than another one on whose line it is, and the demerit
@@ -179,13 +180,14 @@ class MovingArrow(Struct, frozen=True):
         near = [at for arrow in others for at in arrow.list_claimed()]
         own = self.list_stations()
         mistaken = rate_nearness(self.hint.symbol, wish.spots, own, near, _NEARER)
-        parted = np.zeros(len(wish.spots))
+        parted, (width, height) = np.zeros(len(wish.spots)), measure_symbol(self.hint.symbol)
         for rail in rails:
             levels = (wish.spots - np.array(rail.at)) @ np.array(rail.side)
             behind = (self.start - rail.at).dot(rail.side) > rail.level
             steps = (wish.spots - np.array(rail.at)) @ np.array(rail.along)
             first, last = sorted((end - rail.at).dot(rail.along) for end in (rail.start, rail.end))
-            before = (steps > first - _PAST_END) & (steps < last + _PAST_END)
+            reach = _PAST_END + abs(rail.along.x) * width / 2 + abs(rail.along.y) * height / 2
+            before = (steps > first - reach) & (steps < last + reach)
             parted = np.maximum(parted, before & ((levels > rail.level) != behind))
         return replace(wish, demerits=_MISTAKEN * mistaken + _PARTED * parted)
 
