@@ -192,7 +192,7 @@ def _place_lengths(layout: Layout, paper: Mechanism, hints: FigureHints, around:
     for length in hints.lengths:
         layout = add_length(layout, paper.points, length, around, hints.lengths)
     dear = [cost - _EASY for cost in layout.costs[len(layout.costs) - len(hints.lengths) :]]
-    return replace(layout, strain=sum((cost for cost in dear if cost > 0), 0.0))
+    return replace(layout, strain=layout.strain + sum(cost for cost in dear if cost > 0))
 
 
 def _place_frames_and_angles(

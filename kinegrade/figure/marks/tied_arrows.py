@@ -44,7 +44,7 @@ _MEETS, _AT_TAIL = 12.0, 2.0
 _CROSSES = 2.0  # demerit of what a crossed line costs
 _STATIONS = 0.2  # radians between the points of an arrow that are looked at
 _ONWARD, _FARTHER_ON = (0.0, 0.4, 0.8, 1.2, 1.6), 5.0  # radians farther ahead, demerit of each
-_OFF_BAR = 8.0  # demerit of an arrow ahead of a disc: one on the bar is at its pivot
+_OFF_BAR = 12.0  # demerit of an arrow ahead of a disc: one on the bar is at its pivot
 
 
 def list_tied_arrows(

@@ -24,8 +24,9 @@ _COARSE = 0.7  # radians of an arrow that count as straight when its way is look
 # bar that turns
 _FREE_END, _ON_BAR = 0.6, 1.2
 # Millimetres between an arrow and the arc of an angle within it or along it, and the demerit of
-# less
+# less; the same where an arc of about the same radius ends where the arrow begins
 _APART, _ALONG, _MERGED = 3.0, 1.5, 4.0
+_ONE_RADIUS, _ONE_CURVE = 1.8, 2.0
 # Millimetres between two arrows at one pivot along their arcs, and the demerit of each that lacks;
 # half as much where their radii differ by so many millimetres, else they cannot be told apart
 _BETWEEN, _FOLLOWING, _NESTED, _COVERED = 6.0, 0.6, 2.5, 100.0
@@ -148,7 +149,8 @@ def _rate_arc(bow: Bow, arc: Bow) -> float:
     between, room = _measure_between(bow, arc), arc.radius - bow.radius
     nested = between < 0 and 0 < room < _ROOM
     alike = abs(room) < _APART and between < _ALONG
-    return _STACKED * nested + _MERGED * alike
+    runs_on = abs(room) < _ONE_RADIUS and abs(between) < _ALONG
+    return _STACKED * nested + _MERGED * alike + _ONE_CURVE * runs_on
 
 
 def _stands_at(bow: Bow, middle: Vector, bar: Segment) -> bool:

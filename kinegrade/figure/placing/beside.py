@@ -33,6 +33,11 @@ def makes_word(label: Label, others: Iterable[Label]) -> bool:
     )
 
 
+def makes_product(label: Label, others: Iterable[Label]) -> bool:
+    """Whether a label stands right beside another one in one row, as its factor would."""
+    return any(adjoins(label, [other]) and makes_word(label, [other]) for other in others)
+
+
 def keep_from_labels(wish: Wish, labels: Iterable[Label]) -> Wish:
     """The wish, rather not beside another label, with which the symbol would make a word."""
     size, others = measure_symbol(wish.symbol), tuple(labels)

@@ -49,7 +49,8 @@ class Layout(Struct, frozen=True):
 
     `marks` are those chosen so far, with what each costs in `costs`; `crowded` are the symbols
     that found no good place, `astray` those that stand off from their points behind a wall;
-    `strain` is set by who places marks: what too dear ones cost; so is `claimed`: the symbols of
+    `strain` is set by who places marks: what too dear ones cost, and arrows off the bars that they
+    should be tied to; so is `claimed`: the symbols of
     lengths that are nearer to something else than to their own lines.
     """
 

@@ -90,6 +90,8 @@ def add_rotations(
         rate = partial(TurningArrow.among, company=company, around=around)
         layout, _ = layout.chosen(ways, (*spared[-1], *likely), rate)
         arrows += [mark for mark in layout.marks[-1:] if isinstance(mark, TurningArrow)]
+        if bound and not arrows[-1].tied:
+            layout = replace(layout, strain=layout.strain + arrows[-1].demerit)
     return _write_symbols(layout, arrows, spared)
 
 
