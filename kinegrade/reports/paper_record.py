@@ -42,10 +42,11 @@ class RightAnswer:
     coarse: float = 0.0
 
     @cached_property
-    def allowed(self) -> Fraction:
-        """How far off an answer may be."""
-        low, high = self.rule.interval(self.value)
-        return max(self.value - low, high - self.value)
+    def bounds(self) -> tuple[Fraction, Fraction]:
+        """The smallest and the largest answer that is right. By significant figures one may lie
+        much farther from the value than the other.
+        """
+        return self.rule.interval(self.value)
 
 
 @dataclass(frozen=True)

@@ -8,14 +8,16 @@ from pathlib import Path
 import pytest
 
 from kinegrade.grading.judging.hints import Hint, find_hint
-from kinegrade.numbers.tolerance import Tolerance
+from kinegrade.numbers.tolerance import ONE_PER_CENT, Tolerance
 from kinegrade.reports.feedback.right_answers import (
-    write_allowed,
+    describe_allowed,
     write_closed_form,
     write_decimal,
 )
 from kinegrade.reports.paper_record import RightAnswer
 from tests.grading.feedback_sheets import sheets
+
+WIDE = Tolerance(absolute=Fraction(1))
 
 
 @pytest.mark.parametrize(
@@ -45,7 +47,7 @@ def test_a_number_tells_what_probably_went_wrong(
     found = find_hint(
         Fraction(typed),
         Fraction("2.5"),
-        Fraction("0.025"),
+        Tolerance(absolute=Fraction("0.025")),
         unit,
         {"q1.x": Fraction(7), "q1.z": Fraction(0)},
     )
@@ -53,8 +55,8 @@ def test_a_number_tells_what_probably_went_wrong(
 
 
 def test_nothing_is_guessed_where_zero_is_right_and_a_wide_tolerance_does_not_guess_more() -> None:
-    assert find_hint(Fraction(3), Fraction(0), Fraction(1), "m/s", {}) is None
-    assert find_hint(Fraction("-2.2"), Fraction("2.5"), Fraction(1), "m/s", {}) is None
+    assert find_hint(Fraction(3), Fraction(0), WIDE, "m/s", {}) is None
+    assert find_hint(Fraction("-2.2"), Fraction("2.5"), WIDE, "m/s", {}) is None
 
 
 @pytest.mark.parametrize(
@@ -71,7 +73,7 @@ def test_nothing_is_guessed_where_zero_is_right_and_a_wide_tolerance_does_not_gu
 def test_what_rounding_may_lead_to_is_put_down_to_it(
     typed: str, coarse: float, kind: str | None
 ) -> None:
-    found = find_hint(Fraction(typed), Fraction(2), Fraction("0.02"), "m/s", {}, coarse=coarse)
+    found = find_hint(Fraction(typed), Fraction(2), ONE_PER_CENT, "m/s", {}, coarse=coarse)
     assert (found and found.kind) == kind
 
 
@@ -112,7 +114,7 @@ def test_a_right_answer_is_exact_where_that_is_short(
 )
 def test_what_is_allowed_is_never_rounded_up(allowed: str, written: str) -> None:
     rule = Tolerance(absolute=Fraction(allowed))
-    assert write_allowed(RightAnswer(Fraction(2), None, "m/s", rule)) == written
+    assert describe_allowed(RightAnswer(Fraction(2), None, "m/s", rule)) == written
 
 
 @pytest.mark.parametrize(

@@ -110,6 +110,27 @@ def test_what_is_allowed_is_what_the_class_was_marked_by(
     assert remark in row.remark
 
 
+@pytest.mark.parametrize(
+    ("typed", "shown"),
+    [
+        ("1.76", "off by 1.6 % where 1 % is allowed on this side"),
+        ("1.6499", "off by 4.74 % where 4.73 % is allowed on this side"),
+    ],
+)
+def test_where_more_is_allowed_on_one_side_a_sheet_tells_both_bounds(
+    tmp_path: Path, typed: str, shown: str
+) -> None:
+    """By two figures 1.73205 is right from 1.65 to 1.75."""
+    exam, marks = mark_class(tmp_path, {"7": (typed, "0", "-0.125")})
+    (marks / "policy.toml").write_text("tolerance = { figures = 2 }\n", encoding="utf-8")
+    ((_, sheet),) = make_feedback_sheets(MarksFolder(marks), open_exam(exam), WORDING, "en")
+    row = sheet.questions[0].rows[0]
+    assert row.allowed == "from 1.65 to 1.75\u202fm/s"
+    assert shown in row.remark
+    for page in (write_feedback_html(sheet), write_feedback_markdown(sheet)):
+        assert row.allowed in page
+
+
 def test_right_answers_get_no_remarks(tmp_path: Path) -> None:
     (sheet,) = sheets(tmp_path, RIGHT)
     assert not any(

@@ -14,6 +14,8 @@ from functools import lru_cache
 from math import pi
 from typing import Literal
 
+from kinegrade.numbers.tolerance import Tolerance
+
 Kind = Literal[
     "opposite",
     "power of ten",
@@ -49,7 +51,7 @@ class Hint:
 def find_hint(
     value: Fraction,
     right: Fraction,
-    allowed: Fraction,
+    rule: Tolerance,
     unit: str,
     others: Mapping[str, Fraction],
     *,
@@ -58,26 +60,37 @@ def find_hint(
     """What a wrong value suggests, or None; `others` are the right answers of the question's other
     asks, by column, `coarse` is how far off rounding too coarsely may lead.
 
-    A value fits if it lies within the tolerance, and within 2 %, of a multiple of the right answer.
+    A value fits if it would be right by the rule, and lies within 2 %, but for a factor or as
+    another answer.
 
-    >>> find_hint(Fraction("-0.257"), Fraction("0.25725"), Fraction("0.0026"), "m/s", {})
+    >>> from kinegrade.numbers.tolerance import ONE_PER_CENT
+    >>> find_hint(Fraction("-0.257"), Fraction("0.25725"), ONE_PER_CENT, "m/s", {})
     Hint(kind='opposite', reversed_sign=False, power=0, column='')
     """
     if not right or not value:
         return None
-    ratio, room = (
-        float(value / right),
-        min(float(allowed / abs(right)), _WIDEST),
-    )  # for a guess floats will do
+    ratio = float(value / right)  # for a guess floats will do
+    below, above = _find_room(right, rule)
     for candidate, factor in _list_candidates(unit):
-        if abs(ratio - factor) <= room * abs(factor):
+        if below <= ratio / factor - 1 <= above:
             return candidate
     if abs(ratio - 1) <= min(coarse / abs(float(right)), _COARSE):
         return Hint("rounded")
     for column, other in others.items():
-        if other and abs(float(value / other) - 1) <= room:
+        if other and _fits(value, other, rule):
             return Hint("another ask", column=column)
     return Hint("close") if abs(ratio - 1) <= _CLOSE else None
+
+
+def _fits(value: Fraction, right: Fraction, rule: Tolerance) -> bool:
+    below, above = _find_room(right, rule)
+    return below <= float(value / right) - 1 <= above
+
+
+def _find_room(right: Fraction, rule: Tolerance) -> tuple[float, float]:
+    """Shares of the right answer, the smallest and the largest, by which one may be off."""
+    ends = [float(bound / right) - 1 for bound in rule.interval(right)]
+    return max(min(ends), -_WIDEST), min(max(ends), _WIDEST)
 
 
 @lru_cache(maxsize=256)

@@ -234,7 +234,7 @@ def hint_of(answer: MarkedAnswer, paper: PaperRecord) -> Hint | None:
         return None
     others = dict(_find_others(answer, paper))
     typed = read_number(answer.read_as)
-    return find_hint(typed, right.value, right.allowed, right.unit, others, coarse=right.coarse)
+    return find_hint(typed, right.value, right.rule, right.unit, others, coarse=right.coarse)
 
 
 def _find_others(answer: MarkedAnswer, paper: PaperRecord) -> Iterator[tuple[str, Fraction]]:

@@ -14,7 +14,7 @@ from kinegrade.press.sheet import FeedbackRow
 from kinegrade.reports.feedback.points import mark_decimals, write_share
 from kinegrade.reports.feedback.remarks import make_remark, name_verdict
 from kinegrade.reports.feedback.right_answers import (
-    write_allowed,
+    describe_allowed,
     write_closed_form,
     write_decimal,
     write_with_unit,
@@ -57,7 +57,7 @@ def make_feedback_row(
         catalogue.write(_describe_reading(answer, catalogue)),
         _mark_formula(write_closed_form(right), catalogue) if right else "",
         mark_decimals(write_decimal(right), catalogue) if right else "",
-        mark_decimals(write_allowed(right), catalogue) if right else "",
+        mark_decimals(catalogue.write(describe_allowed(right)), catalogue) if right else "",
         _choose_mark(answer),
         catalogue.write(name_verdict(answer.judged)),
         write_share(answer.points, answer.out_of, catalogue),

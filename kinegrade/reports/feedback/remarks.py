@@ -18,6 +18,7 @@ from kinegrade.grading.wording import Wording
 from kinegrade.language.message import Message, Text
 from kinegrade.marks_folder.hand_marks import BY_HAND
 from kinegrade.marks_folder.rows import MarkedAnswer
+from kinegrade.numbers.decimals import round_to_decimal
 from kinegrade.numbers.written import read_number
 from kinegrade.reports.classes.tally import hint_of
 from kinegrade.reports.feedback.reading_notes import find_note
@@ -44,6 +45,7 @@ _EXPLAINED: Mapping[str, Message] = {
     "another paper": Message("feedback.another-paper"),
     "void": Message("feedback.void"),
 }
+_FIGURES, _MOST_FIGURES = 2, 17  # of percentages
 _MANY = 3  # times the right value: from there on a percentage says little
 _WITH_NOTE = ("wrong unit", "unreadable")  # their notes on reading the cell are for the student too
 
@@ -161,10 +163,32 @@ def _describe_slip(power: int) -> Message:
 
 
 def _describe_nearness(answer: MarkedAnswer, right: RightAnswer) -> Message:
-    size = abs(right.value)
-    difference = write_percent(abs(read_number(answer.read_as) - right.value) / size)
-    allowed = write_percent(right.allowed / size)
-    return Message("feedback.close", difference=difference, allowed=allowed)
+    """How far off it is, and how far it may be on its side."""
+    value, size = read_number(answer.read_as), abs(right.value)
+    low, high = right.bounds
+    below, above = (right.value - low) / size, (high - right.value) / size
+    difference, allowed = abs(value - right.value) / size, above if value > right.value else below
+    shown, room = _write_apart(100 * difference, 100 * allowed)
+    return Message(
+        "feedback.close" if below == above else "feedback.close-on-this-side",
+        difference=Message("grammar.percent", number=shown),
+        allowed=Message("grammar.percent", number=room),
+    )
+
+
+def _write_apart(number: Fraction, bound: Fraction) -> tuple[Decimal, Decimal]:
+    """A number and the bound below it, which is rounded down, with two significant figures or as
+    many more as it takes to see that the number is larger.
+
+    >>> _write_apart(Fraction("0.104"), Fraction("0.1006"))
+    (Decimal('0.104'), Decimal('0.1'))
+    """
+    for figures in range(_FIGURES, _MOST_FIGURES + 1):
+        shown = round_to_decimal(number, figures)
+        below = round_to_decimal(bound, figures, "down")
+        if shown > below:
+            break
+    return Decimal(f"{shown:f}"), Decimal(f"{below:f}")
 
 
 def write_percent(share: Fraction) -> Message:

@@ -5,12 +5,13 @@ decimal, and how far off an answer may be.
 from __future__ import annotations
 
 import re
-from decimal import ROUND_DOWN, Context, Decimal
+from decimal import Decimal
 from fractions import Fraction
 
 from kinegrade.expressions.evaluation import evaluate
 from kinegrade.expressions.reading import read_expression
 from kinegrade.language.math.units import write_unit
+from kinegrade.language.message import Message, Text
 from kinegrade.numbers.decimals import round_to_decimal
 from kinegrade.numbers.field import Field
 from kinegrade.numbers.text import LATEX, write_exact, write_multiple_of_pi
@@ -18,7 +19,7 @@ from kinegrade.reports.paper_record import RightAnswer
 
 _LONGEST_EXACT = 32
 _SHOWN_DIGITS = 6
-_ALLOWED = Context(prec=2, rounding=ROUND_DOWN)  # never more than what is allowed
+_ALLOWED_DIGITS = 2
 _CLOSED_FORM = re.compile(r"(?:[-+*/() 0-9]|sqrt)+")
 _MULTIPLE_OF_PI = re.compile(r"-?(?:[0-9]+\*)?pi(?:/[0-9]+)?")
 
@@ -57,18 +58,31 @@ def write_closed_form(right: RightAnswer) -> str:
     return write_exact(evaluate(read_expression(exact), {}, {"sqrt": field.sqrt}, field), LATEX)
 
 
-def write_allowed(right: RightAnswer) -> str:
-    """How far off an answer may be, rounded down to two figures; "" where nothing is allowed.
+def describe_allowed(right: RightAnswer) -> Text:
+    """How far off an answer may be, rounded down to two figures; from where to where it is right,
+    rounded inwards, where it may be farther off on one side; "" where nothing is allowed.
 
     >>> from kinegrade.numbers.tolerance import Tolerance
     >>> rule = Tolerance(absolute=Fraction("0.0259"))
-    >>> write_allowed(RightAnswer(Fraction(2), None, "m/s", rule))
+    >>> describe_allowed(RightAnswer(Fraction(2), None, "m/s", rule))
     '±0.025\u202fm/s'
     """
-    if not right.allowed:
+    low, high = right.bounds
+    if low == high:
         return ""
-    amount = _ALLOWED.divide(Decimal(right.allowed.numerator), Decimal(right.allowed.denominator))
+    if right.value - low != high - right.value:
+        return _describe_bounds(right)
+    amount = round_to_decimal(high - right.value, _ALLOWED_DIGITS, "down")
     return write_with_unit(f"±{_write_plainly(amount)}", right.unit)
+
+
+def _describe_bounds(right: RightAnswer) -> Message:
+    """The bounds of significant figures have one digit more than the figures."""
+    low, high = right.bounds
+    digits = max(_SHOWN_DIGITS, (right.rule.figures or 0) + 1)
+    lowest = _write_plainly(round_to_decimal(low, digits, "up")).replace("-", "−")
+    highest = _write_plainly(round_to_decimal(high, digits, "down")).replace("-", "−")
+    return Message("feedback.from-to", low=lowest, high=write_with_unit(highest, right.unit))
 
 
 def write_with_unit(number: str, unit: str) -> str:
