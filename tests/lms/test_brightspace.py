@@ -47,6 +47,7 @@ def test_the_marks_around_ids_are_not_part_of_them(tmp_path: Path) -> None:
         ("Quiz Points Grade", None),
         ("Quiz Points Grade <Numeric MaxPoints:12>", "12"),
         ("Quiz Points Grade <Numeric MaxPoints:10.5 Weight:1>", "10.5"),
+        ("Quiz Points Grade <Numeric MaxPoints:10,5 Weight:1>", "10,5"),
     ],
 )
 def test_short_and_long_headers(tmp_path: Path, header: str, maximum: str | None) -> None:
@@ -74,3 +75,10 @@ def test_another_encoding_is_refused(tmp_path: Path) -> None:
         TableError, match="is UTF-16-LE - expected UTF-8, or Brightspace refuses it"
     ):
         filled(tmp_path, BRIGHTSPACE, DOWNLOAD.encode("utf-16"))
+
+
+def test_a_maximum_with_a_comma_is_no_whole_number(tmp_path: Path) -> None:
+    header = '"Quiz Points Grade <Numeric MaxPoints:20,5 Weight:1>"'
+    file = f"OrgDefinedId,{header},End-of-Line Indicator\r\n#0012345,,#\r\n"
+    with pytest.raises(TableError, match=r"counts 20\.5 there, 10 in the exam"):
+        filled(tmp_path, BRIGHTSPACE, file)

@@ -54,7 +54,7 @@ def _find_rule_of_axes(bank: Bank) -> Iterator[Message]:
 def _make_writing_rule(bank: Bank, asked: Iterable[Tolerance]) -> Message:
     """How to work and how to write answers: with the digits that are to be carried."""
     digits = count_digits(bank.carry, asked)
-    point = f"{sqrt(3) / 2:.{digits}f}"
+    point = write_example(digits)
     writing = Message(
         "paper.rule-of-writing",
         digits=spell_out(digits),
@@ -63,6 +63,15 @@ def _make_writing_rule(bank: Bank, asked: Iterable[Tolerance]) -> Message:
         comma=point.replace(".", ","),
     )
     return Message("paper.sentences", first=make_carrying_rule(digits), second=writing)
+
+
+def write_example(digits: int) -> str:
+    """A number with so many significant digits, for people to see what that is.
+
+    >>> write_example(4)
+    '0.8660'
+    """
+    return f"{sqrt(3) / 2:.{digits}f}"
 
 
 def make_carrying_rule(digits: int) -> Message:

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from typing import Literal, assert_never
 
-from kinegrade.exam.printing.rules import make_carrying_rule, spell_out
+from kinegrade.exam.printing.rules import make_carrying_rule, spell_out, write_example
 from kinegrade.exam.quiz.document import QuizQuestion
 from kinegrade.exam.quiz.words import write_sentences
 from kinegrade.language import Language
@@ -32,14 +32,15 @@ def make_typing_rule(typing: Typing, figures: int) -> Message:
     whatever the digits.
     """
     digits = spell_out(figures)
+    example, small = f"-{write_example(figures)}", f"{5 / 4:.{figures - 1}f}e-3"
     match typing:
         case "moodle":
-            return Message("quiz.type-in-moodle", digits=digits)
+            return Message("quiz.type-in-moodle", digits=digits, example=example, small=small)
         case "canvas":
             return Message("quiz.type-in-canvas")
         case "qti21":
-            return Message("quiz.type-in-qti21", digits=digits)
+            return Message("quiz.type-in-qti21", digits=digits, example=example, small=small)
         case "blackboard":
-            return Message("quiz.type-in-blackboard", digits=digits)
+            return Message("quiz.type-in-blackboard", digits=digits, example=example)
         case _:
             assert_never(typing)

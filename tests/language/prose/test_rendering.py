@@ -104,7 +104,7 @@ $$ (w)
     assert [
         problem for problem in refusal.value.problems if " cannot be printed" not in problem
     ] == []
-    assert len(refusal.value.problems) == 12
+    assert len(refusal.value.problems) == 11  # both links are one fault
 
 
 @pytest.mark.parametrize(

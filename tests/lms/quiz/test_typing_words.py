@@ -60,6 +60,14 @@ def test_the_examples_are_read_as_they_are_meant(typing: Typing, language: Langu
     ]
 
 
+@pytest.mark.parametrize("typing", ["moodle", "qti21", "blackboard"])
+def test_the_examples_have_the_digits_that_are_asked_for(typing: Typing) -> None:
+    rules = open_catalogue("en").write(make_typing_rule(typing, 6))
+    digits = [re.sub(r"e.*|\D", "", each).lstrip("0") for each in EXAMPLE.findall(rules)]
+    assert "six significant digits" in rules
+    assert {len(each) for each in digits} == {6}
+
+
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_the_examples_for_canvas_are_read_as_they_are_meant(language: Language) -> None:
     negative, positive, german, first, second = EXAMPLE.findall(rule("canvas", language))

@@ -24,7 +24,7 @@ BRIGHTSPACE = Dialect(
             ),
             item=re.compile(
                 r"(?P<title>.*) Points Grade(?: <(?:Numeric "
-                r")?(?:[^>]*\b)?MaxPoints:(?P<maximum>[0-9.]+)[^>]*>| <[^>]*>)?"
+                r")?(?:[^>]*\b)?MaxPoints:(?P<maximum>[0-9.,]+)[^>]*>| <[^>]*>)?"
             ),
             encodings=("UTF-8",),
         ),
