@@ -20,8 +20,10 @@ from kinegrade.mechanics.rates import Rate, Rates
 from kinegrade.mechanics.relations.relation import Relation
 from kinegrade.mechanics.relations.terms import Chain, Term
 from kinegrade.mechanics.vector import Vector
+from kinegrade.mechanics.vector_equation import Level
 from kinegrade.problem.quantities.functions import find_motion_calls
 from kinegrade.problem.solution import Solution
+from kinegrade.worked.case import Case
 from kinegrade.worked.formulas.atoms import AXES
 from kinegrade.worked.formulas.measures import NEGLIGIBLE
 
@@ -46,6 +48,7 @@ def _find_opposite(tree: Expression, motion: Motion) -> Iterator[Rate]:
     """
     if isinstance(tree, Call):
         yield from _find_clockwise(tree, motion)
+        yield from _find_backwards(tree, motion)
     if not isinstance(tree, Operation) or not is_literal_zero(tree):
         return
     bound = set(_list_bound(motion.frames.relations))
@@ -74,6 +77,58 @@ def _find_clockwise(tree: Call, motion: Motion) -> Iterator[Rate]:
         moving = (term.rate.point, term.rate.body, term.frame) == (point, body, frame)
         inwards = Operation("-", Name(term.base), Name(term.point))
         if asked and term.kind == "arc" and moving and arm == (inwards,) and term.rate not in bound:
+            yield term.rate
+
+
+def find_asked_turn(term: Term, level: Level, case: Case) -> int | None:
+    """1 where a question counts the vector of a point that turns about another one
+    counter-clockwise about that, -1 where clockwise; None where none does.
+    """
+    outwards = Operation("-", Name(term.point), Name(term.base))
+    inwards = Operation("-", Name(term.base), Name(term.point))
+    senses = {
+        sign
+        for sign, arm in ((1, outwards), (-1, inwards))
+        if _is_counted(term, Call("turned", (arm,)), level, case)
+    }
+    return senses.pop() if len(senses) == 1 else None
+
+
+def orient_arm(term: Term, level: Level, case: Case) -> tuple[str, str]:
+    """From where to where the arm of a point counts positive that is carried by a base point: as a
+    question says, else from the base point for velocities, to it for accelerations.
+    """
+    away, back = (term.base, term.point), (term.point, term.base)
+    usual, other = {"velocity": (away, back), "acceleration": (back, away)}[level]
+    start, end = map(Name, other)
+    return other if _is_counted(term, Operation("-", end, start), level, case) else usual
+
+
+def _is_counted(term: Term, direction: Expression, level: Level, case: Case) -> bool:
+    """Whether a question is about the component of a point's vector in a direction."""
+    point, body = Name(term.point), Name(term.rate.body)
+    quantities = {ask.quantity for ask in case.template.asks.values()}
+    vectors = (Call(level, (point,)), Call(level, (point, body)))
+    return any(Call("along", (vector, direction)) in quantities for vector in vectors)
+
+
+def _find_backwards(tree: Call, motion: Motion) -> Iterator[Rate]:
+    """The rate of a point that slides along a line on the ground or of a moving body, whose motion
+    there is asked for from point to point, against the direction of the line.
+    """
+    match tree:
+        case Call(
+            "along",
+            (Call(function, (Name(point), *others)), Operation("-", Name(end), Name(start))),
+        ) if function in (*_COUNTED, *_RELATIVE):
+            way = motion.points[end] - motion.points[start]
+        case _:
+            return
+    frame = others[-1] if function in _RELATIVE else Name(GROUND)
+    bound = set(_list_bound(motion.frames.relations))
+    for term in _list_terms(motion):
+        slides = (term.kind, term.point, Name(term.frame)) == ("sliding", point, frame)
+        if slides and term.rate not in bound and _has_direction(-term.vector, way):
             yield term.rate
 
 

@@ -226,6 +226,25 @@ def test_the_letter_of_a_corner_is_nearest_to_it() -> None:
     assert hypot(*(label.centre - origin)) < hypot(*(label.centre - tip))
 
 
+def test_the_letter_of_the_origin_is_nearer_to_it_than_the_tip_of_a_short_arrow() -> None:
+    # 1.4 mm apart: the letter stood beyond the tip, as if the long arrow there began at o
+    short, across = Vector(1.2965, 0.6046), Vector(-7.863, 16.863)
+    normal, tangential = Vector(-5.963, -12.787), Vector(10.0385, -4.6806)
+    whole = short + across + normal + tangential
+    right = [
+        Arrow("a_A^n", short),
+        Arrow("a_A^t", across, False),
+        Arrow("a_{BA}^n", normal),
+        Arrow("a_{BA}^t", tangential, False),
+    ]
+    vertices = {"a": short + across, "b": whole}
+    scene = draw_polygon([Arrow("a_B", whole, False)], right, vertices, 1.0)
+    (origin,) = dots(scene)
+    (label,) = (label for label in scene.labels if label.symbol == "o")
+    tip = origin + short * scene.scale
+    assert hypot(*(label.centre - origin)) < hypot(*(label.centre - tip))
+
+
 def test_a_vector_that_would_be_a_dot_has_a_larger_scale_at_which_none_is_drawn_aside() -> None:
     # The cam of an offset follower: at the scale of smaller pictures, 5 mm per m/s, the two long
     # arrows would look like one

@@ -42,9 +42,18 @@ def test_a_guided_point_moves_positive_in_the_sense_of_the_question() -> None:
         ("eccentric-cam-offset-follower", 0, r"a_{\mathrm{r}}^{\mathrm{t}}"),
         ("pin-in-two-rings", 0, r"v_{\mathrm{r}1}"),
         ("pin-in-two-rings", 0, r"a_{\mathrm{r},1}^{\mathrm{t}}"),
+        # transport, the point at A of a rocker whose rotation is given
+        ("slotted-rocker-and-slider-two-drivers", 1, r"a_{\mathrm{e}}^{\mathrm{t}}"),
+        ("slotted-bar-between-two-rods", 1, r"a_{B'A}^{\mathrm{t}}"),
+        # from one point to another
+        ("bent-rod-two-sleeves", 1, r"v_{\mathrm{r}B}"),
+        ("bent-rod-two-sleeves", 1, r"a_{\mathrm{r}B}"),
+        ("pole-sleeve-slider-rod", 1, "v_{D'}"),
+        ("rod-ground-and-incline", 1, "a_{B,s}"),
+        ("square-on-two-fixed-points", 1, r"v_{\mathrm{r},B}"),
     ],
 )
-def test_what_is_asked_clockwise_about_a_centre_has_this_sense_throughout(
+def test_what_is_asked_about_a_centre_or_along_a_line_has_this_sense_throughout(
     name: str, place: int, symbol: str
 ) -> None:
     """a_B^t was 5.48 m/s^2, and then -a_B^t counted as asked for."""
@@ -71,14 +80,7 @@ def list_values(symbol: str, lines: Iterable[str]) -> list[str]:
     return found
 
 
-@pytest.mark.parametrize(
-    ("name", "symbol"),
-    [
-        ("belt-driven-bicycle", "n_{A}"),
-        ("rod-ground-and-incline", "a_{B,s}"),
-        ("square-on-two-fixed-points", r"v_{\mathrm{r},B}"),
-    ],
-)
+@pytest.mark.parametrize(("name", "symbol"), [("belt-driven-bicycle", "n_{A}")])
 def test_what_is_counted_against_a_letter_of_the_page_has_its_sign_told(
     name: str, symbol: str
 ) -> None:

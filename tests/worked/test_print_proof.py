@@ -194,6 +194,7 @@ WRONG: dict[Law, tuple[Block, ...]] = {
             )
         ),
     ),
+    "given": (Display((read_math(r"r = -1\,\unit{m}", ""),)),),
     "label": (Display((read_math(r"v_S = 2\,\unit{m}", ""),)), _draw([ALONG], [ACROSS, BACK])),
 }
 

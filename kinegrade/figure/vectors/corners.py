@@ -19,7 +19,7 @@ from kinegrade.figure.vectors.arrows import VectorArrow
 from kinegrade.mechanics.vector import Vector
 
 _ORIGINS = ("o", "p")  # letters of the origin: another where it is that of a corner
-_CLOSE = 2.0  # millimetres: a letter cannot be told to be that of one of two corners that close
+_CLOSE = 2.0  # millimetres: a letter is hardly told to be that of one of two corners that close
 FAR = 2.5  # millimetres of paper from a corner to its letter, from which on that is not seen as its
 _EVERY = 6  # of the places close to a corner, one in so many is tried
 _STRAY = 1.0  # demerit of a letter that far
@@ -61,12 +61,18 @@ def name_corners(
 
 
 def wish_letter(letter: str, corner: Vector, corners: Sequence[Vector]) -> Wish:
-    """A letter outside its corner, nearer to it than to any other."""
+    """A letter outside its corner, nearer to it than to any other, clearly so than to those that
+    are not close.
+    """
     middle = sum(corners, _ZERO) * (1 / len(corners))
     spots, far = _list_letter_spots(letter, corner, corner - middle)
-    others = [other for other in corners if length(other - corner) > _CLOSE]
-    mistaken = _MISTAKEN * rate_nearness(letter, spots, (corner,), others)
-    return Wish(letter, spots, None, mistaken + _STRAY * far, names=corner)
+    away = [length(other - corner) for other in corners]
+    others = [other for other, gap in zip(corners, away, strict=True) if gap > _CLOSE]
+    close = [other for other, gap in zip(corners, away, strict=True) if _SAME < gap <= _CLOSE]
+    mistaken = rate_nearness(letter, spots, (corner,), others)
+    beyond = rate_nearness(letter, spots, (corner,), close)
+    worse = _MISTAKEN * (mistaken + beyond) + _STRAY * far
+    return Wish(letter, spots, None, worse, names=corner)
 
 
 def _list_letter_spots(letter: str, corner: Vector, away: Vector) -> tuple[Floats, Floats]:

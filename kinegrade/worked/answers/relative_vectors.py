@@ -14,6 +14,7 @@ from kinegrade.mechanics.vector import Vector, add_vectors
 from kinegrade.mechanics.vector_equation import Level
 from kinegrade.worked.answers.point_vectors import Found, explain_point_vector, keep_fact
 from kinegrade.worked.case import Case
+from kinegrade.worked.coincident_points import prime_letter
 from kinegrade.worked.document import Block
 from kinegrade.worked.findings import Fact, Piece
 from kinegrade.worked.formulas.atoms import AXES, OTHER, TWO, VectorSymbol, add_terms
@@ -157,11 +158,32 @@ def explain_normal(point: str, base: str, body: str, case: Case) -> Found:
 
 
 def explain_tangential(point: str, base: str, body: str, case: Case) -> Found:
-    """The tangential acceleration of a point about a base point of its body."""
+    """The tangential acceleration of a point about a base point of its body, as a step has found it
+    if one has.
+    """
     alpha = case.motion.alpha(body)
     value = _find_arm(point, base, case).turned() * alpha
+    told = _find_told((point, base), value, case)
+    if told is not None:
+        return told
     factors = abs(case.naming.alpha(body)), abs(measure(alpha, "rad/s^2"))
     return (yield from _explain_about_base("t", (point, base), value, factors, case))
+
+
+def _find_told(ends: tuple[str, str], value: Vector, case: Case) -> Fact | None:
+    """A tangential part that has the letters of both points, primed or not, on the left of an
+    equation.
+    """
+    point, base = ends
+    centre = case.naming.letter(base).row
+    for letters in (case.naming.letter(point).row, prime_letter(point, case).row):
+        name = VectorSymbol("a", (*letters, *centre), "t")
+        told = (one for one in case.findings.printed if one.left.looks_like(name) and one.links)
+        equation = next(told, None)
+        if equation is not None:
+            positive = value * equation.links[-1].right.sign
+            return Fact(name, value, False, (Piece(name, positive, value),))
+    return None
 
 
 def _find_arm(point: str, base: str, case: Case) -> Vector:

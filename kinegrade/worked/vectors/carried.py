@@ -15,6 +15,7 @@ from kinegrade.language.message import Message
 from kinegrade.mechanics.relations.terms import Term
 from kinegrade.mechanics.vector import AxisName, Vector
 from kinegrade.mechanics.vector_equation import Level, find_term_value
+from kinegrade.worked.asked_senses import find_asked_turn, orient_arm
 from kinegrade.worked.case import Case
 from kinegrade.worked.contacts import needs_components
 from kinegrade.worked.document import Block
@@ -109,12 +110,16 @@ def _name_missing(term: Term, announced: Message, case: Case) -> Message:
 
 
 def _find_parts(term: Term, name: VectorSymbol, case: Case) -> tuple[Piece, Piece]:
-    """The normal and the tangential part, each positive in its own direction."""
+    """The normal and the tangential part, each positive in its own direction, or the latter in the
+    sense of a question.
+    """
     normal = term.normal(case.motion.rates)
     tangential = term.coefficient() * case.motion.changes[term.rate]
+    turn = None if is_zero(tangential) else find_asked_turn(term, "acceleration", case)
+    positive = tangential if turn is None else term.vector.turned() * turn
     return (
         Piece(replace(name, part="n"), normal, normal, term),
-        Piece(replace(name, part="t"), tangential, tangential, term),
+        Piece(replace(name, part="t"), positive, tangential, term),
     )
 
 
@@ -127,10 +132,12 @@ def _state_parts(term: Term, name: VectorSymbol, case: Case) -> Iterator[Equatio
         sense = state_sense_along(1.0, normal.value, (term.point, term.base), case)
         yield _state_part(normal, term, factors[0] ** TWO, factors[1] ** TWO, sense, case=case)
     if not is_zero(tangential.value):
+        turn = find_asked_turn(term, "acceleration", case)
         letter = case.naming.alpha(body)
-        symbol = letter if double(alpha) > 0 else abs(letter)
+        size = letter if double(alpha) > 0 else abs(letter)
+        symbol = size if turn is None else letter.signed(turn)
         sense = state_way_about(tangential.value, term.vector, term.base, case)
-        number = measure(abs(alpha), "rad/s^2")
+        number = measure(abs(alpha) if turn is None else alpha * turn, "rad/s^2")
         yield _state_part(tangential, term, symbol, number, sense, case=case)
 
 
@@ -140,7 +147,7 @@ def _state_part(
     """The arm times a factor, in symbols and in numbers, and the value."""
     arm = measure(length(term.vector, case.arithmetic), "m")
     symbols = name_length(term.base, term.point, case).dot(symbol)
-    value = state_number(length(piece.value, case.arithmetic), piece.symbol.unit)
+    value = state_number(_measure_piece(piece, case), piece.symbol.unit)
     return Equation(piece.symbol, (*equate(symbols, arm.dot(number)), *value), sense)
 
 
@@ -154,7 +161,7 @@ def find_arm(term: Term, base: Fact, case: Case, level: Level) -> Inclination | 
     if None in [find_heading(piece, case) for piece in base.parts]:
         return None
     ends = (term.base, term.point)
-    found = name_along(bearing(_direct_arm(term, level)), ends, case)
+    found = name_along(bearing(_direct_arm(term, level, case)), ends, case)
     if found is None or found.angle is None or not is_inclination_known(found, ends, case):
         return None
     headings = filter(None, (find_heading(piece, case) for piece in base.parts))
@@ -167,9 +174,10 @@ def _list_axes(arm: Inclination) -> tuple[Inclination, Inclination]:
     return arm, replace(arm, quarters=arm.quarters + 1)
 
 
-def _direct_arm(term: Term, level: Level) -> Vector:
+def _direct_arm(term: Term, level: Level, case: Case) -> Vector:
     """The arm from the base point, or to it."""
-    return {"velocity": term.vector, "acceleration": -term.vector}[level]
+    start, _ = orient_arm(term, level, case)
+    return term.vector if start == term.base else -term.vector
 
 
 def explain_along_arm(
@@ -191,11 +199,10 @@ def _find_pieces(
     term: Term, name: VectorSymbol, base: Fact, case: Case, level: Level
 ) -> tuple[Piece, Piece]:
     """Both components with their letters and directions."""
-    arm = _direct_arm(term, level)
+    arm = _direct_arm(term, level, case)
     total = base.value + find_term_value(term, case.motion, level)
     along = arm * (total.dot(arm) / arm.squared())
-    ends = {"velocity": (term.base, term.point), "acceleration": (term.point, term.base)}[level]
-    line = join_letters(map(case.naming.letter, ends)).row
+    line = join_letters(map(case.naming.letter, orient_arm(term, level, case))).row
     first, second = (
         replace(name, lower=(*name.lower, Sign(","), *sign, *line))
         for sign in ((), (Sign(r"\perp"),))

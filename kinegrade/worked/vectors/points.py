@@ -14,6 +14,7 @@ from kinegrade.mechanics.motion import Motion
 from kinegrade.mechanics.relations.terms import Chain, Term
 from kinegrade.mechanics.vector import Vector, add_vectors
 from kinegrade.mechanics.vector_equation import Level, find_term_value
+from kinegrade.worked.asked_senses import orient_arm
 from kinegrade.worked.case import Case
 from kinegrade.worked.contacts import enters_composition, turn_about_contact
 from kinegrade.worked.document import Block
@@ -155,7 +156,7 @@ def _find_base(chain: Chain, case: Case, level: Level) -> Fact:
 
 def _announce_arm(term: Term, case: Case, level: Level) -> Message:
     """From which base point, and along which line and across it the components are taken."""
-    ends = {"velocity": (term.base, term.point), "acceleration": (term.point, term.base)}[level]
+    ends = orient_arm(term, level, case)
     return Message(
         f"solution.along-arm-{find_place(term, case)}",
         point=case.naming.point(term.point),

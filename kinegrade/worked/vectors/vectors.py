@@ -130,18 +130,15 @@ _STATED = ("absolute", "relative")  # the roles of what an earlier step may have
 
 def name_value(equation: VectorEquation, part: Part, case: Case) -> Formula:
     """What stands for a part in equations: the algebraic value of an unknown one, the magnitude of
-    a known one.
+    a known one, between bars where its letter has a negative value.
     """
     letters = name_part(equation, part, case)
-    known = (
-        part.unknown is None
-        and part.role in _STATED
-        and part.part != "n"
-        and not is_composed(equation, part)
-    )
+    if part.unknown is not None:
+        return letters
+    stated = part.role in _STATED and part.part != "n" and not is_composed(equation, part)
     term = part.term or find_path_term(part.together, case)
-    negative = known and term is not None and is_stated_negative(term, case, equation.level)
-    return abs(letters) if negative else letters
+    negative = stated and term is not None and is_stated_negative(term, case, equation.level)
+    return abs(letters) if negative or case.findings.is_negative(letters) else letters
 
 
 def vanishes(part: Part) -> bool:

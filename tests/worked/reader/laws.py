@@ -52,7 +52,7 @@ from tests.worked.reader.meanings import (
 from tests.worked.reader.polygons import judge_polygons
 from tests.worked.reader.rounding import find_room
 from tests.worked.reader.signs import find_senseless
-from tests.worked.reader.solved import find_unsolved
+from tests.worked.reader.solved import find_contradicted, find_unsolved
 from tests.worked.reader.tables import find_early, find_without_sense
 from tests.worked.reader.zeros import find_rounded_away
 
@@ -89,8 +89,10 @@ Law: TypeAlias = Literal[
     "zero",
     "independent",
     "solved",
+    "given",
 ]
 LAWS: dict[Law, str] = {
+    "given": "a letter of the statement keeps the value that the statement prints",
     "solved": "an equation with its unknown on the left holds with what is found of that",
     "independent": "a check says of what has been found something else than each line before it",
     "equal": "a sign of equality joins equal values, to within what rounding can do",
@@ -185,9 +187,11 @@ def find_faults(blocks: Sequence[Block], solution: Solution) -> Iterator[Fault]:
                 yield from _judge_line(part, sought, known)
                 if is_off(part):
                     yield Fault("figure", part.text)
-    equations = (one for one in parts if isinstance(one, Line))
+    equations = [one for one in parts if isinstance(one, Line)]
     unsolved = find_unsolved(equations, known.worth_at_first)
     yield from (Fault("solved", line) for line in unsolved)
+    contradicted = find_contradicted(equations, dict(read_givens(solution)), known.worth)
+    yield from (Fault("given", line) for line in contradicted)
     yield from (Fault("used", line) for line in find_unused(blocks))
     yield from (Fault("once", sentence) for sentence in find_repeated(blocks))
     yield from (Fault("sense", column) for column in find_without_sense(blocks))

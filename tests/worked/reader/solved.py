@@ -1,8 +1,10 @@
-"""Equations that hold their unknowns, such as v_B cos psi = v_A sin phi."""
+"""Equations against what the page says elsewhere: those that hold their unknowns, such as v_B cos
+psi = v_A sin phi, and those of letters whose value the statement prints.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import replace
 
 from tests.worked.reader.amounts import Amount, MixedUnits, Unreadable
@@ -30,6 +32,22 @@ def find_unsolved(lines: Iterable[Line], worth: Callable[[str], Amount]) -> Iter
             yield line.text
             continue
         if not all(_agree(first, one) for one in others):
+            yield line.text
+
+
+def find_contradicted(
+    lines: Iterable[Line], givens: Mapping[str, Amount], worth: Callable[[str], Amount]
+) -> Iterator[str]:
+    """The equations that end with another value of a given than the statement has."""
+    for line in lines:
+        given = givens.get(name_symbol(line.left))
+        if given is None or not line.sides:
+            continue
+        try:
+            end = read_formula(line.sides[-1].row, worth)
+        except (Unreadable, MixedUnits):
+            continue
+        if not _agree(given, end):
             yield line.text
 
 
