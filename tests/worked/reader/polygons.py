@@ -8,6 +8,7 @@ import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
+from itertools import pairwise
 from math import hypot
 from typing import Literal
 
@@ -45,11 +46,11 @@ class PolygonFault:
 
 @dataclass(frozen=True)
 class _Arrow:
-    """An arrow as it is drawn, with the corners of its head behind the tip."""
+    """An arrow as it is drawn: from where to where, and its `lines`, those of its head as well."""
 
     start: Vector
     tip: Vector
-    head: tuple[Vector, ...] = ()
+    lines: tuple[tuple[Vector, Vector], ...]
 
     @property
     def length(self) -> float:
@@ -124,10 +125,10 @@ def _read_arrows(scene: Scene) -> Iterator[_Arrow]:
         match part:
             case Strokes(lines=((start, _),)):
                 pass
-            case Outline(corners=(tip, *head)) if len(head) == 2:
-                yield _Arrow(start, tip, tuple(head))
-            case Outline(corners=(left, _, one, tip, other, _, right)):
-                yield _Arrow((left + right) / 2, tip, (one, other))
+            case Outline(corners=(tip, one, other)):
+                yield _Arrow(start, tip, ((start, tip), (tip, one), (tip, other)))
+            case Outline(corners=(left, _, _, tip, _, _, right) as corners):
+                yield _Arrow((left + right) / 2, tip, tuple(pairwise(corners)))
 
 
 def _judge_chains(
@@ -226,7 +227,7 @@ def _follow_leader(label: Label, arrows: tuple[_Arrow, ...], scene: Scene) -> tu
     for part in scene.primitives:
         match part:
             case Strokes(lines=((start, end),)) if part.pen == THIN:
-                if _measure_gap(label, _Arrow(start, start)) < _LEAVES:
+                if _measure_line(label, start, start) < _LEAVES:
                     dot = Label("", end, 0.0, 0.0)
                     least = min(_measure_gap(dot, arrow) for arrow in arrows)
                     near = least + _APART  # of an outline, whose edge is beside its middle
@@ -252,9 +253,12 @@ def _stands_well(
 
 def _measure_gap(label: Label, arrow: _Arrow) -> float:
     """Millimetres of paper between a label and an arrow, its shaft or its head."""
-    ends = (arrow.start, *arrow.head)
-    lines = [(end, arrow.tip - end, place / 40) for end in ends for place in range(41)]
-    points = [start + line * share for start, line, share in lines]
+    return min(_measure_line(label, *line) for line in arrow.lines)
+
+
+def _measure_line(label: Label, start: Vector, end: Vector) -> float:
+    """Millimetres of paper between a label and a line."""
+    points = [start + (end - start) * (place / 40) for place in range(41)]
     return min(
         hypot(
             max(abs(point.x - label.centre.x) - label.width / 2, 0.0),
