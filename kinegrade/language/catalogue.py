@@ -17,7 +17,7 @@ from typing import assert_never
 from kinegrade.language import Language
 from kinegrade.language.entries import NOUN, Entries, Entry, read_entries
 from kinegrade.language.lines import shorten, show_in_one_line
-from kinegrade.language.message import Fault, Listing, Message, Part, Quoted
+from kinegrade.language.message import ByLanguage, Fault, Listing, Message, Noun, Part, Quoted
 
 PLACE = re.compile(r"<([A-Za-z][a-z_]*)(?::([a-z]+))?>")
 FORM_SEPARATOR = "|"
@@ -59,6 +59,10 @@ class Catalogue:
                 return self._write_fault(part)
             case Listing():
                 return self._write_listing(part, form)
+            case Noun(forms):
+                return forms[self.forms.index(form) if form else 0]
+            case ByLanguage(words, otherwise):
+                return self.write(dict(words).get(self.language, otherwise), form)
             case Quoted():
                 return f'"{show_in_one_line(part.text)}"'
             case int() | Decimal() | Fraction():

@@ -12,6 +12,8 @@ from decimal import Decimal
 from fractions import Fraction
 from typing import Literal, TypeAlias
 
+from kinegrade.language import Language
+
 Joint = Literal["and", "or", "comma", "semicolon"]
 
 
@@ -63,6 +65,21 @@ class Listing:
 
 
 @dataclass(frozen=True)
+class Noun:
+    """A noun that an author wrote, in all the forms that its language has, in their order."""
+
+    forms: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class ByLanguage:
+    """What is said in other words in some languages; `otherwise` in all others."""
+
+    words: tuple[tuple[Language, Part], ...]
+    otherwise: Part
+
+
+@dataclass(frozen=True)
 class Quoted:
     """A name or a cell's text as it stands in a file, in quotation marks."""
 
@@ -86,7 +103,9 @@ class Fault:
 Text: TypeAlias = str | Message
 Location: TypeAlias = Text  # where a fault is, as its line begins
 Number: TypeAlias = int | Decimal | Fraction
-Part: TypeAlias = str | int | Decimal | Fraction | Message | Listing | Quoted | Fault
+Part: TypeAlias = (
+    str | int | Decimal | Fraction | Message | Listing | Noun | ByLanguage | Quoted | Fault
+)
 
 
 def list_all(items: Iterable[Part]) -> Listing:

@@ -1,5 +1,6 @@
 """Points that the statement names and that do not exist, or that the figure does not letter: only
-those of bodies, joints and circles have letters.
+those of bodies, joints and circles have letters. And bodies that are named by a word which the
+catalogues do not know, and so have no name in some of a template's languages.
 """
 
 from __future__ import annotations
@@ -8,13 +9,17 @@ import re
 from collections.abc import Iterable, Iterator
 
 from kinegrade.figure.sketch import sketch
-from kinegrade.language.message import Message
+from kinegrade.language import ENGLISH
+from kinegrade.language.message import Message, list_plainly
 from kinegrade.problem.printed_givens import mark_question
 from kinegrade.problem.solution import Solution
 from kinegrade.problem.template.hints import FigureHints
 from kinegrade.problem.template.notation import write_point_symbol
 from kinegrade.problem.template.template import Template
+from kinegrade.problem.template.texts import find_used_languages
+from kinegrade.problem.template.translated import Translated
 from kinegrade.proof.symbols import note_shared_symbols, note_unexplained_letters
+from kinegrade.worked.words.bodies import is_kind, is_word
 
 _FORMULA = re.compile(r"\$([^$\n]+)\$")
 _LETTER = re.compile(r"[A-Z](?:_\d+)?'*", re.ASCII)  # A, O_1, B'
@@ -27,6 +32,7 @@ def note_letters(template: Template) -> Iterator[Message]:
     yield from note_renamed_points(template)
     yield from note_shared_symbols(template)
     yield from note_unexplained_letters(template, _list_formulas(template))
+    yield from note_unnamed_bodies(template)
 
 
 def note_unknown_points(template: Template) -> Iterator[Message]:
@@ -47,6 +53,22 @@ def note_renamed_points(template: Template) -> Iterator[Message]:
         label, symbol = template.figure.labels.get(point), write_point_symbol(point)
         if label and _LETTER.fullmatch(_plain(label)) and _plain(label) != _plain(symbol):
             yield Message("template.renamed-point", point=_plain(symbol), label=_plain(label))
+
+
+def note_unnamed_bodies(template: Template) -> Iterator[Message]:
+    """A remark for each of them. The word itself is taken for English where there are English
+    texts, else for the language in which the template has its first texts.
+    """
+    used = find_used_languages(template)
+    own = ENGLISH if ENGLISH in used else next(iter(used), ENGLISH)
+    for body in template.scheme.bodies:
+        if is_word(body.name) and not is_kind(body.name.rstrip("0123456789")):
+            called = template.words.called.get(body.name, Translated())
+            lacking = [each for each in used if each != own and not called.has(each)]
+            if lacking:
+                yield Message(
+                    "template.unnamed-body", body=body.name, languages=list_plainly(lacking)
+                )
 
 
 def _find_letters(formula: str) -> list[str]:

@@ -8,6 +8,9 @@ A translation has the keys of the file that it translates, with a text at each:
     [parameters]
     r = "Länge der Kurbel OA"
 
+    [bodies]
+    ram = "der Stößel|des Stößels|dem Stößel|den Stößel"  # a body that is named by a word
+
     [asks]
     v_B = "Geschwindigkeit des Schiebers $B$"
     a_rel = { means = "...", sign = "..." }  # where the author states a sign convention in words

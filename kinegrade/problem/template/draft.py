@@ -51,6 +51,7 @@ class Draft(Struct, frozen=True):
     faulty: frozenset[str] = frozenset()
     steps: Mapping[str, Expression] = field(default_factory=dict)
     mistakes: Mapping[str, NamedMistake] = field(default_factory=dict)
+    called: Mapping[str, Translated] = field(default_factory=dict)
 
     @property
     def angles(self) -> frozenset[str]:
@@ -66,7 +67,7 @@ class Draft(Struct, frozen=True):
             name,
             file,
             self.about,
-            Words(self.statement, texts, self.reasons),
+            Words(self.statement, texts, self.reasons, self.called),
             self._scheme(),
             self.asks,
             tuple(self.published.values()),

@@ -167,8 +167,8 @@ class Scheme(Struct, frozen=True):
 
 
 class Words(Struct, frozen=True):
-    """What students read: the statement, the texts in it that depend on values, and why named
-    lengths are what they are, which worked solutions say.
+    """What students read: the statement, the texts in it that depend on values, why named lengths
+    are what they are, which worked solutions say, and what bodies are called.
 
     Of the wordings of one name the first whose condition holds applies.
     """
@@ -176,6 +176,7 @@ class Words(Struct, frozen=True):
     statement: Translated
     texts: Mapping[str, tuple[Wording, ...]]
     reasons: Mapping[str, Translated]
+    called: Mapping[str, Translated] = field(default_factory=dict)
 
 
 class Template(Struct, frozen=True):

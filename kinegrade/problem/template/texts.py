@@ -68,9 +68,14 @@ def find_languages(template: Template) -> tuple[Language, ...]:
     return find_common_languages([text for _, text in _list_texts(template)])
 
 
+def find_used_languages(template: Template) -> tuple[Language, ...]:
+    """The languages that a template names for any of its texts."""
+    return find_named_languages([text for _, text in _list_texts(template)])
+
+
 def is_language_named(template: Template) -> bool:
     """Whether a template says of any of its texts in which language it is."""
-    return bool(find_named_languages([text for _, text in _list_texts(template)]))
+    return bool(find_used_languages(template))
 
 
 def find_missing_texts(template: Template, language: Language) -> tuple[str, ...]:
@@ -128,7 +133,7 @@ def _has_words(text: str) -> bool:
 
 def find_unfinished_translations(template: Template) -> list[Fault]:
     """A fault for each text that is missing in a language which other texts have."""
-    named = find_named_languages([text for _, text in _list_texts(template)])
+    named = find_used_languages(template)
     return [
         Fault(place, Message("template.unfinished", language=Quoted(language)))
         for language in named

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from msgspec import Struct
 
-from kinegrade.language.message import Message
+from kinegrade.language.catalogue import FORM_SEPARATOR
+from kinegrade.language.message import ByLanguage, Message, Noun, Part
 from kinegrade.mechanics.ground import GROUND
 from kinegrade.problem.template.notation import write_point_symbol
 from kinegrade.problem.template.template import Template
@@ -27,15 +28,34 @@ class Label(Struct, frozen=True):
     number: str = ""
 
 
+def _name_as_called(text: str) -> Part:
+    """A body by a noun in all its forms, or by one that has a single form."""
+    forms = tuple(each.strip() for each in text.split(FORM_SEPARATOR))
+    return Noun(forms) if len(forms) > 1 else Message("solution.other-body", name=text)
+
+
 class BodyNames(Struct, frozen=True):
     """What a template's bodies are called."""
 
     template: Template
 
     def body(self, name: str) -> Message:
-        """A body in prose: by the paper's letters, or the word for it."""
+        """A body in prose: as the author calls it in a language, else by the paper's letters, or
+        the word for it.
+        """
         if name == GROUND:
             return Message("solution.ground")
+        called = self.template.words.called.get(name)
+        if called is None:
+            return self._by_word(name)
+        if called.plain is not None:
+            return Message("solution.other-body", name=called.plain)
+        words = ((language, _name_as_called(text)) for language, text in called.by_language)
+        called_otherwise = self._by_word(name)
+        return Message("solution.named-body", body=ByLanguage(tuple(words), called_otherwise))
+
+    def _by_word(self, name: str) -> Message:
+        """A body by the paper's letters, or the word for it."""
         label = self.label(name)
         if label.number:
             return name_by_number(label.word, label.number)

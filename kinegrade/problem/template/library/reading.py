@@ -33,6 +33,7 @@ from kinegrade.problem.template.sections.published import read_published
 from kinegrade.problem.template.sections.repeated import note_repeated
 from kinegrade.problem.template.sections.scheme import (
     read_bodies,
+    read_body_names,
     read_conditions,
     read_drivers,
     read_expressions,
@@ -118,6 +119,7 @@ def _read_draft(table: Table, strays: Set[str]) -> Draft:
         asks=read_asks(table),
         published=read_published(table),
         figure=_read_figure(table, declared),
+        called=read_body_names(table),
     )
     draft = replace(draft, faulty=_find_unread(declared, draft) | strays)
     language = table.optional("language", lambda value: read_language(words(value)))

@@ -24,7 +24,10 @@ from kinegrade.problem.template.sections.keys import (
     SHARED_LISTS,
 )
 from kinegrade.problem.template.sections.layers import Layer, Layers, is_sharable
-from kinegrade.problem.template.sections.translated_places import list_translated_places
+from kinegrade.problem.template.sections.translated_places import (
+    list_translated_places,
+    open_bodies,
+)
 from kinegrade.problem.template.template import MechanismFile, TemplateFile
 
 FOLDER = "mechanisms"  # beside the templates
@@ -87,8 +90,10 @@ def open_template(
 def _lay_in(
     content: Mapping[str, object], source: Source, translations: Translations, file: str
 ) -> LaidIn:
-    places = list_translated_places(content)
     beside = Beside(file, TEMPLATE, translations)
+    if translations:
+        content = open_bodies(content)
+    places = list_translated_places(content)
     if translations:
         content = state_texts(content, places.values())
     return lay_in(content, source, beside, places)

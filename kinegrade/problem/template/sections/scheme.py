@@ -11,6 +11,7 @@ from kinegrade.expressions.reading import read_expression
 from kinegrade.expressions.tree import Expression
 from kinegrade.files.fields.table import Table
 from kinegrade.files.fields.values import found
+from kinegrade.language.catalogue import FORM_SEPARATOR, open_catalogue
 from kinegrade.language.message import Message
 from kinegrade.mechanics.mechanism import Body
 from kinegrade.problem.template.conditions import read_condition
@@ -23,6 +24,8 @@ from kinegrade.problem.template.sentences import (
     read_joint,
 )
 from kinegrade.problem.template.template import Condition
+from kinegrade.problem.template.translated import Translated
+from kinegrade.problem.template.translations import translated
 
 _LIKE_INPUT = '{ motion = "OA turns", velocity = "omega" }'
 _NOTHING: Expression = read_expression("0")
@@ -55,8 +58,31 @@ def read_drivers(table: Table) -> dict[int, DriverSentence]:
     return present({number: _read_driver(entry) for number, entry in enumerate(entries)})
 
 
+def read_body_names(table: Table) -> dict[str, Translated]:
+    """What bodies are called, by their names in the file."""
+    entries = table.table("bodies")
+    named = {name: value for name, value in entries.content.items() if isinstance(value, dict)}
+    called = {name: value["called"] for name, value in named.items() if value.get("called")}
+    return present({name: entries.required(name, _read_called) for name in called})
+
+
+def _read_called(value: object) -> Translated:
+    """A name, or in a language whose nouns change, one that has all forms in their order."""
+    called = translated(value["called"]) if isinstance(value, dict) else Translated()
+    for language, name in called.by_language:
+        forms, known = name.split(FORM_SEPARATOR), open_catalogue(language).forms
+        if not all(each.strip() for each in forms) or len(forms) not in {1, len(known)}:
+            expected = Message("template.forms-of-noun", forms=FORM_SEPARATOR.join(known))
+            raise FieldError(found(name), expected)
+    return called
+
+
 def _read_body(name: str, value: object) -> Body:
-    """A body with its marked points: "O A", or "particle M"."""
+    """A body with its marked points: "O A", or "particle M"; beside its name where it has one."""
+    if isinstance(value, dict):
+        if not {"points"} <= value.keys() <= {"points", "called"}:
+            raise FieldError(found(value), Message("template.body-points"))
+        value = value["points"]
     match words(value).split():
         case ["particle", point]:
             return Body(name, (point,), particle=True)

@@ -12,6 +12,25 @@ def list_translated_places(content: Mapping[str, object]) -> dict[Place, Place]:
     return dict(_list_places(content))
 
 
+def open_bodies(content: Mapping[str, object]) -> Mapping[str, object]:
+    """The tables of a template in which each body has room for its name beside its points."""
+    bodies = content.get("bodies")
+    if not isinstance(bodies, dict):
+        return content
+    opened = {name: _open_body(entry) for name, entry in bodies.items()}
+    return {**content, "bodies": opened}
+
+
+def _open_body(entry: object) -> object:
+    match entry:
+        case str():
+            return {"points": entry, "called": {}}
+        case dict() if "called" not in entry:
+            return {**entry, "called": {}}
+        case _:
+            return entry
+
+
 def _list_places(content: Mapping[str, object]) -> Iterator[tuple[Place, Place]]:
     for key in ("title", "statement"):
         if key in content:
@@ -19,6 +38,9 @@ def _list_places(content: Mapping[str, object]) -> Iterator[tuple[Place, Place]]
     for name, entry in _list_entries(content, "parameters"):
         if isinstance(entry, dict) and "means" in entry:
             yield ("parameters", name), ("parameters", name, "means")
+    for name, entry in _list_entries(content, "bodies"):
+        if isinstance(entry, dict):
+            yield ("bodies", name), ("bodies", name, "called")
     for name, entry in _list_entries(content, "asks"):
         yield from _list_places_of_ask(name, entry)
     for name, entry in _list_entries(content, "reasons"):
