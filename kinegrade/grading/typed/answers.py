@@ -30,6 +30,7 @@ from kinegrade.grading.typed.number_text import MOST_DIGITS, DecimalStyle, Typed
 from kinegrade.grading.typed.raised_dot import find_raised_dot
 from kinegrade.grading.typed.remarks import apply_sign, describe_doubt, describe_form
 from kinegrade.grading.typed.sense import find_direction, split_sense
+from kinegrade.grading.typed.several_numbers import begins_with_number, has_other_number
 from kinegrade.grading.typed.undressing import undress
 from kinegrade.grading.typed.value import Formula, scan_value
 from kinegrade.language.message import Message, Quoted, Text
@@ -47,11 +48,6 @@ _PLAIN = re.compile(PLAIN)
 _DIGIT = re.compile(r"\d")
 _TAIL = re.compile(r"[\s.;,!\u3001]+$")
 _SIGN = re.compile(r"([+-]?)\s*")
-_NEXT_NUMBER = re.compile(r"[\s.,;'\u3001~=\u2248]*(?:[+-]\s*)?\(?\s*[0-9]")
-_OTHER_NUMBER = re.compile(
-    r"(?:^|\s)(?:[^\W\d_]+\.?\s+|[\u4e00-\u9fff]+\s*|[|&]\s*)[+-]?[0-9]"
-)  # behind a word: 3 or 4
-_SHARE_OF_TIME = re.compile(r"\s*1\s*/\s*[^\W\d]|\s*\(\s*1\s*/")
 
 
 @dataclass(frozen=True, slots=True)
@@ -219,12 +215,12 @@ def _read(
 def _find_conversion(rest: str, unit: str, typed: str) -> Conversion:
     """The conversion that the text after the number calls for. Raises Unreadable or WrongUnit."""
     several = Message("typing.more-than-one", typed=Quoted(show(typed.strip(BLANKS))))
-    if _NEXT_NUMBER.match(rest) and not _SHARE_OF_TIME.match(rest):
+    if begins_with_number(rest):
         raise Unreadable(several)
     try:
         return find_conversion(rest, unit)
     except Unreadable as unknown:
-        if _OTHER_NUMBER.search(rest):
+        if has_other_number(rest):
             raise Unreadable(several) from unknown
         raise
 
