@@ -102,6 +102,22 @@ def test_the_figure_is_on_a_students_paper_but_pooled_questions_have_none(tmp_pa
     )
 
 
+def test_every_line_says_whose_paper_it_is_of_and_so_do_the_complaints(tmp_path: Path) -> None:
+    together = all_said(write(a_quiz.quiz(), tmp_path / "quiz.txt"))
+    codes = [fields[1].split(" ")[0] for fields in lines(tmp_path / "quiz.txt")]
+    assert codes == ["[P1]"] * 7 + ["[P2]"] * 4
+    assert any("the questions of 2 papers stand in one file" in line for line in together), together
+    apart = all_said(write(a_quiz.quiz(), tmp_path / "quiz.zip"))
+    assert any("every paper is a file of its own" in line for line in apart), apart
+
+
+def test_what_is_drawn_for_each_student_is_on_no_printed_paper(tmp_path: Path) -> None:
+    complaints = all_said(write(many(2), tmp_path / "pool.txt"))
+    assert "no printed paper has these numbers" in complaints[0]
+    assert not any("hand out" in line or "[P" in line for line in complaints)
+    assert not any("[P" in fields[1] for fields in lines(tmp_path / "pool.txt"))
+
+
 def test_more_questions_than_blackboard_takes_are_refused(tmp_path: Path) -> None:
     write(many(250), tmp_path / "quiz.txt")
     with pytest.raises(ExportError) as refusal:

@@ -336,6 +336,7 @@ def test_what_a_person_has_to_know_is_said(tmp_path: Path) -> None:
     ] == [
         r"qti21: formulas are LaTeX between \( and \)",
         "qti21: Canvas turns these questions into texts to be matched and drops the tolerance",
+        "qti21: every paper is a test of its own, with its code in the titles",
     ]
 
 

@@ -22,6 +22,9 @@ from kinegrade.lms.quiz.packaging import make_stable_name
 from kinegrade.lms.quiz.remarks import Remarks
 
 _MOST = 250  # questions in one upload to Ultra; Original takes 500
+_PRINTED = Message("quiz-file.no-figures")
+_DRAWN = Message("quiz-file.no-figures-of-variants")
+_FOR_ONE = Message("quiz-file.blackboard-for-one")
 
 
 def write(quiz: Quiz, target: Path, *, force: bool = False) -> list[Problem]:
@@ -59,13 +62,17 @@ class _Writer:
 
     def write_one(self, place: Path, target: Path) -> None:
         """All lines in one file."""
-        count = 0
+        count = owned = 0
         with place.open("x", encoding="utf-8", newline="\n") as stream:
             for paper in self._quiz.papers:
+                owned += _is_owned(paper)
                 for _, line in self._lines(paper):
                     count += 1
                     if count <= _MOST:
                         stream.write(f"{line}\n")
+        if owned:
+            several = Message("quiz-file.blackboard-together", papers=owned)
+            self._remarks.complain(several if owned > 1 else _FOR_ONE)
         if count > _MOST:
             self._remarks.refuse(
                 Fault(str(target), Message("quiz-file.too-many", number=count, most=_MOST))
@@ -76,7 +83,8 @@ class _Writer:
         pools: dict[str, list[str]] = {}
         written: dict[str, int] = {}
         for paper in self._quiz.papers:
-            if paper.student or paper.name:
+            if _is_owned(paper):
+                self._remarks.complain(_FOR_ONE)
                 name = make_stable_name(
                     "-".join(filter(None, ("paper", paper.code, paper.student)))
                 )
@@ -93,10 +101,11 @@ class _Writer:
 
     def _lines(self, paper: QuizPaper) -> Iterator[tuple[str, str]]:
         """The asks of a paper, each with its column and its line."""
-        owned, language = bool(paper.student or paper.name), self._quiz.language_of(paper)
+        owned, language = _is_owned(paper), self._quiz.language_of(paper)
+        code = paper.code if owned else ""
         for question in paper.questions:
             if question.sheet.figure is not None:
-                self._remarks.complain(Message("quiz-file.no-figures"))
+                self._remarks.complain(_PRINTED if owned else _DRAWN)
             if question.solution.parts or any(ask.mistakes for ask in question.asks):
                 self._remarks.complain(Message("quiz-file.left-out"))
             for ask in question.asks:
@@ -105,10 +114,15 @@ class _Writer:
                 try:
                     yield (
                         column,
-                        write_question_line(question, ask, language, self._remarks, on_paper=owned),
+                        write_question_line(question, ask, language, self._remarks, code),
                     )
                 except TypesetError as fault:
                     self._remarks.refuse_texts(fault)
+
+
+def _is_owned(paper: QuizPaper) -> bool:
+    """Whether it is printed for a student or as a version, and not pooled."""
+    return bool(paper.student or paper.name)
 
 
 def _add_files(parts: Package, name: str, lines: list[str], before: int) -> int:

@@ -21,13 +21,13 @@ from kinegrade.lms.quiz.typing_words import write_rules
 
 
 def write_question_line(
-    question: QuizQuestion, ask: QuizAsk, language: Language, remarks: Remarks, *, on_paper: bool
+    question: QuizQuestion, ask: QuizAsk, language: Language, remarks: Remarks, paper: str
 ) -> str:
-    """The line, without its end; `on_paper` where the students have the figure in print. Raises
-    TypesetError.
+    """The line, without its end; `paper` is the code of the printed paper that has the question and
+    its figure, "" where it is pooled. Raises TypesetError.
     """
     where, column = question.sheet.identifier, f"{question.sheet.identifier}.{ask.identifier}"
-    shown = on_paper and question.sheet.figure is not None
+    shown = bool(paper) and question.sheet.figure is not None
     rule = write_prose(write_rules(question, "blackboard", language), where)
     parts: tuple[Text, ...] = (
         write_prose(question.sheet.statement, where),
@@ -41,7 +41,9 @@ def write_question_line(
         remarks.complain(Message("quiz-file.middle", ask=column))
     if ask.period is not None:
         remarks.complain(Message("quiz-file.turns", ask=column))
-    return "\t".join(("NUM", write_sentences(parts, language), *_write_number(interval)))
+    text = write_sentences(parts, language)
+    text = f"[{paper}] {text}" if paper else text  # a line has no title
+    return "\t".join(("NUM", text, *_write_number(interval)))
 
 
 def _write_asked(ask: QuizAsk, language: Language, where: str) -> str:

@@ -36,10 +36,15 @@ NAMES = {
 _BOX = '<textEntryInteraction responseIdentifier="{}" expectedLength="16"/>'
 
 
-def write_item_document(question: QuizQuestion, language: Language, folder: str) -> bytes:
-    """The item's file; `folder` is where pictures are from it. Raises TypesetError."""
+def write_item_document(
+    question: QuizQuestion, language: Language, folder: str, paper: str
+) -> bytes:
+    """The item's file; `folder` is where pictures are from it, `paper` the code of the paper of
+    the question, "" where it is pooled. Raises TypesetError.
+    """
     picture = f"{folder}{name_picture(question)}"
-    title = write_line(question.sheet.title, question.sheet.identifier)
+    heading = write_line(question.sheet.title, question.sheet.identifier)
+    title = " · ".join(filter(None, (heading, paper)))
     parts = write_on_lines(
         (
             *write_declarations(question.asks),

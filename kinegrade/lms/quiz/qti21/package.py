@@ -53,8 +53,11 @@ class _Writer:
         self._remarks.complain(Message("quiz-file.not-canvas"))
         for paper in self._quiz.papers:
             language = self._quiz.language_of(paper)
-            written = [each for each in paper.questions if self._item(each, language)]
-            if paper.student or paper.name:
+            owned = bool(paper.student or paper.name)
+            code = paper.code if owned else ""
+            written = [each for each in paper.questions if self._item(each, language, code)]
+            if owned:
+                self._remarks.complain(Message("quiz-file.qti21-for-one"))
                 self._paper(paper, written)
             else:
                 for question in written:
@@ -75,13 +78,13 @@ class _Writer:
             title = f"{self._quiz.title_of(paper)} · {owner}"
             self._test(f"{names[0]}-paper", title, [[name] for name in names])
 
-    def _item(self, question: QuizQuestion, language: Language) -> bool:
-        """Writes the question, its figure and the pictures of its solution; gives whether its texts
-        could be shown.
+    def _item(self, question: QuizQuestion, language: Language, paper: str) -> bool:
+        """Writes the question, the code of its paper in its title, its figure and the pictures of
+        its solution; gives whether its texts could be shown.
         """
         name = make_stable_name(question.identifier)
         try:
-            content = write_item_document(question, language, "../")
+            content = write_item_document(question, language, "../", paper)
         except TypesetError as fault:
             self._remarks.refuse_texts(fault)
             return False
