@@ -13,6 +13,7 @@ from msgspec.structs import replace
 
 from kinegrade.figure.joints.symbol import Rim
 from kinegrade.figure.marks.lengths.dimension_lines import DimensionLine
+from kinegrade.figure.marks.letter_owners import keep_off_disc, keep_off_supports
 from kinegrade.figure.marks.straight.moving_arrow import MovingArrow
 from kinegrade.figure.mechanism.layers import Drawing
 from kinegrade.figure.mechanism.straight_parts import Bar, Rod
@@ -43,7 +44,6 @@ _WITHIN = 1.5  # millimetres inside a rim from which on a letter is rather insid
 # about as near to it: no fault
 _AT_TAIL, _AT_ARROW = 3, 0.45
 _TAKEN = 2.0  # cost of a place looked for closely that is about as near to an arrow: a fault
-_IN_DISC = 0.45  # cost of the letter of a tip in the disc beneath it: no fault
 _Wedge = tuple[Vector, float]  # the bisector of an angle, and the cosine of its half
 _POINT = re.compile(r"([A-Za-z])(\d*)(p*)")
 
@@ -70,10 +70,12 @@ def label_points(mechanism: Mechanism, hints: FigureHints, drawing: Drawing) -> 
         if symbol:
             angles = [angle for angle in hints.angles if angle.at == name]
             wedges = [_find_wedge(mechanism.points, angle) for angle in angles]
-            wish = label_point(symbol, mechanism.points[name], drawing, places, wedges)
+            at = mechanism.points[name]
+            wish = label_point(symbol, at, drawing, places, wedges)
+            wish = keep_off_supports(wish, at, mechanism.points, drawing)
             if any(joint.point == name and joint.edge for joint in drawing.symbols):
-                wish = _keep_off_disc(wish, mechanism.points[name], drawing)
-            yield _keep_out_of_angles(wish, mechanism.points[name], wedges) if wedges else wish
+                wish = keep_off_disc(wish, at, drawing)
+            yield _keep_out_of_angles(wish, at, wedges) if wedges else wish
     for name, end in ends:
         yield label_point(write_point_symbol(name), end, drawing, places)
 
@@ -105,15 +107,6 @@ def label_point(
     )
     side = next((side for pin, side in drawing.half_pins if length(pin - at) < NEAR), None)
     return Wish(symbol, spots, None, demerits, at, amid, closely, walls, side)
-
-
-def _keep_off_disc(wish: Wish, at: Vector, drawing: Drawing) -> Wish:
-    """The letter of the tip of a follower, rather not in the disc on which it stands."""
-    for rim in drawing.rims:
-        if abs(length(at - rim.at) - rim.radius) < NEAR:
-            within = np.hypot(*(wish.spots - np.array(rim.at)).T) < rim.radius
-            wish = wish.worse_by(_IN_DISC * within)
-    return wish
 
 
 def _list_grounds(at: Vector, drawing: Drawing) -> Iterator[Segment]:
