@@ -27,7 +27,7 @@ from kinegrade.cli.options import (
     show_progress,
 )
 from kinegrade.cli.terminal import refuse_usage, say
-from kinegrade.language.message import Message
+from kinegrade.language.message import Message, list_first
 
 if TYPE_CHECKING:
     from kinegrade.exam.handing_out.group_bundles import Bundle
@@ -79,15 +79,17 @@ def papers(
         raise refuse_usage(Message("terminal.list-or-groups"))
     folder = kinegrade.open_exam(exam)
     if bundle is not None:
-        count = hand_out_groups(folder, output, bundle, force=force)
+        done = hand_out_groups(folder, output, bundle, force=force)
     elif listed is None:
-        count = hand_out(folder, output, force=force)
+        done = hand_out(folder, output, force=force)
     else:
         files = list_papers(folder, output)
         with send_list(folder, output, files, listed, force=force) as reached:
-            count = hand_out(folder, output, force=force)
+            done = hand_out(folder, output, force=force)
         say(Message("terminal.send-list", file=str(listed), count=reached))
-    say(Message("terminal.handed-out", folder=str(output), count=count))
+    papers_said = Message("terminal.handed-out", folder=str(output), count=done.papers)
+    said = Message("terminal.spare-among-them", papers=papers_said, files=list_first(done.spare, 5))
+    say(said if done.spare else papers_said)
 
 
 @command()

@@ -8,7 +8,7 @@ from zipfile import ZipFile
 import pytest
 
 from tests.printed_text import read_pages
-from tests.small_class import contents, generate, kinegrade, write_class
+from tests.small_class import contents, generate, kinegrade, write_class, write_short_class
 
 ROSTER = """student,name,group
 1,Ann,Tue/A
@@ -56,6 +56,28 @@ def test_a_zip_holds_every_kind_of_file(exam: Path, tmp_path: Path) -> None:
     with ZipFile(tmp_path / "A" / "Tue-A.zip") as package:
         assert package.namelist() == ["1.pdf", "1.html", "3.pdf", "3.html"]
         assert package.read("3.pdf") == (exam / "papers" / "3.pdf").read_bytes()
+
+
+def test_spare_papers_have_a_file_beside_those_of_groups(tmp_path: Path) -> None:
+    folder = write_short_class(tmp_path)
+    roster = "student,name,group\n1,Ann,spare\n2,Bob,\n3,Cem,without-group\n"
+    (folder / "roster.csv").write_text(roster, encoding="utf-8")
+    generate(folder, "EXAM", "--spare", "2")  # complains of Bob, who has no group
+    out = tmp_path / "OUT"
+    result = kinegrade("papers", folder / "EXAM", "-o", out, "--by-group", "zip")
+    assert (
+        "OUT: 5 papers, and nothing that gives the key away; the spare ones are " in result.stderr
+    )
+    held = {}
+    for file in sorted(out.iterdir()):
+        with ZipFile(file) as package:
+            held[file.name] = package.namelist()
+    assert held == {
+        "spare.zip": ["1.pdf"],
+        "spare-.zip": ["spare-1.pdf", "spare-2.pdf"],
+        "without-group.zip": ["3.pdf"],
+        "without-group-.zip": ["2.pdf"],
+    }
 
 
 def test_they_replace_themselves_and_nothing_else(exam: Path, tmp_path: Path) -> None:

@@ -11,7 +11,8 @@ from pathlib import Path
 
 import pytest
 
-from tests.small_class import contents, kinegrade
+from kinegrade.exam.folder.exam_folder import open_exam
+from tests.small_class import contents, generate, kinegrade, table, write_short_class
 
 FILES = ["%3D2.pdf", "0012.pdf", "007.pdf", "a%2Fb.pdf"]
 
@@ -140,6 +141,24 @@ def test_a_list_for_mail_merges_says_whose_each_file_is(small_class: Path, tmp_p
     assert rows[3]["student"] == "'=2"  # no spreadsheet works it out
     assert [row for row in rows if not Path(row["file"]).is_file()] == []
     assert {Path(row["file"]) for row in rows} == set(folder.resolve().glob("*.pdf"))
+
+
+def test_spare_papers_are_handed_out_with_the_others(tmp_path: Path) -> None:
+    made, out = write_short_class(tmp_path), tmp_path / "OUT"
+    assert generate(made, "EXAM", "--spare", "2").exit_code == 0
+    exam = made / "EXAM"
+    listed = tmp_path / "send.csv"
+    result = kinegrade("papers", exam, "-o", out, "--send-list", listed)
+    said = "OUT: 6 papers, and nothing that gives the key away; the spare ones are spare-1.pdf, "
+    assert f"{said}spare-2.pdf" in result.stderr
+    assert sorted(contents(out)) == sorted([*FILES, "spare-1.pdf", "spare-2.pdf"])
+    assert (out / "spare-1.pdf").read_bytes() == (exam / "papers" / "spare-1.pdf").read_bytes()
+    assert [row["student"] for row in table(listed)] == ["007", "0012", "a/b", "'=2"]
+    code = open_exam(exam).head.spares[0].paper
+    assert kinegrade("assign", exam, code, "0099").exit_code == 0
+    again = kinegrade("papers", exam, "-o", out, "--force")
+    assert again.exit_code == 0, again.stderr
+    assert sorted(contents(out)) == sorted([*FILES, "0099.pdf", "spare-2.pdf"])
 
 
 def test_the_list_may_not_lie_among_the_papers(small_class: Path, tmp_path: Path) -> None:

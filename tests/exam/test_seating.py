@@ -68,6 +68,16 @@ def test_each_room_has_a_booklet(exam: Path) -> None:
     assert list_owners(exam / "rooms" / "教一-101.pdf") == ["0014", "0013"]
 
 
+def test_spare_papers_have_a_booklet_too(tmp_path: Path) -> None:
+    folder = write_seated_class(tmp_path)
+    assert generate(folder, "EXAM", "--spare", "2").exit_code == 0
+    codes = [each.paper for each in open_exam(folder / "EXAM").head.spares]
+    pages = "\n".join(read_pages(folder / "EXAM" / "rooms" / "spare.pdf"))
+    assert [code for code in codes if code not in pages] == []
+    assert kinegrade("assign", folder / "EXAM", codes[0], "0099").exit_code == 0
+    assert codes[0] not in "\n".join(read_pages(folder / "EXAM" / "rooms" / "spare.pdf"))
+
+
 def test_the_head_of_a_paper_says_where_and_how_long(exam: Path) -> None:
     text = read_first_page(exam / "papers" / "007.pdf")
     assert [each for each in ("GroupG1", "RoomHall7", "SeatA10", "Extratime25%") if each in text]

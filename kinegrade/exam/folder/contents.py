@@ -38,7 +38,8 @@ TEMPLATES = "templates"
 NOTICE = "INSTRUCTOR-ONLY.txt"
 #: One PDF for each student, in numbered folders where they are more than a thousand; for students.
 PAPERS = "papers"
-#: The same papers in a booklet for each room, where the roster names rooms; for invigilators.
+#: The same papers in a booklet for each room, and one of spare papers, where the roster names
+#: rooms; for invigilators.
 ROOMS = "rooms"
 #: Worked solutions, one PDF for each student, in the same folders; for students after the exam.
 SOLUTIONS = "solutions"

@@ -200,7 +200,7 @@ def _print_alike(
     if any(count < most for _, count in count_usual(students, pages)):
         alike = structs.replace(run, pages=most)
         _print_once(exam, alike, progress, print_again, folder)
-    write_room_booklets(folder, map(student_of, exam.head.students))
+    write_room_booklets(folder, exam.head)
     for name, lines in keys.items():  # as they were: another version might write other mistakes
         (folder / name).write_bytes(lines)
     return most

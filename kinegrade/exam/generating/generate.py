@@ -53,7 +53,6 @@ from kinegrade.exam.resuming.journal import Journal, open_journal
 from kinegrade.exam.roster.roster import Roster
 from kinegrade.exam.roster.spare_papers import add_spare_papers
 from kinegrade.exam.setting.dealing import ClassDeal, deal_exam
-from kinegrade.exam.setting.kept_exam import student_of
 from kinegrade.figure.sketchbook import open_sketchbook
 from kinegrade.files.output import Resumable, output_folder
 from kinegrade.files.placing.standing import Standing, find_standing
@@ -206,7 +205,7 @@ def _write_rest(head: ExamHead, sources: Mapping[str, bytes], folder: Path) -> N
     """The booklets of rooms, the sources, the answer sheets and the head, which says what all other
     files were when they were made.
     """
-    write_room_booklets(folder, map(student_of, head.students))
+    write_room_booklets(folder, head)
     write_sources(sources, folder)
     write_blank_answers(head, folder)
     write_blank_workbook(head, folder)

@@ -11,7 +11,7 @@ from pathlib import Path
 from kinegrade.errors import OutputError, TableError
 from kinegrade.exam.folder.contents import ANSWERS
 from kinegrade.exam.folder.records import ExamHead
-from kinegrade.exam.printing.room_booklets import name_booklets
+from kinegrade.exam.printing.room_booklets import list_booklets
 from kinegrade.files.cell_text import make_header_key, trim
 from kinegrade.files.placing.droppings import DESKTOP_DROPPINGS
 from kinegrade.files.tables import read_table
@@ -72,7 +72,7 @@ def _find_added(old: Path, head: ExamHead | None, new: Path) -> Iterator[str]:
     """
     everybody = head.everybody if head else ()
     stems = {Path(each.file).stem for each in everybody}
-    stems |= set(name_booklets(each.room for each in head.students).values()) if head else set()
+    stems |= list_booklets(head) if head else set()
     for file in sorted(old.glob("*/**/*")) if stems else ():
         printed = file.stem in stems and file.suffix == ".pdf"
         known = printed or file.suffix in _EDITED_BY_HAND or file.name in DESKTOP_DROPPINGS

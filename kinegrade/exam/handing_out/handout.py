@@ -5,13 +5,15 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from itertools import chain
-from pathlib import Path
+from dataclasses import dataclass
+from itertools import chain, islice
+from pathlib import Path, PurePosixPath
 
 from kinegrade.errors import ExamError, OutputError
 from kinegrade.exam.folder.contents import HEAD, PAPERS
 from kinegrade.exam.folder.exam_folder import ExamFolder
 from kinegrade.exam.folder.faults import explain_broken
+from kinegrade.exam.roster.spare_papers import name_spares
 from kinegrade.exam.roster.students import read_place
 from kinegrade.files.csv_writing import neutralise, write_for_people
 from kinegrade.files.output import output_file, output_folder
@@ -24,34 +26,44 @@ KINDS = (".pdf", ".docx", ".html", ".tactile.zip")
 _IN_PAPERS = re.compile(rf"{PAPERS}/([0-9]+/)?(?!\.\.?/)[^/\\]+{re.escape(KINDS[0])}")
 
 
-def hand_out(exam: ExamFolder, output: Path, *, force: bool = False) -> int:
-    """Copy every student's paper, in each kind of file that there is, and nothing else; return the
-    number of papers.
+@dataclass(frozen=True)
+class HandedOut:
+    """How many papers there are, those to spare among them, and which files hold these."""
+
+    papers: int
+    spare: tuple[str, ...]
+
+
+def hand_out(exam: ExamFolder, output: Path, *, force: bool = False) -> HandedOut:
+    """Copy every student's paper and the spare ones, in each kind of file that there is, and
+    nothing else.
 
     With `force`, the contents of the folder `output` are replaced if they are papers of this exam
     and nothing else. Raises ExamError, OutputError; then nothing is written.
     """
     files = list_files(exam, output)
-    names = [f"{place}{kind}" for place in _list_places(exam) for kind in KINDS]
+    places = *_list_places(exam), *_list_assigned(exam)
+    names = [f"{place}{kind}" for place in places for kind in KINDS]
     with output_folder(output, marker=None, contents=names, force=force) as folder:
         for file in chain.from_iterable(files.values()):
             copy = folder / file.relative_to(exam.path / PAPERS)
             copy.parent.mkdir(exist_ok=True)
             copy.write_bytes(read_paper(file))
-    return len(files)
+    spare = tuple(f"{read_place(each.file)}{KINDS[0]}" for each in exam.head.spares)
+    return HandedOut(len(files), spare)
 
 
 def list_files(exam: ExamFolder, output: Path) -> Mapping[str, Sequence[Path]]:
-    """The files of each student's paper, by id, of every kind that there is, which are to go to
-    `output`. A PDF that is missing is noticed when it is read.
+    """The files of everybody's paper, by id, those of spare ones by their names, of every kind
+    that there is, which are to go to `output`. A PDF that is missing is noticed when it is read.
 
     Raises ExamError where papers are not printed, or not where papers are; OutputError.
     """
     _require_outside(exam.path, output)
     _require_printed(exam)
-    students, places = exam.students, _list_places(exam)
-    found = (tuple(_list_kinds(exam.path / PAPERS, place)) for place in places)
-    return dict(zip(students, found, strict=True))
+    owners = [each.student for each in exam.head.everybody]
+    found = (tuple(_list_kinds(exam.path / PAPERS, place)) for place in _list_places(exam))
+    return dict(zip(owners, found, strict=True))
 
 
 @contextmanager
@@ -110,12 +122,20 @@ def _require_printed(exam: ExamFolder) -> None:
 
 def _list_places(exam: ExamFolder) -> list[str]:
     """The place of every paper. Raises ExamError if a paper is not where the others are."""
-    for candidate in exam.head.students:
+    for candidate in exam.head.everybody:
         if not _IN_PAPERS.fullmatch(candidate.file):
             paper = Quoted(candidate.file)
             what = Message("exam.strange-paper", paper=paper, kind=KINDS[0], folder=PAPERS)
             raise explain_broken(exam.path / HEAD, [what])
-    return [read_place(candidate.file) for candidate in exam.head.students]
+    return [read_place(candidate.file) for candidate in exam.head.everybody]
+
+
+def _list_assigned(exam: ExamFolder) -> list[str]:
+    """Where papers may have been copied while they were spare that are those of students now."""
+    assigned = [each for each in exam.head.students if each.was_spare]
+    made = len(assigned) + len(exam.head.spares)
+    folders = {PurePosixPath(read_place(each.file)).parent for each in assigned}
+    return [str(each / name) for each in folders for name in islice(name_spares(), made)]
 
 
 def _list_kinds(papers: Path, place: str) -> Iterator[Path]:

@@ -4,7 +4,7 @@ they are assigned.
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Iterator
 from dataclasses import replace
 from itertools import count, islice
 
@@ -14,6 +14,11 @@ from kinegrade.exam.roster.students import Student, choose_places, make_file_nam
 _NAME = "spare-{}"
 
 
+def name_spares() -> Iterator[str]:
+    """The names of spare papers, as many as are wanted."""
+    return map(_NAME.format, count(1))
+
+
 def add_spare_papers(
     roster: Roster, wanted: int, existing: Collection[str], *, files: int = 1
 ) -> Roster:
@@ -21,8 +26,7 @@ def add_spare_papers(
     wanted. All have the places of their files, so many for each paper.
     """
     taken = {make_student_key(each.student) for each in roster.students}
-    names = (_NAME.format(number) for number in count(1))
-    free = (name for name in names if name not in taken and name not in existing)
+    free = (name for name in name_spares() if name not in taken and name not in existing)
     spares = [*existing, *islice(free, max(wanted - len(existing), 0))]
     stems = make_file_names([*(each.student for each in roster.students), *spares])
     places = dict(zip(stems, choose_places(list(stems.values()), each=files), strict=True))

@@ -42,7 +42,7 @@ from kinegrade.exam.printing.reprint import find_printed, kept_run
 from kinegrade.exam.printing.room_booklets import write_room_booklets
 from kinegrade.exam.roster.roster import Roster
 from kinegrade.exam.setting.dealing import ClassDeal, deal_exam
-from kinegrade.exam.setting.kept_exam import KeptExam, student_of
+from kinegrade.exam.setting.kept_exam import KeptExam
 from kinegrade.figure.sketchbook import open_sketchbook
 from kinegrade.language.message import Fault, Message, Quoted, list_plainly
 from kinegrade.press.sheet import KeyPaper
@@ -191,7 +191,7 @@ def write_rest(
 
     Raises OutputError where a file would be lost that was edited by hand, TableError.
     """
-    write_room_booklets(folder, map(student_of, head.students))
+    write_room_booklets(folder, head)
     write_grown_answers(exam.path, head, folder, passed_on)
     write_blank_workbook(head, folder)
     lost = list(find_edited(exam.path, exam.head, folder))
