@@ -23,14 +23,18 @@ from kinegrade.grading.typed.amount import (
     make_rational_amount,
     work_out,
 )
-from kinegrade.grading.typed.conversion import Conversion, WrongUnit, find_conversion
+from kinegrade.grading.typed.conversion import (
+    Conversion,
+    WrongUnit,
+    find_conversion,
+    find_only_conversion,
+)
 from kinegrade.grading.typed.keyboard import BLANKS, fold, show
 from kinegrade.grading.typed.number_and_unit import NumberAndUnit, split_unit
 from kinegrade.grading.typed.number_text import MOST_DIGITS, DecimalStyle, TypedNumber, Unreadable
 from kinegrade.grading.typed.raised_dot import find_raised_dot
 from kinegrade.grading.typed.remarks import apply_sign, describe_doubt, describe_form
 from kinegrade.grading.typed.sense import find_direction, split_sense
-from kinegrade.grading.typed.several_numbers import begins_with_number, has_other_number
 from kinegrade.grading.typed.undressing import undress
 from kinegrade.grading.typed.value import Formula, scan_value
 from kinegrade.language.message import Message, Quoted, Text
@@ -198,7 +202,7 @@ def _read(
     if found is None:
         raise Unreadable(Message("typing.not-a-number", typed=Quoted(show(typed.strip(BLANKS)))))
     rest = answer[found.end :]
-    factor = _find_conversion(rest, unit, typed)
+    factor = find_only_conversion(rest, unit, typed)
     if isinstance(found, Formula) and found.pi and unit == "deg" and not rest.strip():
         raise Unreadable(Message("typing.pi-for-degrees"))
     written = sign[1] if sign else ""
@@ -210,19 +214,6 @@ def _read(
     if isinstance(found, TypedNumber) and factor == Conversion():
         return _read_as_typed(typed, found, minus, said)
     return _work_out(typed, found, minus, factor, said)
-
-
-def _find_conversion(rest: str, unit: str, typed: str) -> Conversion:
-    """The conversion that the text after the number calls for. Raises Unreadable or WrongUnit."""
-    several = Message("typing.more-than-one", typed=Quoted(show(typed.strip(BLANKS))))
-    if begins_with_number(rest):
-        raise Unreadable(several)
-    try:
-        return find_conversion(rest, unit)
-    except Unreadable as unknown:
-        if has_other_number(rest):
-            raise Unreadable(several) from unknown
-        raise
 
 
 def _read_as_typed(typed: str, found: TypedNumber, minus: bool, remark: Text) -> Reading:

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache, lru_cache
 
-from kinegrade.grading.typed.keyboard import show
+from kinegrade.grading.typed.keyboard import BLANKS, show
 from kinegrade.grading.typed.number_text import TypingFault, Unreadable
 from kinegrade.grading.typed.unit_spelling import WrittenUnit, is_per_minute, read_unit
 from kinegrade.language.message import Message, Part, Quoted
@@ -21,6 +21,12 @@ from kinegrade.language.spellings import match_spellings
 _CYCLES = Message("typing.turns-per-second")
 _TIMES = re.compile(r"^\*\s*(?=[^\W\d]|°)")
 _PURE = ("", "1")  # as a unit: none
+# Another number behind the first one of an answer; 1/s is a unit
+_NEXT_NUMBER = re.compile(r"[\s.,;'\u3001~=\u2248]*(?:[+-]\s*)?\(?\s*[0-9]")
+_OTHER_NUMBER = re.compile(
+    r"(?:^|\s)(?:[^\W\d_]+\.?\s+|[\u4e00-\u9fff]+\s*|[|&]\s*)[+-]?[0-9]"
+)  # behind a word: 3 or 4
+_SHARE_OF_TIME = re.compile(r"\s*1\s*/\s*[^\W\d]|\s*\(\s*1\s*/")
 
 
 class WrongUnit(TypingFault):
@@ -113,3 +119,18 @@ def _drop_brackets(typed: str) -> str:
     if written[:1] + written[-1:] in ("()", "[]", "\uff08\uff09", "【】", "{}"):
         return written[1:-1].strip()
     return written
+
+
+def find_only_conversion(rest: str, unit: str, typed: str) -> Conversion:
+    """The conversion that the text behind the number of an answer calls for. Raises Unreadable,
+    with the answer as it was typed where that has another number, or WrongUnit.
+    """
+    several = Message("typing.more-than-one", typed=Quoted(show(typed.strip(BLANKS))))
+    if _NEXT_NUMBER.match(rest) and not _SHARE_OF_TIME.match(rest):
+        raise Unreadable(several)
+    try:
+        return find_conversion(rest, unit)
+    except Unreadable as unknown:
+        if _OTHER_NUMBER.search(rest):
+            raise Unreadable(several) from unknown
+        raise
