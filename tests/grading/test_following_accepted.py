@@ -17,7 +17,7 @@ credit = { follow-through = "1/2", mistakes = { sense-reversed = "1/2" } }
 template = "slider-crank"
 asks = { v_B = 3, omega_AB = 2 }
 """
-ACCEPTED = '[questions.q1.asks.v_B]\naccept = [{{ value = "-v_B", credit = {} }}]\n'
+ACCEPTED = '[questions.q1.asks.v_B]\naccept = [{{ value = "-v_B", credit = {}{} }}]\n'
 
 
 @pytest.fixture
@@ -35,9 +35,9 @@ def folder(tmp_path: Path) -> Path:
     return tmp_path
 
 
-def grade(folder: Path, credit: str) -> tuple[list[str], dict[str, str]]:
+def grade(folder: Path, credit: str, more: str = "") -> tuple[list[str], dict[str, str]]:
     """What is said of accepted answers, and everybody's points for omega_AB."""
-    (folder / "policy.toml").write_text(ACCEPTED.format(credit), encoding="utf-8")
+    (folder / "policy.toml").write_text(ACCEPTED.format(credit, more), encoding="utf-8")
     files = folder / "EXAM", folder / "answers.csv", "-o", folder / "MARKS"
     said = kinegrade("grade", *files, "--policy", folder / "policy.toml").stderr.splitlines()
     with (folder / "MARKS" / "marks.csv").open(encoding="utf-8-sig", newline="") as file:
@@ -64,3 +64,29 @@ def test_nothing_is_said_where_the_accepted_answer_is_charged(folder: Path) -> N
     said, points = grade(folder, "0.5")
     assert set(points.values()) == {"1"}
     assert said == ['q1.v_B: accepted answer 1, "-v_B", counted for 1 student']
+
+
+@pytest.mark.parametrize("credit", ["1", "0.5"])
+def test_an_accepted_answer_is_kept_from_leading_others(folder: Path, credit: str) -> None:
+    """Both have half of the points: for the known mistake, not for what follows."""
+    said, points = grade(folder, credit, ", leads = false")
+    assert set(points.values()) == {"1"}
+    assert said == ['q1.v_B: accepted answer 1, "-v_B", counted for 1 student']
+    with (folder / "MARKS" / "marks.csv").open(encoding="utf-8-sig", newline="") as file:
+        verdicts = [row["verdict"] for row in csv.DictReader(file) if row["response"]]
+    assert "follow-through" not in verdicts
+
+
+def test_it_leads_where_that_is_said_or_nothing(folder: Path) -> None:
+    said, points = grade(folder, "1", ", leads = true")
+    assert sorted(points.values()) == ["1", "2"]
+    assert len(said) == 2
+
+
+def test_whether_it_leads_is_yes_or_no(folder: Path) -> None:
+    text = ACCEPTED.format("1", ', leads = "no"')
+    (folder / "policy.toml").write_text(text, encoding="utf-8")
+    files = folder / "EXAM", folder / "answers.csv", "-o", folder / "MARKS"
+    result = kinegrade("grade", *files, "--policy", folder / "policy.toml")
+    assert result.exit_code == 2
+    assert "leads" in result.stderr

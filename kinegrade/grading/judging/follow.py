@@ -96,6 +96,14 @@ class Decided:
         """
         return self.ruling.void is not None or self.decision[1] == FULL_CREDIT
 
+    @property
+    def leads(self) -> bool:
+        """Whether later answers may follow from it; one that the policy accepts, unless it says
+        that it does not.
+        """
+        number = self.decision[0].accepted
+        return all(each.leads for each in self.ruling.accepted if each.number == number)
+
     def may_follow(self, credit: Fraction) -> bool:
         """Whether following from earlier answers, with this credit, could benefit the student."""
         verdict, share = self.decision
@@ -158,7 +166,7 @@ def walk_stages(
     for stage in follows.sorted(answers):
         for answer in stage:
             value = answer.own_value
-            if value is not None:
+            if value is not None and answer.leads:
                 (earlier.right if answer.is_right else earlier.wrong)[answer.ask.ask] = value
         yield stage, earlier
 

@@ -18,7 +18,7 @@ from kinegrade.expressions.reading import read_expression
 from kinegrade.expressions.tree import Expression, find_names
 from kinegrade.files.fields.digits import Digits
 from kinegrade.files.fields.table import Table
-from kinegrade.files.fields.values import found, share
+from kinegrade.files.fields.values import flag, found, share
 from kinegrade.grading.policy.keys import ACCEPTED
 from kinegrade.grading.policy.policy import FULL_CREDIT, Accepted
 from kinegrade.grading.typed.conversion import Conversion, WrongUnit, find_conversion
@@ -45,12 +45,13 @@ class AcceptedReader:
             known = entry.only(*ACCEPTED)
             credit = known.with_default("credit", share, FULL_CREDIT)
             students = self._students(known)
+            leads = known.with_default("leads", flag, True)
             tree = known.required("value", _read_tree)
             if tree is not None:
                 self._require_dimension(known, ask, tree)
                 written = shorten(str(known.value("value")).strip(), _LONGEST_SHOWN)
                 scale = self._scale(known, ask, tree)
-                yield Accepted(number, written, tree, scale, credit, students)
+                yield Accepted(number, written, tree, scale, credit, students, leads)
 
     def _students(self, entry: Table) -> frozenset[str] | None:
         """The students for whom an answer counts; None for all."""

@@ -57,6 +57,9 @@ ACCEPTED = (
     "unit",
     #: Its share of the points; all of them where it is not stated.
     "credit",
+    #: Whether later answers that follow from it count as following: `true`, as where it is not
+    #: stated, or `false`.
+    "leads",
     #: The id of the student for whom it counts, or a list of ids; everyone where it is not stated.
     "student",
 )

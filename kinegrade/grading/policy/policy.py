@@ -31,7 +31,7 @@ FULL_CREDIT = Fraction(1)  # share of the points
 @dataclass(frozen=True, slots=True)
 class Accepted:
     """Another answer that counts: `credit` is its share of the points; `students` is None where it
-    counts for all.
+    counts for all. Where it does not `lead`, no later answer has credit for following from it.
 
     `scale` converts the value of `tree` to the ask's unit. `number` is its position in the policy,
     from 1; `text` is the value as written there.
@@ -43,6 +43,7 @@ class Accepted:
     scale: Conversion
     credit: Fraction
     students: frozenset[str] | None
+    leads: bool = True
 
 
 @dataclass(frozen=True, slots=True)
