@@ -15,6 +15,7 @@ from kinegrade.cli import main
 from tests.problem.crank import crank_text
 
 STUDENTS = ("007", "0012", "a/b", "=2")
+COLUMNS = ("q1.v_B", "q1.a_B", "q2.v_x", "q2.v_y", "q3.omega_AB", "q3.alpha_AB")
 ROSTER = """student,name,email
 007,王伟,wei@example.org
 0012,"O'Neil, Zoë",

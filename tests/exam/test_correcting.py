@@ -17,6 +17,7 @@ from tests.problem.crank import crank_text
 from tests.small_class import VANISHING, contents, generate, key_lines, kinegrade, write_class
 
 TYPO = ("The crank {{ r }} turns", "The corrected crank {{ r }} turns")
+LARGE_PRINT = "student,name,format\n007,Ann,\n0012,Bob,large print\n"
 OTHER_ANSWER = ('"y(velocity(A))"', '"2*y(velocity(A))"')
 
 
@@ -24,6 +25,13 @@ OTHER_ANSWER = ('"y(velocity(A))"', '"2*y(velocity(A))"')
 def exam(small_class: Path, tmp_path: Path) -> Path:
     """An exam whose second question is the crank."""
     return Path(shutil.copytree(small_class / "EXAM", tmp_path / "EXAM"))
+
+
+def generate_for(roster: str, folder: Path, *options: str) -> Path:
+    """An exam like that of the small class, for the students of another roster."""
+    (write_class(folder) / "roster.csv").write_text(roster, encoding="utf-8")
+    assert generate(folder, "EXAM", *options).exit_code == 0
+    return folder / "EXAM"
 
 
 def correct(exam: Path, *changes: tuple[str, str], options: tuple[str, ...] = ()) -> Result:
@@ -80,17 +88,14 @@ def test_the_uncorrected_template_changes_nothing(exam: Path) -> None:
 
 
 def test_spare_papers_and_booklets_of_rooms_are_printed_again(tmp_path: Path) -> None:
-    folder = write_class(tmp_path)
-    roster = "student,name,room\n007,Ann,A\n0012,Bob,B\n"
-    (folder / "roster.csv").write_text(roster, encoding="utf-8")
-    assert generate(folder, "EXAM", "--spare", "1").exit_code == 0
-    before = contents(folder / "EXAM")
+    exam = generate_for("student,name,room\n007,Ann,A\n0012,Bob,B\n", tmp_path, "--spare", "1")
+    before = contents(exam)
     assert {"rooms/A.pdf", "spares.jsonl"} <= before.keys()
-    assert correct(folder / "EXAM").exit_code == 0
-    assert contents(folder / "EXAM") == before
-    assert correct(folder / "EXAM", TYPO).exit_code == 0
+    assert correct(exam).exit_code == 0
+    assert contents(exam) == before
+    assert correct(exam, TYPO).exit_code == 0
     for name in ("rooms/A.pdf", *(name for name in before if name.startswith("papers/"))):
-        assert "The corrected crank" in read(folder / "EXAM" / name)
+        assert "The corrected crank" in read(exam / name)
 
 
 @pytest.mark.left(beside="test_spare_papers_and_booklets_of_rooms_are_printed_again")
@@ -343,22 +348,14 @@ def test_late_students_get_the_corrected_steps_of_a_question_whichever_bank_is_g
 
 
 def test_large_print_makes_nobody_elses_paper_longer(tmp_path: Path) -> None:
-    folder = write_class(tmp_path)
-    roster = "student,name,format\n007,Ann,\n0012,Bob,large print\n"
-    (folder / "roster.csv").write_text(roster, encoding="utf-8")
-    assert generate(folder, "EXAM").exit_code == 0
-    exam = folder / "EXAM"
+    exam = generate_for(LARGE_PRINT, tmp_path)
     before = contents(exam)
     assert correct(exam).exit_code == 0
     assert contents(exam) == before
 
 
 def test_an_exam_that_large_print_had_made_longer_gets_its_pages_back(tmp_path: Path) -> None:
-    folder = write_class(tmp_path)
-    roster = "student,name,format\n007,Ann,\n0012,Bob,large print\n"
-    (folder / "roster.csv").write_text(roster, encoding="utf-8")
-    assert generate(folder, "EXAM").exit_code == 0
-    exam = folder / "EXAM"
+    exam = generate_for(LARGE_PRINT, tmp_path)
     before = contents(exam)
     head = exam / "exam.json"
     head.write_text(re.sub(r'"pages": *\d+', '"pages":40', head.read_text("utf-8")), "utf-8")

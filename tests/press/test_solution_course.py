@@ -173,8 +173,10 @@ def test_a_table_beside_a_drawing_is_whole() -> None:
     narrow = next(chain_blocks([long_equation(2)]))
     assert isinstance(wide, tuple)
     assert isinstance(narrow, tuple)
-    assert not all(map(fits, Column(60.0, "latin").set_chain(wide)))
-    assert all(map(fits, PAGE.set_chain(narrow)))
+    assert [each for each in Column(60.0, "latin").set_chain(wide) if not fits(each)]
+    set_narrow = list(PAGE.set_chain(narrow))
+    assert set_narrow
+    assert [each for each in set_narrow if not fits(each)] == []
 
 
 def test_text_goes_on_above_drawings_that_have_no_room_on_the_page() -> None:

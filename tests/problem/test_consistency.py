@@ -236,12 +236,12 @@ def test_numbers_of_the_source_may_stand_for_values_with_units() -> None:
     """A source that states h = 1/2 m prints its result without h; a literal alone takes any
     dimension.
     """
-    crank(
+    assert crank(
         ('[0, "1/2", 3]', '["1/2"]'),
         (PUBLISHED, 'given = { h = "1/2" }\ngives = { v_x = "-omega/2" }'),
     )
-    crank((PUBLISHED, 'given = { h = "0" }\ngives = { v_x = "0" }'))
-    crank(("omega < 10000000", "2*omega < 1/5"))
+    assert crank((PUBLISHED, 'given = { h = "0" }\ngives = { v_x = "0" }'))
+    assert crank(("omega < 10000000", "2*omega < 1/5"))
 
 
 def test_check_refuses_a_template_whose_ask_on_request_has_the_wrong_unit(tmp_path: Path) -> None:

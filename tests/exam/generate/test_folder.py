@@ -10,11 +10,7 @@ from kinegrade.exam.folder.exam_folder import open_exam
 from kinegrade.exam.keyed_exam import read_whole
 from kinegrade.problem.template.library.library import find_shipped, load_template
 from tests.exam.generate.written_class import FILES, TOP, refused
-from tests.small_class import (
-    STUDENTS,
-    asks_of,
-    generate,
-)
+from tests.small_class import COLUMNS, STUDENTS, asks_of, generate
 
 
 def test_the_folder_holds_what_it_promises_and_nothing_else(exam: Path) -> None:
@@ -135,14 +131,7 @@ def test_exam_json_says_who_got_what(exam: Path) -> None:
 def test_grading_reads_the_exam(exam: Path) -> None:
     known = read_whole(open_exam(exam))
     assert [examinee.student for examinee in known.examinees] == list(STUDENTS)
-    assert [ask.column for ask in known.asks] == [
-        "q1.v_B",
-        "q1.a_B",
-        "q2.v_x",
-        "q2.v_y",
-        "q3.omega_AB",
-        "q3.alpha_AB",
-    ]
+    assert [ask.column for ask in known.asks] == list(COLUMNS)
     for examinee in known.examinees:
         for column, key in examinee.keys.items():
             ask = asks_of(exam)[examinee.student, column]

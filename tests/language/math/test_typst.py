@@ -44,7 +44,7 @@ def test_every_supported_command_compiles() -> None:
         r"\begin{aligned} x &= 1 \\ y &= 2 \end{aligned}",
     ]
     source = "\n".join(f"${write_typst_math(latex, 'all')}$" for latex in formulas)
-    typst.compile(source.encode(), format="svg", ignore_system_fonts=True)
+    assert typst.compile(source.encode(), format="svg", ignore_system_fonts=True)
 
 
 @pytest.mark.parametrize(
@@ -81,7 +81,7 @@ def test_every_supported_command_compiles() -> None:
 def test_refusals_say_what_and_where(latex: str, message: str) -> None:
     with pytest.raises(TypesetError) as refusal:
         write_typst_math(latex, "q1")
-    assert any(message in problem for problem in refusal.value.problems)
+    assert message in "\n".join(refusal.value.problems)
 
 
 def test_all_faults_of_a_formula_are_told_at_once() -> None:

@@ -212,7 +212,8 @@ def test_a_pool_of_numerical_questions_draws_variants_of_one_ask(tmp_path: Path)
 
 def test_that_moodle_has_no_way_to_put_own_papers_is_said(tmp_path: Path) -> None:
     no_route = "moodle-xml: the questions of a Moodle quiz are the same for all students"
-    assert any(line.startswith(no_route) for line in all_said(write(quiz(), tmp_path / "own.xml")))
+    told = all_said(write(quiz(), tmp_path / "own.xml"))
+    assert any(line.startswith(no_route) for line in told), told
     versions = [replace(paper, student="", name="Version A") for paper in quiz().papers]
     for name, put in (("pool", pooled()), ("versions", replace(quiz(), papers=versions))):
         remarks = all_said(write(put, tmp_path / f"{name}.xml"))

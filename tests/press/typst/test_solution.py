@@ -242,4 +242,4 @@ def test_all_faults_are_told_at_once_with_their_question() -> None:
         "code",
         r"\fee",
     ):
-        assert any(word in problem for problem in problems)
+        assert any(word in problem for problem in problems), problems

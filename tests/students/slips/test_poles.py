@@ -6,6 +6,7 @@ import pytest
 from flint import fmpq
 
 from kinegrade.mechanics.joints import GROUND, Pin, Roll, Slide
+from kinegrade.mechanics.mechanism import Mechanism
 from tests.mechanics.writing import Paper, X
 from tests.students.slips.slipped_mechanisms import crank_and_rod, rod_between_rockers, slipped
 
@@ -34,8 +35,8 @@ def test_a_fixed_pivot_for_the_pole_makes_the_rod_turn_with_the_crank() -> None:
     assert motion.pole("AB", p.field) == (0, 0)
 
 
-def test_a_fixed_pivot_for_the_pole_when_the_slider_drives() -> None:
-    # v_B = (-8, 0) at 4 from O: 8/4 for both, in the sense of the crank
+def rod_driven_by_its_slider(guide: tuple[int, int], speed: int) -> tuple[Paper, Mechanism]:
+    """A crank OA and a rod whose end B is moved along a guide, its speed counted along x."""
     p = Paper()
     mechanism = p.mechanism(
         {"O": (0, 0), "A": (0, 3), "B": (4, 0)},
@@ -43,10 +44,16 @@ def test_a_fixed_pivot_for_the_pole_when_the_slider_drives() -> None:
         [
             Pin("O", ("OA", GROUND)),
             Pin("A", ("OA", "AB")),
-            Slide("B", "AB", p.line(0, 0, X), GROUND),
+            Slide("B", "AB", p.line(4, 0, guide), GROUND),
         ],
-        [p.moves("B", "AB", X, -8)],
+        [p.moves("B", "AB", X, speed)],
     )
+    return p, mechanism
+
+
+def test_a_fixed_pivot_for_the_pole_when_the_slider_drives() -> None:
+    # v_B = (-8, 0) at 4 from O: 8/4 for both, in the sense of the crank
+    p, mechanism = rod_driven_by_its_slider(X, -8)
     assert slipped(mechanism, p.field).omega("OA") == fmpq(8, 3)
     motion = slipped(mechanism, p.field, pole=0)
     assert motion.omega("OA") == motion.omega("AB") == 2
@@ -89,17 +96,7 @@ def test_the_point_that_is_taken_for_the_pole_of_a_rod() -> None:
 
 def test_a_rod_driven_by_its_slider_takes_the_velocity_from_there() -> None:
     # v_B = (-6, -2) along its guide; without rotation A is as fast, at 3 from O
-    p = Paper()
-    mechanism = p.mechanism(
-        {"O": (0, 0), "A": (0, 3), "B": (4, 0)},
-        {"OA": "O A", "AB": "A B"},
-        [
-            Pin("O", ("OA", GROUND)),
-            Pin("A", ("OA", "AB")),
-            Slide("B", "AB", p.line(4, 0, (3, 1)), GROUND),
-        ],
-        [p.moves("B", "AB", X, -6)],
-    )
+    p, mechanism = rod_driven_by_its_slider((3, 1), -6)
     right = slipped(mechanism, p.field)
     assert right.velocity("B", "AB") == (-6, -2)
     translating = slipped(mechanism, p.field, rotation=0)
