@@ -88,10 +88,11 @@ def refusing(command: Callable[..., None]) -> Callable[..., None]:
 
     @wraps(command)
     def run(*arguments: Any, **options: Any) -> None:
+        from kinegrade.files.placing.readings import watching_readings
         from kinegrade.public.folders import expect_own_place
 
         try:
-            with _whole_output():
+            with watching_readings(), _whole_output():
                 if isinstance(output := options.get("output"), Path):
                     expect_own_place(output)
                 command(*arguments, **options)

@@ -37,6 +37,7 @@ from kinegrade.files.placing.publishing import (
     publish,
     sync_folder,
 )
+from kinegrade.files.placing.readings import require_readings
 from kinegrade.files.placing.standing import find_standing
 from kinegrade.files.temporary import clear_temporary_folders
 from kinegrade.language.message import Fault, Message
@@ -150,6 +151,7 @@ def output_file(
         check_file(path, target, force)
         yield partial
         _flush(partial)
+        require_readings()
         if force:
             keep_previous(target, partial, previous)
             os.replace(partial, target)

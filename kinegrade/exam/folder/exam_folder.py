@@ -22,6 +22,7 @@ from kinegrade.exam.folder.key.files import KeyFiles
 from kinegrade.exam.folder.papers import Paper, PaperBlock, RightAnswers
 from kinegrade.exam.folder.records import ExamHead
 from kinegrade.exam.roster.students import read_place
+from kinegrade.files.placing.readings import note_reading
 from kinegrade.language import Language
 from kinegrade.language.message import Fault, Message
 
@@ -193,5 +194,6 @@ def open_exam(path: Path) -> ExamFolder:
     """The exam folder there. Raises ExamError with all faults of its head, or where it is not
     finished.
     """
+    note_reading(path, HEAD)
     require_finished(path)
     return ExamFolder(path, read_head(path))

@@ -16,6 +16,7 @@ from kinegrade.errors import OutputError
 from kinegrade.files.placing.droppings import DESKTOP_DROPPINGS
 from kinegrade.files.placing.leftovers import remove
 from kinegrade.files.placing.one_at_a_time import alone_in
+from kinegrade.files.placing.readings import forget_readings, require_readings
 from kinegrade.files.placing.standing import Standing
 from kinegrade.language.message import Fault, Message, list_plainly
 
@@ -44,10 +45,12 @@ def publish(path: Path, partial: Path, target: Path, stood: Standing) -> None:
     """
     with alone_in(target.parent):
         stood.require(target, path)
+        require_readings()
         if not target.exists():
             move_to_free_place(path, partial, target)
         elif not _rename_atomically(partial, target, exchange=True):
             _replace_in_two_steps(path, partial, target, stood)
+        forget_readings(target)
     sync_folder(target.parent)
 
 
