@@ -23,7 +23,7 @@ const ABOUT = "[≈~≃≅∼]";
 const TAIL = /[\s.;,!、]+$/;
 const NEXT_NUMBER = /^[\s.,;'、~=≈]*(?:[+-]\s*)?\(?\s*[0-9]/;
 const OTHER_NUMBER =
-  /(?:^|\s)(?:[\p{L}\p{Nl}\p{No}]+\.?\s+|\p{Script=Han}+\s*|[|&]\s*)[+-]?[0-9]/u;
+  /(?:^|\s)(?:[\p{L}\p{Nl}\p{No}]+\.?\s+|[\u4e00-\u9fff]+\s*|[|&]\s*)[+-]?[0-9]/u;
 const SHARE_OF_TIME = new RegExp(`^(?:\\s*1\\s*/\\s*${LETTER}|\\s*\\(\\s*1\\s*/)`, "u");
 
 /** Reads answers with the words of a vocabulary. */
