@@ -5,12 +5,14 @@ from __future__ import annotations
 import zipfile
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from hashlib import sha256
 from pathlib import Path, PurePosixPath
 
 from kinegrade.errors import ExamError, KinegradeError, Problem
 from kinegrade.exam.archiving.archive import CHECKSUMS, EXAM, MARKS, read_checksums
+from kinegrade.exam.archiving.other_hands import find_changed_keys, find_copied_papers
+from kinegrade.exam.archiving.unpacked import name_inside
 from kinegrade.exam.folder.exam_folder import ExamFolder, open_exam
 from kinegrade.exam.folder.records import Candidate
 from kinegrade.exam.generating.hand_work import digest_editable
@@ -47,7 +49,9 @@ def verify(path: Path, *, everything: bool) -> Verified:
         wrong: tuple[Problem, ...] = tuple(_compare(folder, files))
         if (folder / MARKS).is_dir():
             wrong += _check_marks(folder / MARKS)
-        return _verify_folder(folder / EXAM, wrong, len(files), everything=everything)
+        found = _verify_folder(folder / EXAM, wrong, len(files), everything=everything)
+        named = tuple(name_inside(problem, folder) for problem in found.problems)
+        return replace(found, problems=named)
 
 
 def _verify_folder(
@@ -57,7 +61,7 @@ def _verify_folder(
         exam = open_exam(path)
         exam.require_sound_key()
         papers = exam.head.everybody
-        missing = tuple(_find_missing(exam))
+        missing = *_find_missing(exam), *find_copied_papers(exam), *find_changed_keys(exam)
         sample = papers if everything else papers[:: max(1, len(papers) // _SAMPLE)]
         contradictions = _solve_again(exam, sample)
     except KinegradeError as error:

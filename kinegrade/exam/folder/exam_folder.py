@@ -175,6 +175,15 @@ class ExamFolder:
         """Whether other hands changed key.jsonl, as far as its arrays tell it."""
         return self._kept.has_changed_key
 
+    def list_changed_keys(self) -> Mapping[tuple[str, str], list[str]]:
+        """The asks whose keys other hands changed, by student and question, as far as the arrays of
+        the key tell it. Raises ExamError.
+        """
+        changed: dict[tuple[str, str], list[str]] = {}
+        for student, ask in self._kept.list_changed_keys():
+            changed.setdefault((student, ask.question), []).append(ask.ask)
+        return changed
+
     @cached_property
     def _kept(self) -> KeptPapers:
         """The papers by which marks are given."""

@@ -8,11 +8,18 @@ from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import dataclass
 from functools import cached_property
-from itertools import islice
+from itertools import chain, islice
 from pathlib import Path
 
+from kinegrade.exam.folder.asks import Ask
 from kinegrade.exam.folder.columns.blocks import PartPapers, divide_block, list_blocks
-from kinegrade.exam.folder.columns.reading import DAMAGED, KeyColumns, find_columns, is_key_changed
+from kinegrade.exam.folder.columns.reading import (
+    DAMAGED,
+    KeyColumns,
+    find_columns,
+    find_earlier_columns,
+    is_key_changed,
+)
 from kinegrade.exam.folder.contents import KEY, KEY_COLUMNS
 from kinegrade.exam.folder.faults import decoding, name_line, name_paper
 from kinegrade.exam.folder.key.decoding import PaperDecoder
@@ -82,6 +89,20 @@ class KeptPapers:
     def has_changed_key(self) -> bool:
         """Whether other hands changed key.jsonl, as far as its arrays tell it."""
         return is_key_changed(self.folder / KEY_COLUMNS, self._key, self.head)
+
+    def list_changed_keys(self) -> Iterator[tuple[str, Ask]]:
+        """Students with the asks whose keys are not those of the arrays, where these were written
+        for the same students. Raises ExamError.
+        """
+        columns = find_earlier_columns(self.folder / KEY_COLUMNS, self.head)
+        if columns is None:
+            return
+        with suppress(*DAMAGED):
+            before = chain.from_iterable(columns.parts(1))
+            for old, new in zip(before, self._papers_from(0), strict=False):
+                for number, ask in enumerate(self.head.asks):
+                    if old.key(number) != new.key(number):
+                        yield new.student, ask
 
     @property
     def _key(self) -> Path:

@@ -28,6 +28,7 @@ from kinegrade.exam.folder.columns.record import (
     PART,
     About,
     is_current,
+    is_of_head,
     is_other_key,
     read_terms,
 )
@@ -108,6 +109,16 @@ def find_columns(path: Path, key: Path, head: ExamHead) -> KeyColumns | None:
     except DAMAGED:
         return None
     return KeyColumns(path, head, about) if current else None
+
+
+def find_earlier_columns(path: Path, head: ExamHead) -> KeyColumns | None:
+    """The arrays in that file, whatever the key is now, if they were written for this head."""
+    try:
+        about = _open_about(path)
+    except DAMAGED:
+        return None
+    fits = is_of_head(about, head) and about.papers == len(head.students)
+    return KeyColumns(path, head, about) if fits else None
 
 
 def is_key_changed(path: Path, key: Path, head: ExamHead) -> bool:

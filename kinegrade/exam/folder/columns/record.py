@@ -89,6 +89,11 @@ def is_other_key(about: About, key: Path, head: ExamHead) -> bool:
     return about.origin.format == FORMAT and about.origin.key != find_origin(key, head).key
 
 
+def is_of_head(about: About, head: ExamHead) -> bool:
+    """Whether arrays were made for this head, whatever its key."""
+    return about.origin.format == FORMAT and about.origin.head == _digest_head(head)
+
+
 def _digest_head(head: ExamHead) -> str:
     asks = [(ask.question, ask.ask, ask.unit, str(ask.points)) for ask in head.asks]
     return sha256(msgspec.json.encode((asks, list(head.candidates)))).hexdigest()
