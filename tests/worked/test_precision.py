@@ -6,14 +6,18 @@ from dataclasses import replace
 
 import pytest
 
+from kinegrade.worked.document import Prose
 from kinegrade.worked.formulas.equation import Equation, approximate, equate
 from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.notation import Notation
 from kinegrade.worked.formulas.numbers import measure, round_number, state_angle
 from kinegrade.worked.formulas.precision import find_more_digits
 from kinegrade.worked.formulas.symbols import read_symbol
+from kinegrade.worked.solution import write_worked_solution
+from tests.prove.draws import seeded_solution
 from tests.worked.draws import stated
 from tests.worked.telling import displayed
+from tests.worked.test_checks import find_checks
 
 NEAR, FAR = 0.720568, 0.712546
 
@@ -81,3 +85,16 @@ def test_an_arctangent_of_few_decimals_is_not_about_its_value() -> None:
     """Half of 75 degrees, found by a ratio of sides."""
     told = displayed(stated("bar-pushing-rolling-disc", phi="75"))
     assert r"\psi_{O_{1}C} &= 37.5^\circ" in told
+
+
+@pytest.mark.parametrize("seed", [50, 51])  # a rod on a disc, and one on an incline
+def test_a_check_takes_no_more_digits_than_the_page_has_without_it(seed: int) -> None:
+    """Where its terms nearly cancel, all numbers of the page had five to seven digits. It says as
+    many as both sides give, and they agree.
+    """
+    solution = seeded_solution(seed)
+    blocks = write_worked_solution(solution, solution.template.asked(), "en").blocks
+    assert "4 significant" in " ".join(each.text for each in blocks if isinstance(each, Prose))
+    checks = find_checks(blocks)
+    assert checks
+    assert [check for check in checks if not check.agrees] == []

@@ -31,8 +31,9 @@ _CLOSE = 1e-9  # relative: far below a digit that is printed
 class Check:
     """By which way, and what either side amounts to, in a unit; `arm` two points whose distance is
     told before, `form` what it says of rates, `points` whose vectors it takes as they have been
-    found, `conditions` the formulas that stand in the way; a modest one is content with the digits
-    that the solution has without it.
+    found, `conditions` the formulas that stand in the way. It is content with the digits that the
+    solution has without it, and says as many as both sides give: one whose terms nearly cancel
+    would print all numbers of the page with seven.
     """
 
     way: Message
@@ -42,7 +43,6 @@ class Check:
     form: Form = field(default_factory=dict)
     points: Set[str] = frozenset()
     conditions: tuple[Equation, ...] = ()
-    is_modest: bool = False
 
     @cached_property
     def digits(self) -> int:
@@ -111,10 +111,7 @@ class Check:
         for equation in introduce_lengths((self.arm,) if self.arm else (), case):
             here = case.say(Message("solution.here", equations=case.tell(equation)))
             yield replace(here, on_check=True)
-        if not self.is_modest:
-            case.findings.printed += (side.state_fully(self.unit) for side in self.sides)
-        tell = case.mention if self.is_modest else case.tell
-        left, right = map(tell, self._work_out(case.notation))
+        left, right = map(case.mention, self._work_out(case.notation))
         for condition in self.conditions:
             case.tell(condition)
         said = case.say(Message("solution.check", way=self.way, left=left, right=right))

@@ -13,7 +13,7 @@ from kinegrade.worked.formulas.equation import Equation, Link, approximate, equa
 from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.measures import double
 from kinegrade.worked.formulas.notation import DIGITS, Notation
-from kinegrade.worked.formulas.numbers import measure, round_number
+from kinegrade.worked.formulas.numbers import round_number
 from kinegrade.worked.formulas.printed_values import find_printed_value
 
 _EQUAL = 1e-9  # relative: far below a digit that is printed
@@ -45,12 +45,6 @@ class Side:
             if abs(printed - rounded) < 10.0 ** (first - digits + 1):
                 return digits
         return 0
-
-    def state_fully(self, unit: str) -> Equation:
-        """The side with all digits of its value, which its numbers ought to give."""
-        if self.numbers.is_decimal or not double(self.value):
-            return Equation(self.numbers, ())
-        return Equation(self.numbers, approximate(measure(self.value, unit)))
 
     def work_out(self, unit: str, digits: int, notation: Notation) -> Equation:
         """The side with its value; alone where it is nothing but a value."""

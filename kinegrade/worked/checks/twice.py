@@ -136,4 +136,4 @@ class Twice:
         product = Multiplied(self.equation, self.shares, self.case, _NOTHING)
         for check in product.compare(way, ends.side, other, by):
             form = {**check.form, **self._list_moved(ends)}
-            yield replace(check, form=form, conditions=conditions, is_modest=True)
+            yield replace(check, form=form, conditions=conditions)
