@@ -14,6 +14,7 @@ from tests.laws.position import moving
 
 def hold_against_positions(case: Case) -> None:
     """Velocity and acceleration of every marked point and body against central differences."""
+    assert case.marked()
     differences = moving(case.mechanism)
     with case.context():
         for body in case.mechanism.bodies:

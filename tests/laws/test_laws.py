@@ -339,6 +339,7 @@ def only(mechanism: Mechanism, index: int) -> Mechanism:
 
 def compare(case: Case, motion: Motion, vector: Any, turn: Any, change: Any) -> None:
     """Hold a motion against the case's own, transformed."""
+    assert case.marked()
     for point, body in case.marked():
         assert case.same(motion.velocity(point, body), vector(case.motion.velocity(point, body)))
         assert case.same(

@@ -14,7 +14,7 @@ from tests.worked.telling import lines, proses
 def test_a_sum_has_its_value_before_the_law_of_sines_takes_it() -> None:
     first, *taken = (line for line in lines(kept("stone-crusher")) if "21.141" in line)
     assert r"$\delta + \psi_{EG} = 15^\circ + 6.141^\circ \approx 21.141^\circ$" in first
-    assert any("cos" in line for line in taken)
+    assert any("cos" in line for line in taken), taken
 
 
 def test_the_angles_of_a_projection_are_worked_out_once() -> None:

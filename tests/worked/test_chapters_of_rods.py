@@ -132,7 +132,7 @@ def test_a_pole_has_its_distances_from_a_triangle_and_its_coordinates_where_aske
     assert [start for start in starts if not any(line.startswith(start) for line in coupler)] == []
     # the law of sines in the triangle BGC_2, by the angles of the statement
     sines = r"C_{2}G &= \frac{BG\sin\gamma}{\sin(\beta + \gamma)} = "
-    assert any(line.startswith(sines) for line in crusher)
+    assert any(line.startswith(sines) for line in crusher), crusher
 
 
 def test_a_pole_that_is_asked_for() -> None:

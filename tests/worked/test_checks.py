@@ -295,7 +295,8 @@ def slip(solution: Solution, rate: Rate) -> list[Check]:
 )
 def test_a_wrong_value_shows(name: str, body: str) -> None:
     solution = drawn(name)[0]
-    assert not all(check.agrees for check in slip(solution, make_turning(body)))
+    checks = list(slip(solution, make_turning(body)))
+    assert [check for check in checks if not check.agrees], checks
 
 
 def test_a_point_in_a_wrong_place_shows() -> None:

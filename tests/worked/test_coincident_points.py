@@ -39,5 +39,5 @@ def test_checks_name_the_body_of_a_point_that_belongs_to_several(name: str) -> N
 
 def test_a_point_does_not_coincide_with_itself() -> None:
     told = list(proses(kept("flat-faced-follower-curvature-radius")))
-    assert any(text.startswith("Relative to the cam, $A$ has the velocity") for text in told)
+    assert any(text.startswith("Relative to the cam, $A$ has the velocity") for text in told), told
     assert [text for text in told if "the point of $BC$ that coincides with $A$" in text] == []

@@ -16,8 +16,9 @@ def test_a_solution_without_vectors_says_nothing_of_their_letters() -> None:
     """It spoke of unknown vectors in a train of gears, and of angles from the x axis."""
     blocks = kept("differential-epicyclic-train")
     assert [block for block in blocks if isinstance(block, TermTable)] == []
-    assert [text for text in proses(blocks) if LETTERS in text] == []
-    assert any(text.startswith("Rotations are positive") for text in proses(blocks))
+    texts = tuple(proses(blocks))
+    assert [text for text in texts if LETTERS in text] == []
+    assert any(text.startswith("Rotations are positive") for text in texts), texts
 
 
 def test_letters_and_the_sign_of_a_turn_are_explained_before_the_first_table() -> None:

@@ -72,7 +72,7 @@ def test_a_relative_velocity_is_that_of_the_body_s_point() -> None:
 
 def test_the_only_relative_motion_has_no_index() -> None:
     told = displayed(kept("bar-through-swivelling-sleeve"))
-    assert any(line.startswith(r"v_{\mathrm{r}} ") for line in told)
+    assert any(line.startswith(r"v_{\mathrm{r}} ") for line in told), told
 
 
 def test_an_arm_has_the_symbol_of_the_statement_or_is_worked_out_once() -> None:

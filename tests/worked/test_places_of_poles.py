@@ -49,4 +49,4 @@ def test_it_names_its_base_point(language: Language, said: str) -> None:
     template = load_template("guide-tube-rod-fixed-centrode")
     solution = solve_template(template, {})
     told = proses(write_worked_solution(solution, template.asked(), language).blocks)
-    assert any(said in text for text in told)
+    assert said in "\n".join(told)

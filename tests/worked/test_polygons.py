@@ -127,7 +127,7 @@ def test_a_velocity_in_a_slot_has_a_thin_line_to_its_symbol_outside() -> None:
     strokes = (part for part in velocities.scene.primitives if isinstance(part, Strokes))
     ends = [line[0] - label.centre for part in strokes if part.pen == THIN for line in part.lines]
     beside = (label.width / 2 + 0.5, label.height / 2 + 0.5)
-    assert any(abs(end.x) < beside[0] and abs(end.y) < beside[1] for end in ends)
+    assert any(abs(end.x) < beside[0] and abs(end.y) < beside[1] for end in ends), ends
 
 
 @pytest.mark.sampled(12, first=1)

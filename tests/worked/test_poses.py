@@ -71,15 +71,15 @@ def test_an_angle_that_is_counted_or_lies_somewhere_is_named(name: str, language
 )
 def test_an_angle_is_named_before_its_tangent(language: Language, told: str) -> None:
     said = list(proses(stated(TRIANGLE, language=language, **GIVEN)))
-    assert any(text.startswith(told) for text in said)
+    assert any(text.startswith(told) for text in said), said
 
 
 def test_the_angle_in_a_sum_is_not_the_answer() -> None:
     r"""theta_2 = 360 degrees + \angle(u, v), of which the quadrant is told."""
     said = list(proses(stated(TRIANGLE, **GIVEN)))
     letters = r"$\angle(\boldsymbol{u},\boldsymbol{v})$"
-    assert any(text.startswith(f"{letters} is the angle from ") for text in said)
-    assert any(f"{letters} lies between $-90^\\circ$ and $0^\\circ$" in text for text in said)
+    assert any(text.startswith(f"{letters} is the angle from ") for text in said), said
+    assert any(f"{letters} lies between $-90^\\circ$ and $0^\\circ$" in text for text in said), said
 
 
 @pytest.mark.parametrize(

@@ -32,7 +32,7 @@ BD = "B D"
 )
 def test_a_body_that_all_joints_together_keep_from_turning_translates(name: str, body: str) -> None:
     for place in (0, 1):
-        assert any(f"{body}: translation" in one for one in proses(kept(name, place)))
+        assert f"{body}: translation" in "\n".join(proses(kept(name, place)))
 
 
 def test_a_body_that_does_not_turn_by_the_numbers_alone_is_in_plane_motion() -> None:

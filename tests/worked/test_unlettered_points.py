@@ -52,7 +52,7 @@ def test_the_slot_of_a_yoke_has_no_letter() -> None:
 
 def test_what_is_given_of_a_body_in_translation_is_told_of_the_body() -> None:
     told = tuple(lines(kept("scotch-yoke-driven-by-guide")))
-    assert any("Known: the motion of the yoke." in line for line in told)
+    assert any("Known: the motion of the yoke." in line for line in told), told
     assert "Given: the velocity of the yoke." in told
     (transport,) = (line for line in told if line.startswith(r"    v_{\mathrm{e}} &="))
     assert transport.startswith(r"    v_{\mathrm{e}} &= v = ")

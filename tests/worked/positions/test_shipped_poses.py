@@ -109,7 +109,7 @@ def test_the_last_line_ends_with_the_answer_of_the_key(name: str, ask: str) -> N
         assert float(printed) == pytest.approx(float(rounded), rel=1e-3)
         exact = not any(ROUNDED.search(part) for part in parts[:-1])
         if exact and answer.closed_form is not None and has_short_form(answer):
-            assert any(bare(answer.closed_form) in bare(part) for part in parts)
+            assert any(bare(answer.closed_form) in bare(part) for part in parts), parts
 
 
 @pytest.mark.parametrize("name", POSES)
