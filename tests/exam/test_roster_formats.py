@@ -307,3 +307,15 @@ def test_a_roster_of_five_megabytes_is_read_in_seconds(tmp_path: Path) -> None:
     begin = perf_counter()
     assert len(Roster.read(path).students) == 52_000
     assert perf_counter() - begin < 20
+
+
+def test_a_line_of_totals_is_a_complaint(tmp_path: Path) -> None:
+    lines = "".join(f"s{place},Ann\n" for place in range(10, 19))
+    result = kinegrade("roster", write(tmp_path, f"id,name\n{lines}Total,9\n"))
+    assert result.exit_code == 1
+    assert '"Total" on line 11 has no digit, as nearly all other ids have' in result.stderr
+
+
+def test_ids_that_are_names_are_no_complaint(tmp_path: Path) -> None:
+    result = kinegrade("roster", write(tmp_path, "id,name\nann,Ann\nben,Ben\nzoe2,Zoe\n"))
+    assert result.exit_code == 0

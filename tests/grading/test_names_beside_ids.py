@@ -1,5 +1,5 @@
-"""The name beside an id: where it is that of somebody else in the class, the table was sorted by one
-column alone, and the row may be anybody's.
+"""The name, or a second id, beside an id: where it is that of somebody else in the class, the table
+was sorted by one column alone, and the row may be anybody's.
 """
 
 from __future__ import annotations
@@ -54,6 +54,23 @@ def test_a_name_is_known_however_it_is_written(
     (tmp_path / "again").mkdir()
     said = mark(exam, tmp_path / "again", header, [["0012", *name]])
     assert "name in this row" not in said
+
+
+@pytest.mark.parametrize(
+    ("header", "own", "other"),
+    [
+        (["student", "student"], "007", "0012"),
+        (["student", "ID number"], "0012", "007"),
+        (["学号", "student"], "007", "0012"),
+    ],
+)
+def test_a_second_column_of_ids_that_says_otherwise_is_told(
+    exam: Path, tmp_path: Path, header: list[str], own: str, other: str
+) -> None:
+    said = mark(exam, tmp_path, header, [["007", "0012"]])
+    [told] = [each for each in said.splitlines() if "the id in this column" in each]
+    assert f'student: the id in this column is that of "{other}"' in told
+    assert f'marked as the paper of "{own}", by another column of ids' in told
 
 
 @pytest.mark.parametrize("name", ["", "Zoe", "Nobody Here", "王 伟"])

@@ -26,7 +26,7 @@ _FRACTION = re.compile(r"([0-9]+)[.,]0+")
 _SHORTENED = re.compile(r"[0-9](?:[.,][0-9]+)?E\+[0-9]+", re.IGNORECASE)
 _DATE = re.compile(r"[0-9]{4}([-/.])[0-9]{1,2}\1[0-9]{1,2}|[0-9]{1,2}([-/.])[0-9]{1,2}\2[0-9]{4}")
 _LOST = ("files.cell-digits", "files.cell-date")  # remarks on cells that no longer hold the id
-_MOST_ALIKE = 4  # in five ids, at least, that are equally long digits make shorter ones strange
+_MOST_ALIKE = 4  # in five ids, at least, that are alike make the others strange
 
 
 @dataclass(frozen=True, slots=True)
@@ -99,6 +99,18 @@ def find_short_ids(table: Table, people: Sequence[Identity]) -> Iterator[Complai
             digits=usual,
         )
         yield Complaint(table.file, None, "", "", problem, Message("roster.short-ids-done"))
+
+
+def find_ids_without_digits(table: Table, people: Sequence[Identity]) -> Iterator[Complaint]:
+    """A complaint for each id that has no digit where nearly all others have: perhaps it heads a
+    line of totals.
+    """
+    without = [each for each in people if not any(map(str.isdigit, each.student))]
+    if 5 * (len(people) - len(without)) < _MOST_ALIKE * len(people):
+        return
+    for each in without:
+        problem = Message("roster.no-digit", student=Quoted(each.student), line=each.line)
+        yield Complaint(table.file, None, "", "", problem, Message("roster.no-digit-done"))
 
 
 def _find_empty(table: Table, people: Sequence[Identity]) -> Iterator[Fault]:

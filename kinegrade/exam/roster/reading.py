@@ -23,7 +23,13 @@ from kinegrade.exam.roster.columns import (
     list_unused,
 )
 from kinegrade.exam.roster.known_columns import Column
-from kinegrade.exam.roster.mended_ids import Identity, find_id_faults, find_short_ids, mend_ids
+from kinegrade.exam.roster.mended_ids import (
+    Identity,
+    find_id_faults,
+    find_ids_without_digits,
+    find_short_ids,
+    mend_ids,
+)
 from kinegrade.exam.roster.students import Student, make_file_names
 from kinegrade.exam.roster.way_of_reading import WayOfReading
 from kinegrade.files.cell_text import trim
@@ -71,6 +77,7 @@ def read_class(table: Table, wishes: Wishes, *, odd_ids: bool) -> ReadClass:
     complaints = (
         *_find_complaints(table, columns),
         *find_short_ids(table, people),
+        *find_ids_without_digits(table, people),
         *_find_nameless(table, people),
         *_find_partial(table, students, columns),
     )

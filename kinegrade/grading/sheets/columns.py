@@ -34,14 +34,15 @@ _UNIT = re.compile(r"\s*[(\[]([^()\[\]]*)[)\]]$")  # "q1.v_B (m/s)"
 
 @dataclass(frozen=True, slots=True)
 class Columns:
-    """The column that says whose a row is, that of each ask, those that answer nothing, and those
-    of codes of papers beside the first.
+    """The column that says whose a row is, that of each ask, those that answer nothing, and beside
+    the first those of codes of papers and of other ids.
     """
 
     student: int
     asks: tuple[int | None, ...]
     extra: tuple[int, ...]
     codes: tuple[int, ...]
+    ids: tuple[int, ...]
 
     def responses(self) -> Callable[[tuple[str, ...]], tuple[str, ...]]:
         """A function that picks the responses from the cells of a row; missing ones are blank."""
@@ -96,15 +97,14 @@ def find_columns(table: Table, asks: Sequence[Ask]) -> Columns:
         raise TableError(*faults)
     needless = {*list_columns_of_people()}
     unused = (index for index in range(len(header)) if index not in {student, *found})
+    beside = [index for index in range(len(header)) if index != student]
+    ids = set(list_key_columns()) - set(list_code_columns())
     return Columns(
         student,
         found,
         tuple(index for index in unused if header[index] not in needless),
-        tuple(
-            index
-            for index, name in enumerate(header)
-            if name in list_code_columns() and index != student
-        ),
+        tuple(index for index in beside if header[index] in list_code_columns()),
+        tuple(index for index in beside if header[index] in ids),
     )
 
 

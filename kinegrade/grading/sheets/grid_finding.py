@@ -19,8 +19,9 @@ def find_grid_entries(answers: AnswerFile, columns: Columns, exam: Sitting) -> G
     """
     rows = drop_headers(answers.table)
     asks = [column for column in columns.asks if column is not None]
-    beside = answers.put or answers.lines or answers.submitted or columns.codes
-    if not isinstance(rows, CellGrid) or beside or len(asks) < len(columns.asks):
+    beside = answers.put or answers.lines or answers.submitted
+    others = columns.codes or columns.ids
+    if not isinstance(rows, CellGrid) or beside or others or len(asks) < len(columns.asks):
         return None
     # In most files, which `generate` wrote, they are those of the roster, and are held once
     ids: Sequence[str | None] = exam.students

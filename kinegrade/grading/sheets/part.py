@@ -113,8 +113,9 @@ def _group_rows(
             complaints.append(_complain_of_unknown(table, row, columns, papers))
         else:
             rows[student].append(row)
-            if columns.codes:
+            if columns.codes or columns.ids:
                 complaints += _find_other_codes(table, row, columns, papers, student)
+                complaints += _find_other_ids(table, row, columns, ids, student)
     return rows, complaints
 
 
@@ -139,6 +140,19 @@ def _find_other_codes(
         if papers.had(student, code):  # in a workbook from before: the exchange is not to be undone
             done = Message("marking.own-since-exchange", student=whose)
         yield Complaint(table.file, row.line, table.header[index], shown, problem, done)
+
+
+def _find_other_ids(
+    table: Table, row: Row, columns: Columns, ids: StudentIds, student: str
+) -> Iterator[Complaint]:
+    """A complaint for each further id that is that of another student."""
+    for index in columns.ids:
+        cell = row.cell(index)
+        owner = ids.exact(cell)
+        if owner is not None and owner != student:
+            problem = Message("marking.id-of-another", student=Quoted(owner))
+            done = Message("marking.by-other-id", student=Quoted(student))
+            yield Complaint(table.file, row.line, table.header[index], cell, problem, done)
 
 
 def _find_other_names(
