@@ -84,8 +84,25 @@ def refusal(exam: Path, *options: str) -> str:
 def test_all_are_those_of_generate_byte_for_byte(solved: dict[str, bytes], exam: Path) -> None:
     result = kinegrade("solutions", exam)
     assert (result.exit_code, result.stdout) == (0, "")
-    assert "EXAM: the worked solutions of 4 students; kinegrade feedback " in result.stderr
+    assert "EXAM: the worked solutions of 4 papers; kinegrade feedback " in result.stderr
     assert contents(exam) == solved
+
+
+def test_those_of_spare_papers_are_among_them(tmp_path: Path) -> None:
+    folder = write_one(tmp_path)
+    (folder / "bank.toml").write_text(SHORT, encoding="utf-8")
+    for name, *options in (("SOLVED", "--solutions"), ("EXAM",)):
+        assert generate(folder, name, "--spare", "2", *options).exit_code == 0
+    exam = folder / "EXAM"
+    shutil.copytree(exam, folder / "SINGLY")
+    result = kinegrade("solutions", exam)
+    assert "EXAM: the worked solutions of 3 papers; kinegrade feedback " in result.stderr
+    assert contents(exam) == contents(folder / "SOLVED")
+    for name in ("spare-2", "007", "spare-1"):
+        assert kinegrade("solutions", folder / "SINGLY", name).exit_code == 0
+    assert contents(folder / "SINGLY") == contents(folder / "SOLVED")
+    again = kinegrade("solutions", folder / "SINGLY", "spare-1")
+    assert "solutions of 1 student already (spare-1)" in again.stderr
 
 
 @pytest.mark.left(beside="test_all_are_those_of_generate_byte_for_byte")

@@ -157,8 +157,10 @@ class ExamFolder:
             raise explain_unreadable(path, fault) from fault
 
     def solution_file(self, student: str) -> Path:
-        """Where the worked solutions of a student stand, if they are printed."""
-        place = read_place(self.head.candidates[student].file) or self.head.file_stems[student]
+        """Where the worked solutions of a student, or of a spare paper by its name, stand, if they
+        are printed.
+        """
+        place = read_place(self.head.holders[student].file) or self.head.file_stems[student]
         return self.path / SOLUTIONS / f"{place}.pdf"
 
     def solution(self, student: str) -> bytes:

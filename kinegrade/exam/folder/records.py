@@ -177,6 +177,11 @@ class ExamHead(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True, di
         return {each.student: each for each in self.students}
 
     @cached_property
+    def holders(self) -> Mapping[str, Candidate]:
+        """The same, and the spare papers by their names."""
+        return {each.student: each for each in self.everybody}
+
+    @cached_property
     def owners(self) -> Mapping[str, str]:
         """The students by the codes of their papers, as far as the folder states them."""
         return {each.paper: each.student for each in self.students if each.paper}

@@ -45,7 +45,7 @@ Progress = Callable[[Iterator[tuple[str, Printout]], int], Iterator[tuple[str, P
 
 @dataclass(frozen=True)
 class SolutionWishes:
-    """Whose worked solutions are wanted, by id; none for everybody's.
+    """Whose worked solutions are wanted, by id or by the name of a spare paper; none for all.
 
     `method` finds velocities where several serve, by default that of the exam; they have graphs
     over the `cycle` if that is wished, or if those of the exam do; they are in
@@ -71,7 +71,8 @@ def add_solutions(exam: ExamFolder, wishes: SolutionWishes) -> int:
     Raises ExamError where there is no such student, or where something else follows from the
     folder than its key says, OutputError, OptionError; then nothing is written.
     """
-    students = find_candidates(exam, wishes.students) if wishes.students else exam.head.students
+    everybody = exam.head.everybody
+    students = find_candidates(exam, wishes.students) if wishes.students else everybody
     run = _make_run(exam, wishes, students)
     if not wishes.force:
         _require_new(exam, students)
@@ -80,8 +81,8 @@ def add_solutions(exam: ExamFolder, wishes: SolutionWishes) -> int:
     with bulk_work(), open_grown_folder(exam) as folder, processes as workers:
         copy_exam(exam, folder)
         with closing(print_class_solutions(exam, run, students, workers, jobs)) as printed:
-            everybody = [read_place(each.file) for each in exam.head.students]
-            write_solutions(folder, wishes.progress(printed, len(students)), everybody)
+            places = [read_place(each.file) for each in everybody]
+            write_solutions(folder, wishes.progress(printed, len(students)), places)
         _write_head(exam, run, folder)
     return len(students)
 
@@ -96,7 +97,7 @@ def _make_run(exam: ExamFolder, wishes: SolutionWishes, students: Sequence[Candi
         require_bank_language(kept.bank, wishes.language)
     printed = {"solutions": True, "solution_language": wishes.language}
     changed = dict(_list_changes(exam, wishes))
-    if changed and len(students) < len(exam.head.students):
+    if changed and len(students) < len(exam.head.everybody):
         raise OptionError(*map(_refuse_for_some, changed))
     return kept_run(exam, kept, **printed, **changed)
 

@@ -146,10 +146,10 @@ def find_kinds(exam: ExamFolder) -> tuple[str, ...]:
 
 
 def find_candidates(exam: ExamFolder, students: Sequence[str]) -> tuple[Candidate, ...]:
-    """The students of these ids, or who had them before, each once, in the order of the roster.
-    Raises ExamError with every id that nobody has.
+    """The students of these ids, or who had them before, and the spare papers of these names, each
+    once, in the order of the roster. Raises ExamError with every id that nobody has.
     """
-    known = {make_student_key(each.student): each for each in exam.head.students}
+    known = {make_student_key(each.student): each for each in exam.head.everybody}
     now = {
         make_student_key(before): make_student_key(each) for before, each in exam.former_ids.items()
     }
