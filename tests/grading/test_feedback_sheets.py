@@ -133,9 +133,9 @@ def test_where_more_is_allowed_on_one_side_a_sheet_tells_both_bounds(
 
 def test_right_answers_get_no_remarks(tmp_path: Path) -> None:
     (sheet,) = sheets(tmp_path, RIGHT)
-    assert not any(
-        row.remark or row.reason for question in sheet.questions for row in question.rows
-    )
+    assert [
+        row for question in sheet.questions for row in question.rows if row.remark or row.reason
+    ] == []
     assert sheet.total == "9.5 / 9.5"
     assert not sheet.guesses
 
