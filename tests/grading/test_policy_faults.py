@@ -126,7 +126,7 @@ def test_all_faults_of_a_policy_are_told_at_once(tmp_path: Path) -> None:
         (
             "accept = [{ valeu = 1 }]",
             'accept[1].valeu: unknown key - did you mean "value"? '
-            "(known here: credit, student, unit, value)",
+            "(known here: credit, leads, student, unit, value)",
         ),
         (
             "accept = [{ unit = 'm/s' }]",
