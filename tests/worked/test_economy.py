@@ -62,7 +62,6 @@ def test_a_line_that_goes_on_goes_with_its_equation() -> None:
     ("name", "unused"),
     [
         ("crank-bar-through-sleeve-with-arm", ("x_{D} &=", "y_{D} &=")),
-        ("pole-sleeve-slider-rod", ("x_{S} &=",)),
         ("two-wheels-on-cylinder", ("x_{B} &=",)),
     ],
 )

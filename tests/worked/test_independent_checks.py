@@ -31,9 +31,7 @@ WITHOUT = frozenset(
         "crossed-belt-drive",
         "flat-faced-follower-curvature-radius",
         "flat-faced-follower-eccentric-circle",
-        "guide-tube-rod-fixed-centrode",
         "hoist-with-gears",
-        "pole-sleeve-slider-rod",
         "rolling-wheel-pole-acceleration",
         "rolling-wheel-rim-points",
         "toggle-press",
@@ -158,3 +156,26 @@ def test_what_is_asked_of_points_is_checked() -> None:
     solution = solve_template(load_template("elliptic-trammel-end-driven"), {})
     check = find_checks(write(solution).blocks)[0]
     assert check.way.startswith("the projection theorem for $D$ and $B$")
+
+
+@pytest.mark.parametrize(
+    ("name", "way", "left"),
+    [
+        (
+            "guide-tube-rod-fixed-centrode",
+            r"$OS \perp OB$, as the point of $BC$ at $O$ moves along $OB$",
+            r"(x_{S} - x_{O})\,(x_{B} - x_{O}) = ",
+        ),
+        (
+            "pole-sleeve-slider-rod",
+            r"$DS \perp DB$, as the point of the rod $BD$ at $D$ moves along $DB$",
+            r"x_{S}\,x_{B} = ",
+        ),
+    ],
+)
+def test_a_pole_found_by_a_base_point_lies_on_the_normal_to_the_sleeve(
+    name: str, way: str, left: str
+) -> None:
+    (check,) = find_checks(write(drawn(name)[0]).blocks)
+    assert check.way == way
+    assert check.left.startswith(left)

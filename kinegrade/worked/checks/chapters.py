@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from itertools import islice
 from typing import assert_never
 
 from kinegrade.mechanics.plan import Step
@@ -20,6 +19,7 @@ from kinegrade.worked.checks.constraints import list_constraint_checks
 from kinegrade.worked.checks.forms import Told, list_rates, list_solved
 from kinegrade.worked.checks.positions.places import list_place_checks
 from kinegrade.worked.checks.positions.poles import list_pole_checks
+from kinegrade.worked.checks.positions.sleeves import list_sleeve_checks
 from kinegrade.worked.checks.second_derivatives import list_second_derivatives
 from kinegrade.worked.checks.seen import list_seen_checks
 from kinegrade.worked.checks.theorems import list_theorem_checks
@@ -44,9 +44,12 @@ def check_rates(
     sought, told = _find_sought(asked, case), Told.by(solved, case.held_rates)
     groups = (_list_rate_checks(stages, level, case, told), list_body_checks(level, case))
     found = (sought.choose(group, told) for group in groups)
-    for check in islice(filter(None, found), 1):
-        case.findings.checked.append(Checked(check.form, tuple(solved)))
-        yield from check.say(case)
+    chosen = next(filter(None, found), None)
+    if chosen is not None:
+        case.findings.checked.append(Checked(chosen.form, tuple(solved)))
+        yield from chosen.say(case)
+    elif level == "velocity":
+        yield from _say_first(list_sleeve_checks(case), case)
 
 
 def check_places(asked: Sequence[Ask], case: Case) -> Iterator[Block]:
