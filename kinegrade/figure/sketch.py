@@ -21,7 +21,7 @@ from kinegrade.figure.marks.angles import (
 from kinegrade.figure.marks.body_names import add_body_names
 from kinegrade.figure.marks.frames import add_axes_aside, add_frames
 from kinegrade.figure.marks.imposed import drop_still
-from kinegrade.figure.marks.lengths.claims import find_claimed
+from kinegrade.figure.marks.lengths.claims import find_claimed, measure_strain
 from kinegrade.figure.marks.lengths.dimensions import add_length
 from kinegrade.figure.marks.lengths.extension_gaps import Around
 from kinegrade.figure.marks.names import find_named_points, keep_from_marks, label_points
@@ -69,7 +69,6 @@ _OTHER_ORDERS: tuple[tuple[_Stage, ...], ...] = (
 )
 # Shares of the first scale, with an order, tried in turn while a symbol has no good place
 _SMALLER = ((0.95, _USUAL_ORDER), (0.88, _USUAL_ORDER), (0.88, _LETTERS_EARLY))
-_EASY = 95.0  # cost of a dimension line that crosses no bar and no letter
 Sketcher = Callable[[Mechanism, FigureHints], Scene]
 PLAIN = FigureHints()
 
@@ -191,8 +190,7 @@ def _compose(begin: Callable[[float], _Begun], order: tuple[_Stage, ...], scale:
 def _place_lengths(layout: Layout, paper: Mechanism, hints: FigureHints, around: Around) -> Layout:
     for length in hints.lengths:
         layout = add_length(layout, paper.points, length, around, hints.lengths)
-    dear = [cost - _EASY for cost in layout.costs[len(layout.costs) - len(hints.lengths) :]]
-    return replace(layout, strain=layout.strain + sum(cost for cost in dear if cost > 0))
+    return replace(layout, strain=layout.strain + measure_strain(layout, len(hints.lengths)))
 
 
 def _place_frames_and_angles(

@@ -62,8 +62,8 @@ class Company(Struct, frozen=True):
     """What else there is about the pivot of an arrow: the arcs of angles, other arrows, the radii
     of other bodies' rims (millimetres), the directions (radians) in which dimension lines may
     need a line from the pivot, the other bodies' discs that do not lie over the pivot, and bars
-    that do not lead to it; the other pins there, letters of lengths with what is about them, and
-    the circles of its `own` body.
+    that do not lead to it; the other pins there, letters of lengths with what is about them and
+    dimension lines, and the circles of its `own` body.
     """
 
     arcs: tuple[Bow, ...]

@@ -1,10 +1,13 @@
-"""Letters of lengths that something else could own, or that would be read as a factor."""
+"""Lengths that are hard to read: letters that something else could own, or that would be read as a
+factor, dimension lines across bars, long leaders.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from itertools import chain
 
-from kinegrade.figure.marks.lengths.dimension_lines import SymbolBeside
+from kinegrade.figure.marks.lengths.dimension_lines import DimensionLine, Leader, SymbolBeside
 from kinegrade.figure.marks.straight.motions import list_arrows
 from kinegrade.figure.placing.beside import makes_product
 from kinegrade.figure.placing.layout import Layout
@@ -12,6 +15,20 @@ from kinegrade.figure.placing.obstacles import Obstacles
 from kinegrade.figure.placing.ownership import is_claimed, widen_labels
 from kinegrade.figure.scene import Label
 from kinegrade.problem.template.hints import Length
+
+# Costs of a dimension line that crosses no bar and no letter, and of a leader that is short and
+# clear of the marks of others
+_EASY, _SHORT = 95.0, 12.5
+
+
+def measure_strain(layout: Layout, count: int) -> float:
+    """What those of so many lengths cost too much that were marked last: nothing where they are
+    easily read.
+    """
+    first = len(layout.marks) - count
+    marks = zip(layout.marks[first:], layout.costs[first:], strict=True)
+    dear = (cost - (_SHORT if isinstance(mark, Leader) else _EASY) for mark, cost in marks)
+    return sum((cost for cost in dear if cost > 0), 0.0)
 
 
 def find_claimed(layout: Layout) -> tuple[str, ...]:
@@ -39,6 +56,10 @@ def _is_claimed(mark: SymbolBeside, label: Label, drawn: Obstacles, rates: Seque
 
 
 def widen_written(layout: Layout, lengths: Iterable[Length]) -> Obstacles:
-    """The letters of lengths that are written already, with what is about them."""
+    """The letters of lengths that are written already, with what is about them, and the lines of
+    dimensions.
+    """
     symbols = {each.symbol for each in lengths}
-    return widen_labels(label for label in layout.labels if label.symbol in symbols)
+    written = widen_labels(label for label in layout.labels if label.symbol in symbols)
+    lines = (mark.primitives() for mark in layout.marks if isinstance(mark, DimensionLine))
+    return written.with_drawn(chain.from_iterable(lines))
