@@ -19,6 +19,7 @@ from kinegrade.figure.scene import FIRM, THIN, Bow, Disc
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import Angle
 from tests.figure.mechanisms import polar
+from tests.figures.sheet import deal
 
 VERTEX = Vector(0.0, 0.0)
 HINT = Angle("x", "O", "right", "P")
@@ -72,3 +73,10 @@ def test_a_letter_that_a_leader_takes_out_of_its_angle_is_without_a_good_place()
     within = LedAngleArc(arc, polar(12.0, 20), radians(20), 4.0, 0.0)
     assert Layout.of(()).marked([out]).crowded == ("x",)
     assert Layout.of(()).marked([within]).crowded == ()
+
+
+@pytest.mark.parametrize("seed", ["v71a", "s2", "s6"])
+def test_no_side_of_an_angle_merges_with_an_axis_at_its_vertex(seed: str) -> None:
+    # at 96 degrees the arc up to the incline was read as the right angle between the axes
+    gamma = deal("rod-ground-and-incline", seed).parameters["gamma"].number
+    assert gamma.half_turns * 180 > 97

@@ -16,7 +16,7 @@ from kinegrade.figure.marks.sweep import SMALLEST_ANGLE, find_sweep
 from kinegrade.figure.mechanism.layers import Drawing
 from kinegrade.figure.mechanism.straight_parts import Bar, Rod, SlottedDisc
 from kinegrade.figure.placing.mark import Mark
-from kinegrade.figure.placing.obstacles import Obstacles
+from kinegrade.figure.placing.obstacles import COST_LABEL, Obstacles, Segment
 from kinegrade.figure.placing.wedge import Wedge, measure_narrow
 from kinegrade.figure.plane import NEAR, angle_of, length, nearest_of, polar, unit
 from kinegrade.figure.scene import THIN, Bow, Disc, Primitive, Strokes
@@ -36,6 +36,9 @@ _HIDDEN, _SEEN = 8.0, 3.5
 # Demerits of an arc that ends within so many millimetres of a point on a side
 _ON_PIN, _ON_BLOCK = 16.0, 4.0
 _PIN_ROOM, _BLOCK_ROOM = 1.6, 3.2
+# Millimetres from a side, at the usual radius, to an axis through its vertex, with which it merges
+# there, so that the arc would seem to end at that; and from a vertex to where an axis begins
+_AT_AXIS, _BEGINS = 0.9, 1.2
 # Demerit of an arrowhead lost among other lines, millimetres about it to a pin and to the axis of a
 # bar or the edge of a slot, and from a side to what is drawn along that
 _LOST_HEAD, _HEAD_OFF_PIN, _HEAD_OFF_LINE, _ON_SIDE = 12.0, 2.6, 1.8, 0.1
@@ -70,6 +73,7 @@ def mark_angles(
                 hint,
                 _rate_demerit(bow.radius, nicest.radius, legs)
                 + _rate_ends(bow.radius, reaches)
+                + _rate_axes(bow, neighbours.lines)
                 + _rate_head(bow, hint, neighbours)
                 + _rate_merging(bow, neighbours.circles)
                 + _rate_within(bow, neighbours.circles)
@@ -150,6 +154,22 @@ def _rate_ends(radius: float, reaches: Iterable[float]) -> float:
     """The demerit of an arc whose end lies on a pin, or on the block that may be there."""
     gap = min((abs(reach - radius) for reach in reaches), default=inf)
     return _ON_PIN if gap < _PIN_ROOM else _ON_BLOCK if gap < _BLOCK_ROOM else 0.0
+
+
+def _rate_axes(bow: Bow, lines: Iterable[Segment]) -> float:
+    """The demerit of an angle a side of which merges with an axis, or another thin line, through
+    its vertex: so much that it has no good place.
+    """
+    tips = [bow.centre + polar(angle, _RADII[0]) for angle in (bow.start, bow.start + bow.sweep)]
+    through = [line for line in lines if _leaves(bow.centre, *line)]
+    gaps = [length(nearest_of(tip, *line) - tip) for line in through for tip in tips]
+    return COST_LABEL * any(_ON_SIDE < gap < _AT_AXIS for gap in gaps)
+
+
+def _leaves(at: Vector, start: Vector, end: Vector) -> bool:
+    """Whether a line lies on one through a point, and begins at the edge of a pin there."""
+    on_line = abs(unit(end - start).cross(at - start)) < NEAR
+    return on_line and length(nearest_of(at, start, end) - at) < _BEGINS
 
 
 def _rate_head(bow: Bow, hint: Angle, near: Neighbours) -> float:
