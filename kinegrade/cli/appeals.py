@@ -63,15 +63,25 @@ def merge(
 @refusing
 def forget(exam: Path, marks: tuple[Path, ...], *, yes: bool) -> None:
     """Remove all people from EXAM and MARKS for ever, and keep what statistics need."""
-    from kinegrade.exam.archiving.forgetting import Forgetting
+    from kinegrade.exam.archiving.forgetting import (
+        Forgetting,
+        require_all_marks,
+        require_people,
+    )
+    from kinegrade.grading.exams_beside import list_marks_beside
     from kinegrade.grading.same_key import require_same_exam
     from kinegrade.public.folders import expect_folders
 
     expect_folders((exam, "EXAM"), *((each, "MARKS") for each in marks))
     opened = tuple(kinegrade.open_marks(each) for each in marks)
     folder = kinegrade.open_exam(exam)
+    require_people(folder)
     for marked in opened:
         require_same_exam(folder, marked)
+    named = {each.path.resolve() for each in opened}
+    left = [each.path for each in list_marks_beside(folder) if each.path.resolve() not in named]
+    if yes:
+        require_all_marks(folder, left)
     forgetting = Forgetting(folder, opened)
     if yes:
         say(Message("archive.forgotten", exam=str(exam), count=forgetting.forget()))
@@ -81,4 +91,6 @@ def forget(exam: Path, marks: tuple[Path, ...], *, yes: bool) -> None:
     say(Message("archive.would-blank", exam=str(exam)))
     for each in marks:
         say(Message("archive.would-blank-marks", marks=str(each)))
+    for path in left:
+        say(Message("archive.marks-left", marks=str(path)))
     say(Message("archive.add-yes"))

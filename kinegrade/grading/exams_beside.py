@@ -1,5 +1,5 @@
-"""Exams that stand beside marks, or beside another exam: in the folder around them, where no
-command names them.
+"""Exams that stand beside marks, or beside another exam, and marks beside their exam: in the folder
+around them, where no command names them.
 """
 
 from __future__ import annotations
@@ -13,7 +13,8 @@ from kinegrade.exam.folder.contents import HEAD
 from kinegrade.exam.folder.exam_folder import ExamFolder, open_exam
 from kinegrade.grading.same_key import identify_exam
 from kinegrade.language.message import Fault, Message
-from kinegrade.marks_folder.folder import MarksFolder
+from kinegrade.marks_folder.folder import MarksFolder, open_marks
+from kinegrade.marks_folder.layout import MARKER
 
 
 def find_later_keys(folders: Iterable[MarksFolder]) -> Iterator[Fault]:
@@ -39,6 +40,16 @@ def list_exams_around(folder: Path) -> Iterator[ExamFolder]:
         with suppress(KinegradeError):
             if file.parent != itself:
                 yield open_exam(file.parent)
+
+
+def list_marks_beside(exam: ExamFolder) -> Iterator[MarksFolder]:
+    """The folders of marks of this exam beside it; what is damaged there is passed over."""
+    identity = identify_exam(exam.head)
+    for file in sorted(exam.path.resolve().parent.glob(f"*/{MARKER}")) if identity else ():
+        with suppress(KinegradeError):
+            marks = open_marks(file.parent)
+            if marks.exam == identity:
+                yield marks
 
 
 def list_exams_of(marks: MarksFolder) -> Iterator[ExamFolder]:

@@ -45,7 +45,7 @@ def forgotten(tmp_path_factory: pytest.TempPathFactory) -> Path:
     kinegrade("grade", *files, folder / "MARKS", *since, folder / "appeal.toml")
     for name in ("EXAM", "MARKS"):
         shutil.copytree(folder / name, folder / "BEFORE" / name)
-    done = kinegrade("forget", exam, folder / "MARKS", "--yes")
+    done = kinegrade("forget", exam, folder / "MARKS", folder / "FIRST", "--yes")
     assert done.exit_code == 0, done.stderr
     assert f"{exam}: 3 people forgotten" in done.stderr
     return folder
@@ -132,6 +132,35 @@ def test_without_yes_it_is_said_what_would_go_and_nothing_changes(forgotten: Pat
     assert "cannot be undone" in done.stderr
     assert "add --yes" in done.stderr
     assert contents(forgotten / "BEFORE") == before
+
+
+def test_a_second_time_is_refused_and_the_names_that_were_dealt_stay(
+    forgotten: Path, tmp_path: Path
+) -> None:
+    for name in ("EXAM", "MARKS"):
+        shutil.copytree(forgotten / name, tmp_path / name)
+    before = contents(tmp_path)
+    for marks in ((), (tmp_path / "MARKS",), (forgotten / "BEFORE" / "MARKS",)):
+        done = kinegrade("forget", tmp_path / "EXAM", *marks, "--yes")
+        assert done.exit_code == 2
+        assert "EXAM: its people were forgotten already - expected" in done.stderr
+        assert "restore the exam from its archive and name it with all its marks" in done.stderr
+    assert contents(tmp_path) == before
+
+
+def test_marks_beside_the_exam_are_named_too_before_anything_is_lost(
+    forgotten: Path, tmp_path: Path
+) -> None:
+    shutil.copytree(forgotten / "BEFORE", tmp_path, dirs_exist_ok=True)
+    before = contents(tmp_path)
+    told = kinegrade("forget", tmp_path / "EXAM")
+    assert told.exit_code == 0
+    assert f"{tmp_path / 'MARKS'}: marks of this exam that are not named here" in told.stderr
+    assert "name all at once" in told.stderr
+    done = kinegrade("forget", tmp_path / "EXAM", "--yes")
+    assert done.exit_code == 2
+    assert f"marks of it beside it are not named: {tmp_path / 'MARKS'}" in done.stderr
+    assert contents(tmp_path) == before
 
 
 def test_files_of_ones_own_in_the_folder_are_not_lost(forgotten: Path, tmp_path: Path) -> None:

@@ -15,6 +15,7 @@ from secrets import SystemRandom, token_hex
 
 from msgspec import structs
 
+from kinegrade.errors import ExamError
 from kinegrade.exam.folder.contents import (
     BANK,
     CONTENTS,
@@ -36,12 +37,29 @@ from kinegrade.exam.generating.exam_files import write_head
 from kinegrade.exam.generating.growing.grown_folder import open_grown_folder
 from kinegrade.files.output import output_folder
 from kinegrade.files.placing.copying import copy_tree
+from kinegrade.language.message import Fault, Message, list_plainly
 from kinegrade.marks_folder.folder import MarksFolder
 from kinegrade.marks_folder.forgetting import forget_marks
 from kinegrade.marks_folder.layout import FILES, MARKER
 
 _STAY = (LOGO, FORMULA_PAGES, FORMULA_TEXT)
 _OTHER_SYSTEMS = "moodle.csv"
+
+
+def require_people(exam: ExamFolder) -> None:
+    """Raises ExamError where the people were forgotten already: names dealt once more would cut off
+    the marks that have those of the first time.
+    """
+    if exam.head.forgotten:
+        what, expected = Message("archive.forgotten-already"), Message("archive.with-people")
+        raise ExamError(Fault(str(exam.path), what, expected, Message("archive.name-all-marks")))
+
+
+def require_all_marks(exam: ExamFolder, left: Sequence[Path]) -> None:
+    """Raises ExamError where marks of the exam are left that are known and not named."""
+    if left:
+        what = Message("archive.unnamed-marks", marks=list_plainly(map(str, left)))
+        raise ExamError(Fault(str(exam.path), what, do=Message("archive.name-or-delete-marks")))
 
 
 @dataclass(frozen=True)
