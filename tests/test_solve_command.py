@@ -45,6 +45,23 @@ def test_show_typesets_a_sample(tmp_path: Path) -> None:
     assert page.read_bytes() != first
 
 
+def test_values_that_mirror_a_mechanism_are_seen_at_the_terminal() -> None:
+    """Whoever checks by hand takes another mechanism for a wrong key."""
+    name, other = "rolling-wheel-pin-slotted-rocker", "the wheel is to the right of D"
+    shown = kinegrade("show", name).stdout
+    said = shown[shown.index("words that depend on values") : shown.index("\nparameters")]
+    assert [line.split() for line in said.splitlines()[1:3]] == [
+        ["side", "v_O", ">", "0", "to", "the", "left"],
+        ["side", "otherwise", "to", "the", "right"],
+    ]
+    mirrored = kinegrade("solve", name, "--set", "v_O=-2").stdout
+    assert other in " ".join(mirrored.split())
+    assert mirrored.index("The centre O") < mirrored.index("v_rel")
+    assert other not in kinegrade("solve", name).stdout
+    record = json.loads(kinegrade("solve", name, "--set", "v_O=-2", "--json").stdout)
+    assert record["answers"]["v_rel"]["exact"]
+
+
 def test_solve_prints_the_promised_json() -> None:
     result = kinegrade("solve", "slider-crank", "--set", "r=1/5", "--set", "phi=60", "--json")
     record = json.loads(result.stdout)

@@ -11,11 +11,14 @@ from kinegrade.language.catalogue import open_catalogue
 from kinegrade.language.message import Message
 from kinegrade.language.prose.plain import write_line, write_prose
 from kinegrade.language.terminal_lines import align, wrap
+from kinegrade.problem.solution import Solution
 from kinegrade.problem.solving import solve_template
-from kinegrade.problem.statement import write_statement
+from kinegrade.problem.statement import list_wordings, write_statement
 from kinegrade.problem.statement_faults import check_statements
 from kinegrade.problem.template.signs import write_sign
+from kinegrade.problem.template.slots import split_slots
 from kinegrade.problem.template.template import Ask, Parameter, Template
+from kinegrade.problem.template.texts import find_languages
 
 _COLUMNS = 96
 
@@ -36,6 +39,10 @@ def _write_lines(entry: Entry, language: Language) -> Iterator[str]:
     yield ""
     yield from _write_paragraphs(template, language)
     words = open_catalogue(language)
+    if wordings := [*_list_wordings(template, language)]:
+        yield ""
+        yield words.text("template.shown-wordings")
+        yield from _align(wordings)
     yield ""
     yield words.text("template.shown-parameters")
     yield from _align(_list_parameters(template, language))
@@ -72,12 +79,43 @@ def _list(names: Iterable[str]) -> str:
     return ", ".join(sorted(names))
 
 
+def describe_other_words(solution: Solution, language: Language) -> str:
+    """The statement at the values of a solution, where one of its texts is worded otherwise there
+    than at the default values, which may be another mechanism; else "".
+    """
+    template = solution.template
+    usual = solve_template(template, {}, ()).parameters
+    if list_wordings(template, solution.parameters) == list_wordings(template, usual):
+        return ""
+    found = find_languages(template)
+    spoken = language if language in found else found[0]
+    statement = write_statement(template, solution.parameters, spoken, tuple(solution))
+    return "\n".join(_write_statement(statement, template.name))
+
+
+def _list_wordings(template: Template, language: Language) -> Iterator[tuple[str, ...]]:
+    """A row for each wording of the texts that depend on values: its name, when it applies, what it
+    says.
+    """
+    otherwise = open_catalogue(language).text("template.shown-otherwise")
+    for name, wordings in template.words.texts.items():
+        for each in wordings:
+            pieces = split_slots(each.text.in_language(language))
+            text = "".join(one if isinstance(one, str) else one.name for one in pieces)
+            yield "", name, each.condition.text if each.condition else otherwise, _write_text(text)
+
+
 def _write_paragraphs(template: Template, language: Language) -> Iterator[str]:
     """The statement at the default values."""
     solution = solve_template(template, {}, ())
     statement = write_statement(template, solution.parameters, language)
+    return _write_statement(statement, template.name)
+
+
+def _write_statement(statement: str, name: str) -> Iterator[str]:
+    """Its lines."""
     for paragraph in statement.strip().split("\n\n"):
-        yield from wrap(write_prose(paragraph, template.name), _COLUMNS)
+        yield from wrap(write_prose(paragraph, name), _COLUMNS)
 
 
 def _list_parameters(template: Template, language: Language) -> Iterator[tuple[str, ...]]:

@@ -25,7 +25,7 @@ from kinegrade.problem.printed_givens import is_needed
 from kinegrade.problem.quantity import Quantity
 from kinegrade.problem.template.driven import find_driven
 from kinegrade.problem.template.slots import find_slots_in_formulas
-from kinegrade.problem.template.template import Template
+from kinegrade.problem.template.template import Template, Wording
 from kinegrade.problem.template.texts import list_prose
 from kinegrade.problem.template.translated import (
     Translated,
@@ -75,14 +75,25 @@ def _choose_wordings(
     """The texts that depend on values, by name, each in the wording that applies. Raises
     TemplateError.
     """
-    given = {name: quantity.exact or quantity.certified for name, quantity in parameters.items()}
-    for name in template.words.texts:
-        found = choose_wording(template, name, given)
+    for name, found in list_wordings(template, parameters).items():
         if found is None:
+            given = _write_given(parameters)
             values = ", ".join(f"{parameter} = {text}" for parameter, text in given.items())
             what = Message("template.no-wording-applies", values=values)
             raise TemplateError(Fault(f"{template.name}.toml: text.{name}", what))
         yield name, found.text
+
+
+def list_wordings(
+    template: Template, parameters: Mapping[str, Quantity]
+) -> Mapping[str, Wording | None]:
+    """The wording that applies of each text that depends on values; None where none does."""
+    given = _write_given(parameters)
+    return {name: choose_wording(template, name, given) for name in template.words.texts}
+
+
+def _write_given(parameters: Mapping[str, Quantity]) -> Mapping[str, str]:
+    return {name: quantity.exact or quantity.certified for name, quantity in parameters.items()}
 
 
 def write_specimens(template: Template, language: Language) -> Iterator[tuple[Place, str]]:

@@ -82,9 +82,13 @@ def solve(
     """Solve a template exactly at given values; the rest take their published value, or the first
     drawable one.
     """
+    from kinegrade.choosing.describing import describe_other_words
+
     solved = kinegrade.template(template_name).solve(**read_settings(settings))
     asks = None if asked is None else choose_asks(asked, solved)
     solution = solved if asks is None else solved.only(asks)
+    if not as_json and (statement := describe_other_words(solution, language)):
+        click.echo(f"{statement}\n")
     click.echo(_write_json(solution) if as_json else _write_table(solution, whole=whole))
     if output is not None:
         from kinegrade.exam.printing.sample import print_worked_solution
