@@ -131,6 +131,12 @@ def test_where_more_is_allowed_on_one_side_a_sheet_tells_both_bounds(
         assert row.allowed in page
 
 
+def test_who_was_absent_reads_so(tmp_path: Path) -> None:
+    exam, marks = mark_class(tmp_path, {"7": RIGHT, "8": ()})
+    found = make_feedback_sheets(MarksFolder(marks), open_exam(exam), WORDING, "en")
+    assert [sheet.total for _, sheet in found] == ["9.5 / 9.5", "absent, 0 / 9.5"]
+
+
 def test_right_answers_get_no_remarks(tmp_path: Path) -> None:
     (sheet,) = sheets(tmp_path, RIGHT)
     assert [

@@ -44,8 +44,12 @@ def head_question(question: str, number: int) -> Message:
 def write_total(
     total: StudentTotal, still_open: Sequence[OpenQuestion], catalogue: Catalogue
 ) -> str:
-    """Points out of the maximum, and what is still to be marked by hand."""
+    """Points out of the maximum, and what is still to be marked by hand; whether the student was
+    absent.
+    """
     share = write_share(total.total, total.out_of, catalogue)
+    if not total.is_present:
+        return catalogue.text("feedback.absent", total=share)
     if not still_open:
         return share
     points = write_points(add_open_points(still_open), catalogue)
