@@ -2,12 +2,13 @@
 
 An exam that a student did not sit counts as nothing, and is told apart from one without a point.
 One from which a student is excused does not count: a part is the best of the others, and a part of
-which nothing is left leaves its weight to the other parts, each in proportion to its own.
+which nothing is left leaves its weight to the other parts, each in proportion to its own. So does
+one of which a student is excused from every exam that lists them.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping, Sequence, Set
 from dataclasses import dataclass
 from fractions import Fraction
 
@@ -80,7 +81,7 @@ def _work_out(
     sat = {
         name: total for name, total in listed.items() if total.is_present and name not in excused
     }
-    counted = {part.name: _count(part, sat, excused) for part in plan.parts}
+    counted = {part.name: _count(part, listed.keys(), sat, excused) for part in plan.parts}
     total, hidden = _add_up([each for each in counted.values() if each is not None])
     name = next((each.name for each in listed.values() if each.name), "")
     grade = "" if scale is None else _find_grade(scale, total + hidden, is_absent=not sat)
@@ -88,11 +89,14 @@ def _work_out(
     return TermResult(student, name, listed, sat, excused, parts, total, grade)
 
 
-def _count(part: Part, sat: Mapping[str, StudentTotal], excused: frozenset[str]) -> _Counted | None:
+def _count(
+    part: Part, listed: Set[str], sat: Mapping[str, StudentTotal], excused: frozenset[str]
+) -> _Counted | None:
     """What counts of a part, the best totals by share; None where nothing does."""
     names = [name for name in part.marks if name not in excused]
     best = min(part.best, len(names))
-    if not best:
+    is_excused = len(names) < len(part.marks) and listed.isdisjoint(names)
+    if not best or is_excused:
         return None
     there = sorted((sat[name] for name in names if name in sat), key=lambda total: -total.share)
     return _Counted(part.weight, best, tuple(there[:best]))

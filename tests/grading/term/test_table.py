@@ -69,7 +69,7 @@ def test_a_plan_says_who_is_excused_from_what(marked: Path, tmp_path: Path) -> N
         "7": ("100", "0", "100", "50", "80", "2.0", "marked"),
         "8": ("100", "excused", "0", "100", "40", "5.0", "marked"),
         "10": ("absent", "absent", "absent", "", "", "n.e.", "absent"),
-        "=9": ("excused", "-", "100", "0", "60", "3.3", "partly"),
+        "=9": ("excused", "-", "100", "", "100", "1.0", "partly"),
     }
     assert done.stderr.splitlines()[:6] == [
         "HW1: 2 students were there, 1 absent, 0 not listed",

@@ -53,6 +53,21 @@ def test_what_a_student_is_excused_from_does_not_count() -> None:
     assert found["3"].total == Fraction(6, 10) / 4 + Fraction(3, 4)
 
 
+def test_a_part_without_another_exam_that_lists_the_excused_does_not_count() -> None:
+    plan = Plan(
+        (
+            Part("homework", ("H1", "F2"), Fraction(1, 4), 1),
+            Part("FINAL", ("FINAL",), Fraction(3, 4), 1),
+        ),
+        excused={"H1": frozenset("12")},
+    )
+    final = {"1": "5", "2": "5", "3": "5"}
+    found = results(exams(H1={"1": None, "3": "8"}, F2={"2": None}, FINAL=final), plan)
+    assert (found["1"].total, found["1"].parts["homework"]) == (Fraction(1, 2), None)
+    assert found["2"].total == Fraction(1, 2) * 3 / 4  # missed F2, where the name is on the list
+    assert found["3"].total == Fraction(8, 10) / 4 + Fraction(1, 2) * 3 / 4
+
+
 def test_thirds_of_points_reach_their_bound_where_a_part_does_not_count() -> None:
     third = Scale((Step("A", Fraction(1, 3), passes=True), Step("B", Fraction(0), passes=False)))
     written = {"A": ClassTotals((), (total("1", "0.3333", 1),)), "B": ClassTotals((), ())}
