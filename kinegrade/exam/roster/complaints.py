@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING
 
 from kinegrade.errors import Problem
 from kinegrade.exam.roster.students import Student
-from kinegrade.language.message import Fault, Message, list_plainly
+from kinegrade.language.message import Fault, Message, Text, list_plainly
 from kinegrade.press.protocol import Press
+from kinegrade.press.typst.press import TypstPress
 
 if TYPE_CHECKING:  # it loads all that reads a roster, which a single paper does not need
     from kinegrade.exam.roster.roster import Roster
@@ -24,9 +25,12 @@ def find_unprintable(students: Iterable[Student], file: str, press: Press) -> It
     """The characters of names and ids that no font has; `file` is that of the roster."""
     listed = list(students)
     missing = press.unprintable(text for each in listed for text in (each.name, each.student))
+    # The usual typesetter has more letters than the fonts of LaTeX
+    always = TypstPress().unprintable(missing) if missing else frozenset()
     for student in listed:
-        if missing & set(student.name):
-            yield Fault(student.student, Message("roster.unprintable-name"))
+        if lacks := missing & set(student.name):
+            do: Text = "" if lacks & always else Message("roster.typst-prints")
+            yield Fault(student.student, Message("roster.unprintable-name"), do=do)
         odd = {each for each in student.student if each in missing or not each.isprintable()}
         if odd:
             yield _explain_unprintable_id(file, student, odd)

@@ -38,6 +38,9 @@ _WRITTEN = {
 }
 # Two hyphens would print a dash, two commas a quotation mark
 _LIGATURE = re.compile("([-,])(?=[-,])")
+# xeCJK, which sets these with the Chinese fonts, drops a plain space between two of them
+_GREEK_OR_CYRILLIC = "[\u0370-\u052f]"
+_LOST_SPACE = re.compile(f"(?<={_GREEK_OR_CYRILLIC}) (?={_GREEK_OR_CYRILLIC})")
 _CONTROLS = frozenset({"Cc", "Cs", "Zl", "Zp"})
 _INVISIBLE = "Cf"  # joiners, marks of direction: no font of these has them
 _LATIN = re.compile("[ -~\n¡-§©-¬®-·»-ĥĨ-ķĹ-ľŁ-ňŊ-ťŨ-žȘșȚț–—‘’‚“”„…‰‹›€™•]*")
@@ -51,8 +54,11 @@ def write_plain(text: str) -> str:
     >>> print(write_plain(r"\input{x} & 100 %"))
     \textbackslash{}input\{x\} \& 100 \%
     """
-    composed = normalize("NFC", text)
-    return "".join(_write_written(character) for character in _LIGATURE.sub("\\1\u200b", composed))
+    composed = _LIGATURE.sub("\\1\u200b", normalize("NFC", text))
+    return r"\ ".join(
+        "".join(_write_written(character) for character in words)
+        for words in _LOST_SPACE.split(composed)
+    )
 
 
 def write_raised(text: str) -> str:

@@ -166,7 +166,7 @@ def test_a_secret_that_was_taken_out_is_refused(folder: Path) -> None:
 
 def test_a_name_that_no_font_prints_is_complained_of(folder: Path) -> None:
     (folder / "late.csv").write_text(roster({"x": "\U00012000"}), encoding="utf-8")
-    said = "x: the name has characters that no font prints, they stand as code points"
+    said = "x: the name has characters that no font of its typesetter prints, they stand as code points"
     assert refused(folder, "--strict") == [said]
     result = add(folder)
     assert result.exit_code == 1

@@ -114,7 +114,7 @@ def test_a_name_that_no_font_prints_does_not_stop_an_exam(folder: Path) -> None:
     result = generate(folder)
     assert result.exit_code == 1
     assert (
-        "complaint: 007: the name has characters that no font prints, they stand as code points"
+        "complaint: 007: the name has characters that no font of its typesetter prints, they stand as code points"
         in result.stderr
     )
     assert sorted(entry.name for entry in (folder / "EXAM" / "papers").iterdir()) == sorted(FILES)
