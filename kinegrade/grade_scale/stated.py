@@ -15,7 +15,7 @@ pass = "50 %"
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from fractions import Fraction
 from itertools import pairwise
 from typing import Literal, assert_never, get_args
@@ -25,7 +25,7 @@ from msgspec import Struct, field
 from kinegrade.errors import FieldError
 from kinegrade.files.fields.table import Table
 from kinegrade.files.fields.values import choice, share, text
-from kinegrade.language.message import Message, Quoted
+from kinegrade.language.message import Message, Quoted, list_choices
 from kinegrade.numbers.amounts import write_amount
 
 Kind = Literal["german", "letters", "hundred", "five-level"]
@@ -94,7 +94,8 @@ def read_scale(table: Table) -> StatedScale | None:
     _require_one_kind(stated)
     if "grades" in stated and stated.is_sound("grades"):
         _require_whole(stated, grades)
-        _require_pass(stated, grades, passing)
+        if grades:
+            _require_pass(stated, grades, passing)
     _require_usual_pass(stated, kind, passing)
     if not table.is_sound("scale"):
         return None
@@ -133,7 +134,7 @@ def _require_whole(stated: Table, grades: Mapping[str, Fraction]) -> None:
 
 def _require_pass(stated: Table, grades: Mapping[str, Fraction], passing: Fraction | None) -> None:
     """A fault unless a grade of one's own begins at the pass mark."""
-    expected = Message("scale.pass-begins")
+    expected = _expect_begin(grades.values())
     if "pass" not in stated:
         stated.missing("pass", expected)
     elif passing is not None and passing not in grades.values():
@@ -148,7 +149,7 @@ def _require_usual_pass(stated: Table, kind: Kind | None, passing: Fraction | No
         case "german" if not 0 < passing < 1:
             stated.fault("pass", _write_share(passing), Message("scale.pass-between"))
         case "letters" | "five-level" if passing not in _BEGIN:
-            stated.fault("pass", _write_share(passing), Message("scale.pass-begins"))
+            stated.fault("pass", _write_share(passing), _expect_begin(_BEGIN))
         case "german" | "letters" | "five-level" | "hundred":
             pass
         case _:
@@ -174,6 +175,12 @@ def _read_curve(stated: Table) -> tuple[tuple[Fraction, Fraction], ...]:
     elif points[0][0] == points[1][0] or points[0][1] >= points[1][1]:
         stated.fault("curve", Message("scale.curve-falls"), expected)
     return tuple(points)
+
+
+def _expect_begin(shares: Iterable[Fraction]) -> Message:
+    return Message(
+        "scale.pass-begins", shares=list_choices(map(_write_share, dict.fromkeys(shares)))
+    )
 
 
 def _write_share(amount: Fraction) -> Message:

@@ -52,6 +52,10 @@ def test_the_finder_looks_below_the_header_alone(folder: Path) -> None:
     areas = re.findall(r"\$([A-Z])\$([0-9]+):\$([A-Z])\$([0-9]+)", formula)
     assert {(first, row) for first, row, _, _ in areas} == {("A", "3"), ("C", "3")}
     assert formula.count("(") == formula.count(")")
+    assert "*" not in formula  # with a pattern, "B" found a code that begins and ends with it
+    assert (
+        'MATCH(REPLACE(SUBSTITUTE(SUBSTITUTE(UPPER(TRIM($B$1)),"-","")," ",""),5,0,"-")' in formula
+    )
     (area,) = sheet.conditional_formatting
     assert str(area.sqref) == "A3:I6"
 

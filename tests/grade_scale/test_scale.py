@@ -128,7 +128,8 @@ def test_a_curve_that_takes_points_leaves_the_last_grade_to_all_below() -> None:
         ('kind = "french"', '"french"'),
         ('kind = "german"\npass = 1', "100 %"),
         ('kind = "german"\npass = 0', "0 %"),
-        ('kind = "letters"\npass = "65 %"', "65 %"),
+        ('kind = "letters"\npass = "65 %"', "of the grades begins: 60 %, 70 %, 80 % or 90 %"),
+        ("grades = {}\npass = 0.5", "scale.grades"),
         ('kind = "german"\nabsent = ""', '""'),
         ('kind = "german"\nfloor = 1', "scale.floor: unknown key"),
         ("grades = { A = 0.5, B = 0 }", "scale.pass: missing"),
@@ -157,7 +158,10 @@ def test_all_faults_of_a_scale_are_told_at_once() -> None:
     assert '"B" begins at 80 %, where "A" begins' in said
     assert '"C" begins at 90 %, above the grade "B" before it' in said
     assert "no grade below 20 %" in said
-    assert "scale.pass: 55 % - expected the share at which one of the grades begins" in said
+    assert (
+        "scale.pass: 55 % - expected the share at which one of the grades begins: 80 %, 90 % or 20 %"
+        in said
+    )
     assert "scale.curve: 1 point - expected two points" in said
     assert "scale.floor: unknown key" in said
     assert len(faults) == 6

@@ -17,6 +17,8 @@ _FIRST = HEADER_ROW + 1  # row of a student
 _ID, _CODE = "A", "C"  # columns that the finder looks into
 _LAST = 20_000  # row in which a student may stand who was added later
 _SOUGHT = "$B$1"
+# What is typed there as a code without its hyphen, in capitals
+_TYPED = f'SUBSTITUTE(SUBSTITUTE(UPPER(TRIM({_SOUGHT})),"-","")," ","")'
 
 
 def name_column(number: int) -> str:
@@ -42,7 +44,8 @@ def find_row_formula(first_answer: str) -> str:
     """
     sought = f"TRIM({_SOUGHT})"
     by_id = f"MATCH({sought},{_name_area(_ID)},0)"
-    by_code = f'MATCH(LEFT({sought},4)&"*"&RIGHT({sought},4),{_name_area(_CODE)},0)'
+    # Whole codes: by their ends alone, "B" would find one that begins and ends with it
+    by_code = f'MATCH(REPLACE({_TYPED},5,0,"-"),{_name_area(_CODE)},0)'
     row = f"{HEADER_ROW}+IFERROR({by_id},{by_code})"
     link = f'HYPERLINK("#{first_answer}"&({row}),"→ "&({row}))'
     return f'IF({sought}="","",IFERROR({link},"?"))'
@@ -55,9 +58,8 @@ def _name_area(column: str) -> str:
 
 def write_highlight(rows: int, width: int) -> str:
     """The row that was found stands out."""
-    typed = f'SUBSTITUTE(SUBSTITUTE(UPPER(TRIM({_SOUGHT})),"-","")," ","")'
     code = f'SUBSTITUTE(${_CODE}{_FIRST},"-","")'
-    own = f"OR(${_ID}{_FIRST}=TRIM({_SOUGHT}),{code}={typed})"
+    own = f"OR(${_ID}{_FIRST}=TRIM({_SOUGHT}),{code}={_TYPED})"
     formula = escape(f'AND(TRIM({_SOUGHT})<>"",{own})')
     area = f"A{_FIRST}:{name_column(width)}{max(HEADER_ROW + rows, _FIRST)}"
     return (
