@@ -102,14 +102,15 @@ class Column:
     and `text`, a prefix or a fixed content.
 
     A "grade" is the points, a "letter" what a scale gives for the total.
-    The text of a feedback column is "html" where the system shows feedback as a web page. A column
-    of keys may `also` hold those of other fields.
+    A feedback column is `html` where the system shows feedback as a web page. A column of keys may
+    `also` hold those of other fields.
     """
 
     header: Text
     role: Role
     text: str = ""
     also: tuple[Field, ...] = ()
+    html: bool = False
 
     def holds(self, key: Field) -> bool:
         """Whether this is the column of such keys."""

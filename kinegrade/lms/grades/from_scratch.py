@@ -221,7 +221,7 @@ def _choose_writer(plan: _Plan, column: Column, item: str) -> Callable[[StudentG
         case "letter":
             return lambda grade: neutralise(grade.scale_grade)
         case "feedback":
-            if column.text == "html":
+            if column.html:
                 return lambda grade: escape(plan.feedback.write(grade), quote=False)
             return plan.feedback.write
         case "feedback format" | "fixed":

@@ -6,12 +6,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import pairwise
+from typing import assert_never
 
 from msgspec.structs import replace
 
 from kinegrade.figure.mechanism.plates import Edge, Plate
 from kinegrade.figure.mechanism.straight.broad_links import find_frame_place
-from kinegrade.figure.mechanism.straight_parts import Part
+from kinegrade.figure.mechanism.straight_parts import Bar, GenevaWheel, Part, Rod, SlottedDisc
 from kinegrade.figure.plane import NEAR, length, unit
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import BodyFrame
@@ -33,10 +34,17 @@ def thin_edges(
         for origin, along in (find_frame_place(at, frame) for frame in frames)
         for axis in (along, along.turned())
     ]
-    return tuple(
-        replace(part, thin=tuple(_list_thin(part, axes))) if isinstance(part, Plate) else part
-        for part in parts
-    )
+    return tuple(_thin_edges_of(part, axes) for part in parts)
+
+
+def _thin_edges_of(part: Part, axes: Sequence[tuple[Vector, Vector]]) -> Part:
+    match part:
+        case Plate():
+            return replace(part, thin=tuple(_list_thin(part, axes)))
+        case Bar() | SlottedDisc() | GenevaWheel() | Rod():
+            return part
+        case _:
+            assert_never(part)
 
 
 def _list_thin(plate: Plate, axes: Sequence[tuple[Vector, Vector]]) -> Iterator[Edge]:

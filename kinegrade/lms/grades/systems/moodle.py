@@ -60,7 +60,7 @@ MOODLE = Dialect(
             Column("Username", "login"),
             Column("Full name", "name"),
             Column("{title}", "grade"),
-            Column("Feedback", "feedback", "html"),
+            Column("Feedback", "feedback", html=True),
         ),
         key="id",
         title="Grade",
