@@ -51,6 +51,8 @@ PLAIN = rf"([+-]?)([0-9]{{1,{MOST_DIGITS // 2}}})(?:\.([0-9]{{1,{MOST_DIGITS // 
 _PLAIN = re.compile(PLAIN)
 _DIGIT = re.compile(r"\d")
 _TAIL = re.compile(r"[\s.;,!\u3001]+$")
+_TEXT_MARK = re.compile(r"'(?=[-+.,\d])")  # with which spreadsheets, too, begin a text
+_MARKED = Message("typing.text-mark")
 _SIGN = re.compile(r"([+-]?)\s*")
 
 
@@ -120,6 +122,9 @@ def _read_any(
     text = typed.strip(BLANKS)
     if len(text) > _LONGEST_ANSWER:
         return Reading("unreadable", typed, reason=_TOO_LONG)
+    if _TEXT_MARK.match(text):
+        meant = _read_any(text[1:], unit, style, convention, sign)
+        return replace(meant, typed=typed, remark=meant.remark or _MARKED)
     raised = find_raised_dot(text)
     if raised is not None:
         return Reading("unreadable", typed, reason=raised)

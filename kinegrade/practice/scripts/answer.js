@@ -17,6 +17,7 @@
  */
 
 const LONGEST_ANSWER = 200;
+const TEXT_MARK = /^'(?=[-+.,\p{Nd}])/u;
 const LABEL =
   /^(?:\|?(?!sqrt|pi(?![\p{L}\p{N}_])|π\s*=|\p{Nd})[\p{L}\p{N}_][\p{L}\p{N}_'′^{}()|\\, ]{0,30}(?:[=≈]|:(?!=))\s*|=\s*)/iu;
 const ABOUT = "[≈~≃≅∼]";
@@ -43,6 +44,7 @@ class AnswerReader {
     if (trimmed.length > LONGEST_ANSWER) {
       return refuse("unreadable", new Unreadable("too-long", { most: LONGEST_ANSWER }));
     }
+    if (TEXT_MARK.test(trimmed)) return this.read(trimmed.slice(1), ask);
     const raised = findRaisedDot(trimmed);
     if (raised) return refuse("unreadable", raised);
     const text = fold(trimmed);
