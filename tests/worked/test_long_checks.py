@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from kinegrade.language.known import known_languages
 from kinegrade.language.message import Message
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.library.library import load_template
@@ -11,7 +12,7 @@ from kinegrade.worked.checks.check import Check, choose_check
 from kinegrade.worked.checks.sides import Side
 from kinegrade.worked.formulas.atoms import Number, add_terms
 from kinegrade.worked.formulas.symbols import read_symbol
-from tests.worked.draws import kept, told
+from tests.worked.draws import kept, stated, told
 from tests.worked.telling import displayed, proses
 
 _DRAWS = {
@@ -28,8 +29,8 @@ def test_accelerations_of_many_vectors_are_checked_too(name: str) -> None:
     assert last.endswith("they agree.")
 
 
-def make_check(terms: int, *, same: bool = False) -> Check:
-    side = add_terms(read_symbol("omega") for _ in range(terms))
+def make_check(terms: int, *, same: bool = False, symbol: str = "omega") -> Check:
+    side = add_terms(read_symbol(symbol) for _ in range(terms))
     other = side if same else Number("0")
     first, second = (Side(Number("1"), 1, letters) for letters in (other, side))
     return Check(Message("solution.projection-x"), (first, second), "m")
@@ -45,6 +46,18 @@ def test_the_shortest_of_long_ones_is_taken_and_none_that_nobody_reads() -> None
     assert choose_check([longer, long, endless]) is long
     assert choose_check([endless]) is None
     assert choose_check([make_check(3, same=True)]) is None
+
+
+def test_a_check_is_as_long_in_every_language() -> None:
+    """The German page had none of accelerations: Kurve has more letters than cam."""
+    pages = (stated("oscillating-flat-faced-follower", language) for language in known_languages())
+    checks = [[one for one in page if getattr(one, "on_check", False)] for page in pages]
+    assert [len(found) for found in checks] == [2] * len(checks)
+    short, long = (
+        make_check(30, symbol=rf"\frac{{r\omega_{{\text{{{word}}}}}}}{{2}}")
+        for word in ("cam", "Nockenwelle")
+    )
+    assert short.letters == long.letters
 
 
 def test_the_normal_acceleration_that_a_check_goes_by_stands_on_the_page() -> None:

@@ -63,8 +63,8 @@ class Check:
 
     @cached_property
     def letters(self) -> float:
-        """The letters of both sides."""
-        return sum(measure_row(side.print_inline(PLAIN)) for side in self._equations)
+        """The letters of both sides, as many in every language."""
+        return sum(measure_row(side.print_inline(PLAIN), words=False) for side in self._equations)
 
     @property
     def is_telling(self) -> bool:
