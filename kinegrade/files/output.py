@@ -13,6 +13,7 @@ never deleted automatically.
 
 from __future__ import annotations
 
+import errno
 import os
 from collections.abc import Collection, Iterator
 from contextlib import contextmanager
@@ -41,6 +42,8 @@ from kinegrade.files.placing.readings import require_readings
 from kinegrade.files.placing.standing import find_standing
 from kinegrade.files.temporary import clear_temporary_folders
 from kinegrade.language.message import Fault, Message
+
+_FULL = (errno.ENOSPC, errno.EDQUOT)
 
 
 @dataclass(frozen=True)
@@ -172,8 +175,10 @@ def _find_place(path: Path) -> Path:
 
 def _explain_unwritable(path: Path, fault: Exception) -> OutputError:
     reason = Message("files.cannot-be-written", reason=str(fault))
-    expected, do = Message("files.place-with-room"), Message("files.choose-another")
-    return OutputError(Fault(str(path), reason, expected, do))
+    do = Message("files.choose-another")
+    if isinstance(fault, OSError) and fault.errno in _FULL and path.exists():
+        do = Message("files.make-room-there")  # what changes a folder in its place has no other
+    return OutputError(Fault(str(path), reason, Message("files.place-with-room"), do))
 
 
 @contextmanager

@@ -191,6 +191,8 @@ def test_a_disk_that_is_full_is_told_of_in_one_line(
         done = kinegrade("exchange", exam, "0012", "4711", "--new-id")
     assert done.exit_code == 2
     assert "No space left on device" in done.stderr
+    advice = "make room there and give this command again; what stands there stays\n"
+    assert done.stderr.endswith(f" - {advice}")
     assert "[(" not in done.stderr
     assert len(done.stderr.splitlines()) == 1
     assert contents(exam) == before
