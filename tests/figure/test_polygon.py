@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import accumulate
 from math import cos, hypot, log10, sin
 
 import pytest
@@ -172,6 +173,17 @@ def test_vectors_that_change_places_pass_through_the_corners_that_have_letters()
     right = [Arrow("v_2", two), Arrow("v_1", one), Arrow("v_3", three)]
     left = [Arrow("v", one + two + three)]
     assert find_order(left, right, {"a": one + two}) == ((0,), (1, 0, 2))
+
+
+def test_of_many_vectors_those_change_places_that_lie_between_the_same_letters() -> None:
+    # The tangential part at another place left the rotation of m' about a without its corner
+    first = ((3.4035, -19.3022), (1.1818, 0.2084), (-12.3641, -26.5149))
+    second = ((-43.0557, 20.0772), (19.2157, 41.2082), (33.6188, -15.6767))
+    sides = [Vector(*size) for size in (*first, *second)]
+    at = [*accumulate(sides)]
+    left, vertices = [Arrow("a_a", at[5])], {"m": at[5], "a": at[1], "m'": at[3]}
+    right = [Arrow(f"a_{place}", side) for place, side in enumerate(sides)]
+    assert find_order(left, right, vertices) == ((0,), (0, 1, 3, 2, 5, 4))
 
 
 def test_vectors_keep_their_places_where_none_runs_along_another() -> None:

@@ -31,6 +31,10 @@ FAILED = {
         181832620,
     ): "the reader saw no head of the arrow by which a symbol stood",
     ("printed mathematics", 181832719): "the reader took an outline for a line through its middle",
+    (
+        "printed mathematics",
+        181832662,
+    ): "a polygon tore the two parts of one vector apart, and a letter had no corner",
     ("tactile sheets", 80): "scotch-yoke-driven-by-guide: a slot ran into the number of the sheet",
     ("described figures", 907070209): "an answer that equals a given by chance was taken as told",
     ("described figures", 907070514): "an answer that equals a given by chance was taken as told",

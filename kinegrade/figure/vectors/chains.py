@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
-from itertools import combinations, islice, pairwise, permutations, product
+from itertools import chain, combinations, islice, pairwise, permutations, product
 from types import MappingProxyType
 from typing import TypeAlias
 
@@ -99,8 +99,9 @@ def _find_order(
     best, most = given, rate(given)
     if most[0] == 0:
         return given
-    whole = (0, len(vertices))
-    for order in islice(product(_list_orders(given[0]), _list_orders(given[1])), 1, _ORDERS):
+    whole, scale = (0, len(vertices)), find_scale(left, right)
+    lefts, rights = (_list_orders(side, scale, vertices) for side in (left, right))
+    for order in islice(product(lefts, rights), 1, _ORDERS):
         found = rate(order)
         if found > most:
             best, most = order, found
@@ -116,8 +117,36 @@ def _find_order(
     return best
 
 
-def _list_orders(places: Places) -> Iterable[Places]:
+def _list_orders(
+    side: Sequence[Arrow], scale: float, vertices: Sequence[Vector]
+) -> Iterator[Places]:
+    """The orders of a side, the given one first: all of a few vectors, of many those in which every
+    letter keeps its corner, as the two parts of one vector lie between the same letters.
+    """
+    if len(side) <= _PERMUTED:
+        return permutations(range(len(side)))
+    groups = _list_groups(side, scale, vertices)
+    orders = product(*map(_permute, groups))
+    return (tuple(chain.from_iterable(order)) for order in islice(orders, _ORDERS))
+
+
+def _list_groups(
+    side: Sequence[Arrow], scale: float, vertices: Sequence[Vector]
+) -> Iterator[Places]:
+    """The places of vectors between one corner that has a letter and the next."""
+    begin = 0
+    for place, corner in enumerate(find_corners(side)):
+        if place == len(side) or _has_letter(corner, scale, vertices):
+            yield range(begin, place)
+            begin = place
+
+
+def _permute(places: Places) -> Iterable[Places]:
     return permutations(places) if len(places) <= _PERMUTED else (places,)
+
+
+def _has_letter(corner: Vector, scale: float, vertices: Sequence[Vector]) -> bool:
+    return any(length(corner - vertex) * scale < _SAME for vertex in vertices)
 
 
 def _list_moves(order: _Order) -> Iterator[_Order]:
