@@ -71,7 +71,7 @@ def test_a_composition_of_velocities() -> None:
         [+] \boldsymbol{v}_{\mathrm{r}} | ? | $O \to B$
         In a polygon a small letter marks the tip of the vector of the point
             with that letter, laid off from $o$.
-        In the polygon, $a'$ denotes the point of $OB$ that coincides with $A$.
+        In the polygon, $a'$ denotes the point fixed to $OB$ that coincides with $A$.
         $OB$ makes the acute angle $\psi_{OB}$ with the $x$ axis:
         \tan\psi_{OB} &= \frac{y_{B}}{x_{B}} = \frac{6\,\unit{m}}{8\,\unit{m}} = 0.75
         \psi_{OB} &\approx 36.87^\circ
@@ -147,7 +147,7 @@ def test_a_composition_of_velocities_in_a_translating_frame() -> None:
         In a polygon a small letter marks the tip of the vector of the point
             with that letter, laid off from $o$.
         Block translates: all its points have the same velocity.
-        In the polygon, $c'$ denotes the point of block that coincides with $C$.
+        In the polygon, $c'$ denotes the point fixed to block that coincides with $C$.
         $OC$ makes the acute angle $\psi_{OC}$ with the $x$ axis:
         \tan\psi_{OC} &= \frac{y_{C}}{x_{C}} = \frac{4\,\unit{m}}{3\,\unit{m}} = \frac{4}{3} \approx
             1.333

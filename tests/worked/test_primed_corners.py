@@ -21,7 +21,7 @@ def test_primed_corners_of_polygons_are_explained(name: str) -> None:
 def test_the_corner_of_one_frame_is_explained_beside_the_marked_point_of_another() -> None:
     """B' was explained, of the second frame, and m' of the first never."""
     check_primed_letters("bent-rod-two-sleeves")
-    said = "In the polygon, $m'$ denotes the point of $AE$ that coincides with $M$."
+    said = "In the polygon, $m'$ denotes the point fixed to $AE$ that coincides with $M$."
     assert list(proses(kept("bent-rod-two-sleeves"))).count(said) == 1
 
 

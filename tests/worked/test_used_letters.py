@@ -39,7 +39,7 @@ def test_a_primed_corner_of_a_polygon_is_explained_once() -> None:
         if one.startswith("In the polygon, ")
     ]
     assert told == [
-        "In the polygon, $c'$ denotes the point of the follower that coincides with $C$."
+        "In the polygon, $c'$ denotes the point fixed to the follower that coincides with $C$."
     ]
 
 
