@@ -162,3 +162,4 @@ _LEAVES: st.SearchStrategy[Node] = st.one_of(
     st.just(Mark()),
 )
 TREES = _rows(_nodes(4))
+SCRIPTS = _scripts(_nodes(3))

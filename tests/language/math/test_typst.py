@@ -28,6 +28,8 @@ from kinegrade.language.typst_text import write_literal
         (r"3\,\unit{m/s^2}", '3 thin"m/s²"'),
         (r"0{,}866", '0","866'),
         (r"v_{\text{牵连}}", 'v_("牵连")'),
+        (r"x\begin{aligned} a \\ b \end{aligned}^2", r"x attach(a \ b)^(2)"),
+        (r"x\begin{aligned}\end{aligned}_a", 'x attach("")_(a)'),
     ],
 )
 def test_the_formulas_of_mechanics(latex: str, expected: str) -> None:

@@ -220,7 +220,7 @@ def _write_base(base: Node | None, matched: bool) -> str:
     match base:
         case None:
             return _EMPTY
-        case Group(row):
+        case Group(row) | Environment("aligned", row):
             return f"attach({_write_argument(row)})"
         case Letter() | Number() | Sign() | Function() | Text() | Unit() | Scripts():
             return _write_node(base, matched)
