@@ -16,6 +16,7 @@ from kinegrade.figure.mechanism.straight.broad_links import find_frame_place
 from kinegrade.figure.mechanism.straight.leaving_bars import (
     Leaving,
     find_opening,
+    find_room_before,
     has_bar_through,
     list_leaving,
 )
@@ -33,7 +34,8 @@ _REACH = 7.5  # millimetres of a rail on either side of its block
 _SEEN = 2.0  # at least beyond a block: it is seen to run on, even behind a bar
 _BEYOND_RACK = 5.0  # millimetres of a guide on either side of the rack in it
 _BARE = 0.0  # from the axis of a guide where a bare end slides: the ground is the guide
-_PAST_MIDDLE = 0.5  # from the middle of a block to the ground on its other side
+_LEAST = 0.75  # share of half a block that the ground on both sides of it reaches at least
+_BEYOND_BAR = 3.0  # millimetres of the ground beyond a bar that passes through, with its hatching
 _CLEAR = 0.3  # millimetres between a rail and a bar
 _HALF_STAND = 4.2  # millimetres along a rail between a pin and the end of the rail
 _LEVEL_OF_STANDS = 6.0  # millimetres between a guide and a pin whose stand may be in its way
@@ -44,8 +46,8 @@ class Rail(Struct, frozen=True):
     """The ground along a guide: `at` is the block or bare end on it, `start` and `end` its ends,
     `side` the side of the guide on which it is, and `level` how far from the guide; `crossed` are
     the bars that pass through it, for which it is open, `axes` the directions of axes of a body's
-    frame that leave the block across its hatching, and `facing` the ends of the ground on the other
-    side of the block, where there is some.
+    frame that leave the block across its hatching, and `facing` the ground on the other side of the
+    block, where there is some.
     """
 
     at: Vector
@@ -57,7 +59,7 @@ class Rail(Struct, frozen=True):
     block: BlockSize | None
     crossed: tuple[Leaving, ...] = ()
     axes: tuple[Vector, ...] = ()
-    facing: Segment | None = None
+    facing: Rail | None = None
 
     @property
     def bare(self) -> bool:
@@ -114,42 +116,46 @@ def _lay_rail(anatomy: Anatomy, name: str, along: Vector, pinned: bool) -> Rail:
     narrowest = [min(back, ahead) for back, ahead in reaches]
     passing = all(reach != most for reach in reaches) or has_bar_through(leaving, along)
     usual = 1 if not passing and narrowest[1] >= half > narrowest[0] else 0
-    side, facing = sides[usual], None
-    back, ahead = most if passing else reaches[usual]
+    side = sides[usual]
     crossed = tuple(each for each in leaving if passing and each[0].dot(side) > NEAR)
-    beyond = _reach_past_middle(crossed, along, most)
-    if beyond and any(find_opening(each, along, side, level) > half for each in crossed):
-        back, ahead = reaches[usual]
-        facing = _lay_wall(at + sides[1] * level, along, beyond)
-        crossed = ()
-    else:
-        back = max(back, half + _SEEN)
-        ahead = max(ahead, half + _SEEN)
-    start, end = _lay_wall(at + side * level, along, (back, ahead))
+    openings = [find_opening(each, along, side, level) for each in crossed]
+    if block and any(opening > half for opening in openings):
+        most = _find_room_between_stands(anatomy, name, along, max(openings) + _BEYOND_BAR)
+        return _lay_both_sides(Rail(at, along, side, at, at, level, block), leaving, min(most))
+    back, ahead = most if passing else reaches[usual]
+    start, end = _lay_wall(
+        at + side * level, along, (max(back, half + _SEEN), max(ahead, half + _SEEN))
+    )
     axes = tuple(axis for axis in _list_axes(anatomy, at) if axis.dot(side) > NEAR)
-    return Rail(at, along, side, start, end, level, block, crossed, axes, facing)
+    return Rail(at, along, side, start, end, level, block, crossed, axes)
+
+
+def _lay_both_sides(rail: Rail, leaving: Sequence[Leaving], most: float) -> Rail:
+    """A rail and one like it that faces it, as a slanted bar passes through its block: they end
+    before the bar where that leaves them about as long as the block, else they are open for it.
+    """
+    across = [each for each in leaving if abs(each[0].dot(rail.side)) > NEAR]
+    short = min(find_room_before(each, rail.along, rail.side, rail.level) for each in across)
+    far = max(find_opening(each, rail.along, rail.side, rail.level) for each in across)
+    least = _LEAST * rail.block.length / 2 if rail.block else 0.0
+    ends = short >= least or far + _BEYOND_BAR > most
+    reach = min(max(short, least), most) if ends else most
+    bars = () if ends else tuple(across)
+    facing = _lay_side(replace(rail, side=-rail.side, block=None), bars, reach)
+    return replace(_lay_side(rail, bars, reach), facing=facing)
+
+
+def _lay_side(rail: Rail, bars: Sequence[Leaving], reach: float) -> Rail:
+    """A rail that reaches so far on either side of its block, with the bars that pass through."""
+    start, end = _lay_wall(rail.at + rail.side * rail.level, rail.along, (reach, reach))
+    crossed = tuple(each for each in bars if each[0].dot(rail.side) > NEAR)
+    return replace(rail, start=start, end=end, crossed=crossed)
 
 
 def _lay_wall(at: Vector, along: Vector, reach: tuple[float, float]) -> Segment:
     """A straight piece of the ground so far backward and forward from a place."""
     back, ahead = reach
     return at - along * back, at + along * ahead
-
-
-def _reach_past_middle(
-    crossed: Sequence[Leaving], along: Vector, most: tuple[float, float]
-) -> tuple[float, float] | None:
-    """How far the ground may reach backward and forward on the other side of a block: from its
-    middle to where bars leave it, so that the letter has its place; None where they leave both
-    ways.
-    """
-    back, ahead = most
-    ways = {way.dot(along) > 0 for way, _ in crossed}
-    if ways == {True}:
-        return -_PAST_MIDDLE, ahead
-    if ways == {False}:
-        return back, -_PAST_MIDDLE
-    return None
 
 
 def _list_axes(anatomy: Anatomy, at: Vector) -> Iterator[Vector]:
@@ -169,9 +175,13 @@ def _order_sides(mechanism: Mechanism, at: Vector, along: Vector) -> tuple[Vecto
     return (-across, across) if away < 0 else (across, -across)
 
 
-def _find_room_between_stands(anatomy: Anatomy, name: str, along: Vector) -> tuple[float, float]:
-    """How far a rail may reach backward and forward before it runs into the stand of a pin."""
-    at, reaches = anatomy.mechanism.points[name], [_REACH, _REACH]
+def _find_room_between_stands(
+    anatomy: Anatomy, name: str, along: Vector, least: float = 0.0
+) -> tuple[float, float]:
+    """How far a rail that should reach the `least` may reach backward and forward before it runs
+    into the stand of a pin.
+    """
+    at, reaches = anatomy.mechanism.points[name], [max(_REACH, least)] * 2
     for pin in find_fixed_pins(anatomy.symbols):
         step = anatomy.mechanism.points[pin] - at
         if pin != name and abs(step.cross(along)) < _LEVEL_OF_STANDS:

@@ -63,7 +63,7 @@ def _draw_rail(rail: Rail) -> Iterator[Primitive]:
     yield line
     yield from (_open_ground(rail, each) for each in rail.crossed)
     if rail.facing:
-        yield from draw_ground(*rail.facing, -rail.side)
+        yield from _draw_rail(rail.facing)
 
 
 def _find_between_strokes(rail: Rail) -> float:
@@ -89,7 +89,7 @@ def _is_cut(stroke: tuple[Vector, Vector], rail: Rail) -> bool:
 def _open_ground(rail: Rail, bar: Leaving) -> Outline:
     """White about a bar through the ground and its hatching."""
     way, half = bar
-    beside = way.turned() * (half + OPENING)
+    beside = rail.along * ((half + OPENING) / way.cross(rail.along))
     depths = rail.level - FIRM.width, rail.level + HATCHING
     near, far = (rail.at + way * (each / way.dot(rail.side)) for each in depths)
     return Outline((near - beside, far - beside, far + beside, near + beside), None, "white")

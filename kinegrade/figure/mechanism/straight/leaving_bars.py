@@ -42,8 +42,15 @@ def has_bar_through(leaving: Sequence[Leaving], along: Vector) -> bool:
     return any(length(one + other) < NEAR for one, other in combinations(ways, 2))
 
 
+def find_room_before(bar: Leaving, along: Vector, side: Vector, level: float) -> float:
+    """How far from its point, along the ground, there is room before a bar that leaves."""
+    way, half = bar
+    aside = level * abs(way.dot(along))
+    return float((aside - half - OPENING) / abs(way.dot(side)))
+
+
 def find_opening(bar: Leaving, along: Vector, side: Vector, level: float) -> float:
     """How far from its point, along the ground, the opening reaches through which a bar leaves."""
     way, half = bar
     aside = level * abs(way.dot(along))
-    return float((aside + half + OPENING) / way.dot(side))
+    return float((aside + half + OPENING) / abs(way.dot(side)))
