@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 
 import pytest
 
-from kinegrade.language import ENGLISH
+from kinegrade.language import ENGLISH, Language
 from kinegrade.language.math.reading import read_math
 from kinegrade.language.math.tree import Row
 from kinegrade.mechanics.rates import Rate, make_turning
@@ -24,20 +24,21 @@ from kinegrade.worked.formulas.notation import PLAIN
 from kinegrade.worked.solution import write_worked_solution
 from tests.worked.draws import drawn, kept, stated
 from tests.worked.reader.amounts import Amount, Unreadable
+from tests.worked.reader.checks import list_sides
 from tests.worked.reader.forms import is_decimal, measure_last_digit
 from tests.worked.reader.formula_reader import find_symbols, read_formula
-from tests.worked.telling import lines
+from tests.worked.telling import lines, proses
 
 CHECK = re.compile(
-    r"^Check by (?P<way>.*): left side \$(?P<left>.*)\$, right side \$(?P<right>.*)\$; "
-    r"they agree\.$"
+    r"^Check by (?P<way>.*): \$(?P<equation>[^$]*)\$; "
+    r"left side \$(?P<left>.*)\$, right side \$(?P<right>.*)\$; they agree\.$"
 )
 RELATION = re.compile(r"=|\\approx")
 
 
 @dataclass(frozen=True)
 class Check:
-    """The way, and each side with its value."""
+    """The way, and each side of the equation, in letters and in numbers, with its value."""
 
     way: str
     left: str
@@ -57,7 +58,13 @@ class Check:
 
 def find_checks(blocks: Iterable[Block]) -> list[Check]:
     texts = [block.text for block in blocks if isinstance(block, Prose)]
-    return [Check(**found.groupdict()) for text in texts if (found := CHECK.match(text))]
+    return [_read_check(found) for text in texts if (found := CHECK.match(text))]
+
+
+def _read_check(found: re.Match[str]) -> Check:
+    """The check with the letters of either side before its numbers."""
+    left, right = list_sides(found["equation"], found["left"], found["right"])
+    return Check(found["way"], left, right)
 
 
 def read_checks(name: str, place: int = 0) -> list[Check]:
@@ -90,11 +97,51 @@ def refuse(symbol: str) -> Amount:
 
 def test_a_rod_is_checked_by_differentiating_a_coordinate() -> None:
     assert read_checks("slider-crank")[0] == Check(
-        "the time derivative of $x_{B}$",
+        "the time derivative of $x_{A} + (x_{B} - x_{A}) = x_{B}$",
         r"-\omega_{OA}\,y_{A} + \omega_{AB}\,y_{A} = -(-1\,\unit{rad/s}) \cdot 0.8660\,\unit{m}"
         r" + 0.3333\,\unit{rad/s} \cdot 0.8660\,\unit{m} \approx 1.155\,\unit{m/s}",
-        r"v_{B} \approx 1.155\,\unit{m/s}",
+        r"v_{B} = 1.155\,\unit{m/s}",
     )
+
+
+@pytest.mark.parametrize(
+    ("name", "language", "said"),
+    [
+        (
+            "slider-crank",
+            "en",
+            r"$x_{A} + (x_{B} - x_{A}) = x_{B}$: $-\omega_{OA}\,y_{A} + \omega_{AB}\,y_{A} = v_{B}$; left",
+        ),
+        (
+            "slider-crank",
+            "de",
+            r"$x_{A} + (x_{B} - x_{A}) = x_{B}$: $-\omega_{OA}\,y_{A} + \omega_{AB}\,y_{A} = v_{B}$; linke",
+        ),
+        (
+            "slider-crank",
+            "zh",
+            r"$x_{A} + (x_{B} - x_{A}) = x_{B}$ 求时间导数，得 $-\omega_{OA}\,y_{A} + \omega_{AB}\,y_{A} = v_{B}$；左边",
+        ),
+        (
+            "slider-crank-relative-rotation-driver",
+            "en",
+            r"half the time derivative of $(x_{B} - x_{A})^{2} + y_{A}^{2} = l^{2}$: $(x_{B} - x_{A})",
+        ),
+    ],
+)
+def test_the_equation_of_a_check_stands_before_the_numbers_of_its_sides(
+    name: str, language: Language, said: str
+) -> None:
+    """Both sides were worked out of an equation that was never written."""
+    assert said in "\n".join(proses(kept(name, language=language)))
+
+
+@pytest.mark.sampled(12, first=1)
+@pytest.mark.parametrize("name", find_template_names())
+def test_every_check_says_one_equation_in_letters(name: str) -> None:
+    for place in range(len(drawn(name))):
+        checks = [text for text in proses(kept(name, place)) if text.startswith("Check by ")]
+        assert len(checks) == len(read_checks(name, place))
 
 
 def test_an_angle_that_is_a_sum_nobody_has_worked_out_is_in_no_check() -> None:
@@ -113,7 +160,7 @@ def test_a_point_in_two_slots_is_checked_by_the_components_that_are_asked() -> N
     given = {"b": "0.1", "phi": "30", "omega_1": "9", "omega_2": "3"}
     check, _ = find_checks(stated("pin-in-disc-slot-and-rod", **given, alpha_1="0", alpha_2="0"))
     assert check == Check(
-        "the time derivative of $y_{M}$",
+        "the time derivative of $y_{M}$ in two ways",
         r"v_{M,y} = 0.1\,\unit{m/s}",
         r"\omega_{\text{rod}}\,x_{M} + \frac{v_{\mathrm{r}2}}{OM}\,y_{M} = 3\,\unit{rad/s}"
         r" \cdot 0.1\,\unit{m} + \frac{-0.4\,\unit{m/s}}{0.11547\,\unit{m}}"
@@ -140,7 +187,7 @@ def test_a_side_has_as_many_digits_as_its_printed_numbers_give(
 
 def test_a_circle_that_turns_is_checked_by_a_coordinate_of_the_point_on_it() -> None:
     assert read_checks("eccentric-cam-offset-follower")[0] == Check(
-        "the time derivative of $y_{A}$",
+        "the time derivative of $y_{A}$, once directly and once by the motion relative to the cam",
         r"v_{\mathrm{a}} = -1.6\,\unit{m/s}",
         r"\omega_{\text{cam}}\,x_{A} - \frac{v_{\mathrm{r}}}{r}\,(x_{A} - x_{C}) ="
         r" -10\,\unit{rad/s} \cdot (-0.32\,\unit{m}) - \frac{-5\,\unit{m/s}}{0.5\,\unit{m}} \cdot"
@@ -149,7 +196,10 @@ def test_a_circle_that_turns_is_checked_by_a_coordinate_of_the_point_on_it() -> 
 
 
 def test_a_pole_is_checked_by_a_coordinate_with_both_rotations() -> None:
-    assert read_checks("pole-four-bar-coupler")[0].way == "the time derivative of $x_{C}$"
+    assert (
+        read_checks("pole-four-bar-coupler")[0].way
+        == "the time derivative of $x_{C} = x_{B} + (x_{C} - x_{B})$"
+    )
 
 
 def test_a_planet_is_checked_as_its_carrier_sees_it() -> None:
@@ -194,7 +244,7 @@ def test_a_train_about_fixed_axes_is_checked_in_one_step() -> None:
     values = {"r1": "26", "r2": "20", "r3": "30", "r4": "10", "n": "-60"}
     assert find_checks(stated("two-stage-belt-drive", **values))[0] == Check(
         "the transmission from the engine pulley to the dynamo pulley in one step",
-        r"\omega_{C} \approx -24.504\,\unit{rad/s}",
+        r"\omega_{C} = -24.504\,\unit{rad/s}",
         r"\frac{r_{1}\,r_{3}}{r_{2}\,r_{4}}\,\omega_{O} = \frac{0.26\,\unit{m} \cdot 0.3\,\unit{m}}{0.2\,\unit{m} \cdot 0.1\,\unit{m}} \cdot "
         r"(-6.2832\,\unit{rad/s}) \approx -24.504\,\unit{rad/s}",
     )
@@ -206,7 +256,7 @@ def test_a_slot_that_turns_is_checked_by_a_coordinate_of_the_point_in_it() -> No
     solution = solve_template(template, {"d": "0.6", "l": "2", "theta": "45", "v": "0.5"})
     check, _ = find_checks(write_worked_solution(solution, template.asked(), ENGLISH).blocks)
     assert check == Check(
-        "the time derivative of $y_{B}$",
+        "the time derivative of $y_{B}$, once directly and once by the motion relative to $AC$",
         r"v_{B} = 0.5\,\unit{m/s}",
         r"\omega_{AC}\,x_{B} + \frac{v_{\mathrm{r}}}{AB}\,y_{B} = 0.41667\,\unit{rad/s}"
         r" \cdot 0.6\,\unit{m} + \frac{0.35355\,\unit{m/s}}{0.84853\,\unit{m}}"
@@ -228,7 +278,7 @@ def test_a_direction_cosine_is_checked_by_its_angle() -> None:
     assert read_checks("pose-sleeve-slider-rod") == [
         Check(
             r"$A_{11}$ from the angle $\varphi_{2}$",
-            r"A_{11} \approx -0.9363",
+            r"A_{11} = -0.9363",
             r"\cos\varphi_{2} = \cos 159.44^\circ \approx -0.9363",
         )
     ]

@@ -24,7 +24,7 @@ def find_confused(blocks: tuple[Block, ...]) -> Iterator[str]:
     for line in displayed(blocks):
         for letter, owner, value in CARRIED.findall(line):
             for check in checks:
-                way, _, sides = check.partition(": left side")
+                way, _, sides = check.partition(": ")
                 named = re.findall(r"\$([^$]*)\$", way.split(", multiplied")[0])
                 if value in sides and letter in named and letter + owner not in named:
                     yield check

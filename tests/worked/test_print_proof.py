@@ -131,21 +131,21 @@ WRONG: dict[Law, tuple[Block, ...]] = {
     ),
     "lettered": (
         Prose(
-            r"Check by Pythagoras: left side $(2\,\unit{m})^{2} = 4\,\unit{m^2}$, right side"
-            r" $4\,\unit{m^2}$; they agree."
+            r"Check by Pythagoras: $(2\,\unit{m})^{2} = 4\,\unit{m^2}$; left side"
+            r" $(2\,\unit{m})^{2} = 4\,\unit{m^2}$, right side $4\,\unit{m^2}$; they agree."
         ),
     ),
     "doubled": (
         Prose(
-            r"Check by Pythagoras: left side $a^{2} \approx 4\,\unit{m^2} \approx"
-            r" 4\,\unit{m^2}$, right side $b^{2} = 4\,\unit{m^2}$; they agree."
+            r"Check by Pythagoras: $a^{2} = b^{2}$; left side $4\,\unit{m^2} \approx"
+            r" 4\,\unit{m^2}$, right side $4\,\unit{m^2}$; they agree."
         ),
     ),
     "signed": (
         Display((read_math(r"\left|v_{B}\right| = 2\,\unit{m/s}", ""),)),
         Prose(
-            r"Check by Pythagoras: left side $-v_{B} = 2\,\unit{m/s}$, right side"
-            r" $\left|v_{B}\right| = 2\,\unit{m/s}$; they agree."
+            r"Check by Pythagoras: $-v_{B} = \left|v_{B}\right|$; left side $2\,\unit{m/s}$,"
+            r" right side $2\,\unit{m/s}$; they agree."
         ),
     ),
     "zero": (
@@ -155,11 +155,13 @@ WRONG: dict[Law, tuple[Block, ...]] = {
     ),
     "redone": (
         Prose(
-            r"Check by Pythagoras: left side $(2\,\unit{m/s})^{2} + (1.333\,\unit{m/s})^{2} \approx"
+            r"Check by Pythagoras: $a^{2} + b^{2} = c^{2}$; left side"
+            r" $(2\,\unit{m/s})^{2} + (1.333\,\unit{m/s})^{2} \approx"
             r" 5.778\,\unit{m^2/s^2}$, right side $5.778\,\unit{m^2/s^2}$; they agree."
         ),
         Prose(
-            r"Check by Pythagoras: left side $(2\,\unit{m/s})^{2} + (1.333\,\unit{m/s})^{2} \approx"
+            r"Check by Pythagoras: $a^{2} + b^{2} = c^{2}$; left side"
+            r" $(2\,\unit{m/s})^{2} + (1.333\,\unit{m/s})^{2} \approx"
             r" 5.779\,\unit{m^2/s^2}$, right side $5.778\,\unit{m^2/s^2}$; they agree."
         ),
     ),
@@ -177,8 +179,8 @@ WRONG: dict[Law, tuple[Block, ...]] = {
             )
         ),
         Prose(
-            r"Check by Pythagoras: left side $\sqrt{x_{C}^{2} + y_{A}^{2}} = 1\,\unit{m}$, right"
-            r" side $r = 1\,\unit{m}$; they agree."
+            r"Check by Pythagoras: $\sqrt{x_{C}^{2} + y_{A}^{2}} = r$; left side $1\,\unit{m}$,"
+            r" right side $1\,\unit{m}$; they agree."
         ),
     ),
     "sign": (

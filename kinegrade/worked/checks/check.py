@@ -16,7 +16,7 @@ from kinegrade.worked.checks.sides import Side
 from kinegrade.worked.document import Block
 from kinegrade.worked.findings import Form
 from kinegrade.worked.formulas.atoms import ZERO, list_summands
-from kinegrade.worked.formulas.equation import WIDEST, Equation
+from kinegrade.worked.formulas.equation import WIDEST, Equation, equate
 from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.measures import double
 from kinegrade.worked.formulas.notation import PLAIN, Notation
@@ -107,14 +107,22 @@ class Check:
         return replace(self, arm=ends) if taken else self
 
     def say(self, case: Case) -> Iterator[Block]:
-        """The check in one sentence, after the length that it needs."""
+        """The check in one sentence, after the length that it needs: the equation in letters, then
+        both of its sides in numbers.
+        """
         for equation in introduce_lengths((self.arm,) if self.arm else (), case):
             here = case.say(Message("solution.here", equations=case.tell(equation)))
             yield replace(here, on_check=True)
-        left, right = map(case.mention, self._work_out(case.notation))
+        first, second = self._work_out(case.notation)
+        stated = case.mention(Equation(first.left, equate(second.left)))
+        left, right = (
+            case.mention(side.drop_letters(worked))
+            for side, worked in zip(self.sides, (first, second), strict=True)
+        )
         for condition in self.conditions:
             case.tell(condition)
-        said = case.say(Message("solution.check", way=self.way, left=left, right=right))
+        message = Message("solution.check", way=self.way, equation=stated, left=left, right=right)
+        said = case.say(message)
         yield replace(said, compact=True, on_check=True)
 
 

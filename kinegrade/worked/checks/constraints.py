@@ -6,7 +6,7 @@ angle, no triangle of vectors and no projection is used again.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 from typing import assert_never
 
@@ -16,12 +16,20 @@ from kinegrade.mechanics.relations.terms import Term
 from kinegrade.mechanics.vector import AxisName, Vector
 from kinegrade.worked.checks.amounts import (
     Amount,
+    Multiplier,
     point_along,
 )
 from kinegrade.worked.checks.arms import find_path_normal, point_from_base
 from kinegrade.worked.checks.check import Check
 from kinegrade.worked.checks.forms import Told
 from kinegrade.worked.checks.multiplied import Multiplied, TermSide
+from kinegrade.worked.checks.positions.conditions import (
+    Condition,
+    differentiate_coordinate,
+    differentiate_direction,
+    differentiate_distance,
+    differentiate_length,
+)
 from kinegrade.worked.checks.relative_shares import find_speed
 from kinegrade.worked.checks.shares import Shares
 from kinegrade.worked.formulas.atoms import AXES, TWO
@@ -55,10 +63,22 @@ class _Differentiated(Multiplied):
     def _check_coordinate(self, axis: AxisName) -> Iterator[Check]:
         left, right = self.chains
         if left and right:
-            point = self.case.naming.point(left[-1].point)
-            kind = f"solution.coordinate-derivative-{self.equation.level}"
-            way = Message(kind, axis=axis, point=point)
-            yield from self.compare(way, TermSide(left), TermSide(right), point_along(axis))
+            place = differentiate_coordinate(axis, self._ways, self.equation.level, self.case)
+            sides = TermSide(left), TermSide(right)
+            yield from self._differentiate(place, *sides, point_along(axis))
+
+    @property
+    def _ways(self) -> tuple[tuple[Term, ...], tuple[Term, ...]]:
+        """The chains, of one that has been found as a whole its end alone."""
+        left, right = (one[-1:] if self.find_components(one) else one for one in self.chains)
+        return left, right
+
+    def _differentiate(
+        self, condition: Condition, one: TermSide, other: TermSide, by: Multiplier
+    ) -> Iterator[Check]:
+        """The check of two sides, with the formulas of what is differentiated."""
+        for check in self.compare(condition.way, one, other, by):
+            yield replace(check, conditions=condition.formulas)
 
     def list_directions(self) -> Iterator[Check]:
         """The direction of a line through the axis of a body, along which a point slides; where it
@@ -76,7 +96,7 @@ class _Differentiated(Multiplied):
                     rest = tuple(one for one in before if one not in (turn, slide))
                     moment = self.shares.measure((turn, slide), by)
                     sides = TermSide((), tuple(own), moment), TermSide(other, without=rest)
-                    yield from self.compare(self._name_across(turn), *sides, by)
+                    yield from self._differentiate(self._name_across(turn), *sides, by)
 
     def list_offsets(self) -> Iterator[Check]:
         """The distance of the axis of a body from a line of it along which a point slides."""
@@ -86,15 +106,11 @@ class _Differentiated(Multiplied):
                     continue
                 by, ends = find_path_normal(turn, slide, self.case)
                 if by is not None:
-                    way = self._name_offset(turn.base, slide.point)
-                    for check in self.compare(way, TermSide(other), TermSide(before), by):
+                    level = self.equation.level
+                    fixed = differentiate_distance(by, turn, slide, level, self.case)
+                    sides = TermSide(other), TermSide(before)
+                    for check in self._differentiate(fixed, *sides, by):
                         yield check.with_length(ends, self.case) if ends else check
-
-    def _name_offset(self, axis: str, slider: str) -> Message:
-        """The constant distance of an axis from a line."""
-        point, slides = map(self.case.naming.point, (axis, slider))
-        kind = f"solution.distance-derivative-{self.equation.level}"
-        return Message(kind, point=point, slider=slides)
 
     def _state_turning(self, turn: Term, slide: Term) -> list[Amount] | None:
         """OA^2 omega, or OA^2 alpha + 2 OA v_r omega."""
@@ -130,9 +146,9 @@ class _Differentiated(Multiplied):
             held = own.remainder(self.case.motion.rates) if shares else Vector(0, 0)
             value = double(by.vector.dot(held))
             sides = TermSide(other), TermSide(tuple(rest), tuple(shares), value)
-            yield from self.compare(self._name_distance(own), *sides, by)
+            yield from self._differentiate(self._name_distance(own), *sides, by)
 
-    def _name_distance(self, own: Term) -> Message:
+    def _name_distance(self, own: Term) -> Condition:
         """What is differentiated; the centre of a circle in a moving frame moves with the frame, so
         the motions of the point itself are composed.
         """
@@ -140,11 +156,11 @@ class _Differentiated(Multiplied):
             case "arc":
                 point, centre = map(self.case.naming.point, (own.point, own.base))
                 kind = f"solution.composed-arc-{self.equation.level}"
-                return Message(kind, point=point, centre=centre)
+                return Condition(Message(kind, point=point, centre=centre))
             case "rotation" | "sliding":
-                first, second = self._find_ends(own)
-                kind = f"solution.derivative-length-{self.equation.level}"
-                return Message(kind, first=first, second=second)
+                far = name_length(own.base, own.point, self.case)
+                arm = point_from_base(own, self.case)
+                return differentiate_length(arm, far, self.equation.level, self.case)
             case _:
                 assert_never(own.kind)
 
@@ -184,12 +200,17 @@ class _Differentiated(Multiplied):
         omega = measure(self.case.motion.omega(body), "rad/s")
         return Amount(self.case.naming.omega(body), omega)
 
-    def _name_across(self, turn: Term) -> Message:
-        """What stands there: the motion of a point across its arm, times the arm."""
+    def _name_across(self, turn: Term) -> Condition:
+        """What stands there: the angle of an arm; where that lies along an axis, and of
+        accelerations, the motion of a point across its arm, times the arm.
+        """
+        arm, level = point_from_base(turn, self.case), self.equation.level
+        if level == "velocity" and len(arm.pair) == len(AXES):
+            return differentiate_direction(arm, turn, level, self.case)
         first, second = self._find_ends(turn)
         point = self.case.naming.point(turn.point)
-        kind = f"solution.derivative-direction-{self.equation.level}"
-        return Message(kind, point=point, first=first, second=second)
+        kind = f"solution.derivative-direction-{level}"
+        return Condition(Message(kind, point=point, first=first, second=second))
 
     def _find_ends(self, term: Term) -> tuple[str, str]:
         """The letters of the line of a rotation, in the order in which its length has them."""

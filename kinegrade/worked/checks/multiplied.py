@@ -15,6 +15,7 @@ from kinegrade.worked.checks.check import Check, compare
 from kinegrade.worked.checks.forms import Told, multiply_relation
 from kinegrade.worked.checks.shares import Shares
 from kinegrade.worked.checks.sides import Side
+from kinegrade.worked.findings import Fact
 from kinegrade.worked.formulas.atoms import AXES, ZERO
 from kinegrade.worked.formulas.measures import size
 from kinegrade.worked.formulas.numbers import measure
@@ -86,11 +87,16 @@ class Multiplied:
         letters = add_letters(every) if every else None
         return Side(add_numbers(every), value + side.value, letters)
 
+    def find_components(self, terms: Sequence[Term]) -> Fact | None:
+        """The sum of terms where the page has it by its components."""
+        facts, level = self.case.findings.facts, self.equation.level
+        fact = facts.get(make_key(tuple(terms), level)) if terms else None
+        return fact if fact is not None and fact.by_components else None
+
     def list_shares(self, terms: Sequence[Term], by: Multiplier) -> list[Amount] | None:
         """The shares of terms: by the components of their sum where the page has these."""
-        level, case = self.equation.level, self.case
-        fact = case.findings.facts.get(make_key(tuple(terms), level)) if terms else None
-        if fact is None or not fact.by_components:
+        level, fact = self.equation.level, self.find_components(terms)
+        if fact is None:
             return self.shares.list_of(terms, by)
         components = {
             axis: Amount(

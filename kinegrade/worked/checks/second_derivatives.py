@@ -10,14 +10,11 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from itertools import chain, pairwise
 
-from kinegrade.language.message import Message
 from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.relations.terms import Term
-from kinegrade.mechanics.vector import AxisName
 from kinegrade.worked.checks.amounts import (
     UNIT,
     Amount,
-    Multiplier,
     add_letters,
     add_numbers,
     gather,
@@ -26,11 +23,13 @@ from kinegrade.worked.checks.amounts import (
 from kinegrade.worked.checks.arms import find_path_normal, point_from_base
 from kinegrade.worked.checks.check import Check
 from kinegrade.worked.checks.multiplied import TermSide
+from kinegrade.worked.checks.positions.conditions import (
+    differentiate_direction,
+    differentiate_distance,
+    differentiate_length,
+)
 from kinegrade.worked.checks.twice import Ends, Twice
-from kinegrade.worked.formulas.atoms import AXES, TWO, ZERO, add_terms
-from kinegrade.worked.formulas.equation import Equation, equate
-from kinegrade.worked.formulas.formula import Formula
-from kinegrade.worked.formulas.functions import Function
+from kinegrade.worked.formulas.atoms import AXES, TWO
 from kinegrade.worked.formulas.measures import double
 from kinegrade.worked.formulas.numbers import measure
 from kinegrade.worked.vectors.stage import Stage
@@ -81,19 +80,8 @@ class _Constraints(Twice):
             own = (*self.list_turned(turn, (square,)), *self.double_omega(turn, moved))
             by = arm.turned()
             value = self.shares.measure((turn, slide), by)
-            angle = Equation(Function("arctan", _divide(arm.pair["y"], arm.pair["x"])), ())
-            yield from self.compare(
-                self._name_direction(turn, angle),
-                ends,
-                TermSide((), own, value),
-                by,
-                (angle,),
-            )
-
-    def _name_direction(self, turn: Term, angle: Equation) -> Message:
-        first, second = map(self.case.naming.point, (turn.base, turn.point))
-        kind = "solution.second-derivative-direction"
-        return Message(kind, condition=self.show(angle), first=first, second=second)
+            angle = differentiate_direction(arm, turn, "acceleration", self.case)
+            yield from self.compare(angle, ends, TermSide((), own, value), by)
 
     def list_offsets(self) -> Iterator[Check]:
         """The distance of the axis of a body from a line of it along which a point slides: r.n is
@@ -116,15 +104,8 @@ class _Constraints(Twice):
             )
             value = self.shares.measure((turn, slide), by)
             turned = TermSide((), own, value)
-            x, y = normal = tuple(_state_component(by, axis) for axis in AXES)
-            way = Message(
-                "solution.second-derivative-distance",
-                axis=self.case.naming.point(turn.base),
-                slider=self.case.naming.point(slide.point),
-                x=self.show(x),
-                y=self.show(y),
-            )
-            for check in self.compare(way, ends, turned, by, normal):
+            fixed = differentiate_distance(by, turn, slide, "acceleration", self.case)
+            for check in self.compare(fixed, ends, turned, by):
                 yield check.with_length(line, self.case) if line else check
 
     def list_lengths(self) -> Iterator[Check]:
@@ -150,21 +131,9 @@ class _Constraints(Twice):
             return
         speeds = tuple(_square(one) for one in shares if one)
         vector = self.find_velocity(ends)
-        squares = add_terms(one.letters**TWO for one in arm.pair.values())
-        fixed = Equation(squares, equate(arm.length.letters**TWO))
-        yield from self.compare(
-            Message("solution.second-derivative-length", condition=self.show(fixed)),
-            ends,
-            TermSide((), speeds, -double(vector.squared())),
-            arm,
-            (fixed,),
-        )
-
-
-def _state_component(vector: Multiplier, axis: AxisName) -> Equation:
-    """A component of a vector in letters."""
-    part = vector.pair.get(axis)
-    return Equation(_sign(part) if part else ZERO, ())
+        fixed = differentiate_length(arm, arm.length.letters, "acceleration", self.case)
+        turned = TermSide((), speeds, -double(vector.squared()))
+        yield from self.compare(fixed, ends, turned, arm)
 
 
 def _square(shares: list[Amount]) -> Amount:
@@ -172,15 +141,6 @@ def _square(shares: list[Amount]) -> Amount:
     if len(shares) == 1:
         return shares[0].squared().signed(-1)
     return Amount(add_letters(shares) ** TWO, add_numbers(shares) ** TWO).signed(-1)
-
-
-def _divide(above: Amount, below: Amount) -> Formula:
-    """The quotient of two components, without two signs that cancel."""
-    return (above.letters / below.letters).signed(above.sign * below.sign)
-
-
-def _sign(amount: Amount) -> Formula:
-    return amount.letters.signed(amount.sign)
 
 
 def _is_own(turn: Term, slide: Term) -> bool:

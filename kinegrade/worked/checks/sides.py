@@ -58,6 +58,13 @@ class Side:
             return Equation(self.letters, value)
         return Equation(self.letters, (*numbers, *value))
 
+    def drop_letters(self, worked: Equation) -> Equation:
+        """The side as it has been worked out, without the letters before the numbers."""
+        if self.letters is None:
+            return worked
+        first, *others = worked.links
+        return Equation(first.right, tuple(others))
+
     def _round(self, digits: int) -> Number:
         """The value as usual, or with the fewer digits that its numbers give."""
         number = round_number(self.value, digits)

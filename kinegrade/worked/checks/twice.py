@@ -9,19 +9,18 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from math import sqrt
 
-from kinegrade.language.message import Message
 from kinegrade.mechanics.relations.terms import Term
 from kinegrade.mechanics.vector import Vector, add_vectors
 from kinegrade.mechanics.vector_equation import Part, VectorEquation, write_vector_equation
-from kinegrade.worked.case import Case, write_row
+from kinegrade.worked.case import Case
 from kinegrade.worked.checks.amounts import Amount, Multiplier, gather
 from kinegrade.worked.checks.check import Check
 from kinegrade.worked.checks.forms import Told
 from kinegrade.worked.checks.multiplied import Multiplied, TermSide
+from kinegrade.worked.checks.positions.conditions import Condition
 from kinegrade.worked.checks.shares import Shares
 from kinegrade.worked.findings import Form, Moved
 from kinegrade.worked.formulas.atoms import TWO, ZERO
-from kinegrade.worked.formulas.equation import Equation
 from kinegrade.worked.formulas.measures import double
 from kinegrade.worked.formulas.numbers import measure
 from kinegrade.worked.vectors.facts import make_key
@@ -120,20 +119,11 @@ class Twice:
         letters = self.case.naming.turning(turn.rate.body, "acceleration")
         return gather(Amount(letters, measure(alpha, "rad/s^2")), products)
 
-    def show(self, formula: Equation) -> str:
-        """A formula in letters, as a part of what is said."""
-        return f"${write_row(formula.print_inline(self.case.notation))}$"
-
     def compare(
-        self,
-        way: Message,
-        ends: Ends,
-        other: TermSide,
-        by: Multiplier,
-        conditions: tuple[Equation, ...],
+        self, condition: Condition, ends: Ends, other: TermSide, by: Multiplier
     ) -> Iterator[Check]:
         """The check of both sides, that of the ends and the other one."""
         product = Multiplied(self.equation, self.shares, self.case, _NOTHING)
-        for check in product.compare(way, ends.side, other, by):
+        for check in product.compare(condition.way, ends.side, other, by):
             form = {**check.form, **self._list_moved(ends)}
-            yield replace(check, form=form, conditions=conditions)
+            yield replace(check, form=form, conditions=condition.formulas)

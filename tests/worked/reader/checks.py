@@ -55,19 +55,29 @@ def _list_checks(blocks: Sequence[Block]) -> Iterator[list[str]]:
 
 
 def split_check(block: Block) -> list[str]:
-    """Both sides of a check; none for anything else."""
+    """Both sides of a check, each with its letters; none for anything else."""
     if not isinstance(block, Prose):
         return []
     sentences = map(_make_pattern, known_languages())
     found = next(filter(None, (one.fullmatch(block.text) for one in sentences)), None)
-    return [side.strip().strip("$") for side in found.groups()] if found else []
+    return list_sides(*found.groups()) if found else []
+
+
+def list_sides(equation: str, left: str, right: str) -> list[str]:
+    """Both sides of a check's equation in letters, each with its numbers."""
+    lettered = equation.strip("$").split(" = ")
+    worked = [side.strip().strip("$") for side in (left, right)]
+    return [
+        numbers if letters == RELATION.split(numbers)[0].strip() else f"{letters} = {numbers}"
+        for letters, numbers in zip(lettered, worked, strict=True)
+    ]
 
 
 @cache
 def _make_pattern(language: str) -> re.Pattern[str]:
-    message = Message("solution.check", way=_ANY, left=_ANY, right=_ANY)
-    way, left, right, end = re.escape(write_sentence(message, language)).split(_ANY)
-    return re.compile(rf"{way}.*{left}(\$.*\$){right}(\$.*\$){end}")
+    message = Message("solution.check", way=_ANY, equation=_ANY, left=_ANY, right=_ANY)
+    way, equation, left, right, end = re.escape(write_sentence(message, language)).split(_ANY)
+    return re.compile(rf"{way}.*{equation}(\$[^$]*\$){left}(\$.*\$){right}(\$.*\$){end}")
 
 
 def _is_repeatable(side: str) -> bool:

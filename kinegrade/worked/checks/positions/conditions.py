@@ -1,0 +1,163 @@
+"""What positions fulfil, in letters, and what says that a check differentiates it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import assert_never
+
+from kinegrade.language.message import Message
+from kinegrade.mechanics.ground import GROUND
+from kinegrade.mechanics.relations.terms import Term
+from kinegrade.mechanics.vector import AxisName
+from kinegrade.mechanics.vector_equation import Level
+from kinegrade.worked.case import Case, write_row
+from kinegrade.worked.checks.amounts import Amount, Multiplier
+from kinegrade.worked.checks.arms import point_from_base
+from kinegrade.worked.formulas.atoms import AXES, TWO, ZERO, add_terms
+from kinegrade.worked.formulas.equation import Equation, equate
+from kinegrade.worked.formulas.formula import Formula, Product
+from kinegrade.worked.formulas.functions import Function
+from kinegrade.worked.formulas.symbols import name_coordinate
+from kinegrade.worked.positions.algebra import ZERO as ORIGIN
+from kinegrade.worked.positions.axes import choose_axes
+
+
+@dataclass(frozen=True)
+class Condition:
+    """The way of a check, and the formulas that stand in it."""
+
+    way: Message
+    formulas: tuple[Equation, ...] = ()
+
+
+def differentiate_coordinate(
+    axis: AxisName, chains: tuple[Sequence[Term], Sequence[Term]], level: Level, case: Case
+) -> Condition:
+    """The coordinate of the point at the end of two chains, by way of other points where there are
+    such.
+    """
+    first, second = (_add_arms(axis, chain, case) for chain in chains)
+    if first is None or second is None or len(first) == len(second) == 1:
+        return _differentiate_twice_over(axis, chains, level, case)
+    left, right = map(add_terms, (first, second))
+    equation = Equation(left, equate(right))
+    formula = _show(equation, case)
+    match level:
+        case "velocity":
+            return Condition(Message("solution.first-derivative", condition=formula), (equation,))
+        case "acceleration":
+            return Condition(Message("solution.second-derivative", condition=formula), (equation,))
+        case _:
+            assert_never(level)
+
+
+def _differentiate_twice_over(
+    axis: AxisName, chains: tuple[Sequence[Term], Sequence[Term]], level: Level, case: Case
+) -> Condition:
+    """One coordinate in two ways: its motion relative to a frame gives the one of them."""
+    frames = [end.frame for *_, end in chains if end.kind != "rotation" and end.frame != GROUND]
+    letters = {"axis": axis, "point": case.naming.point(chains[0][-1].point)}
+    if len(frames) != 1:
+        return Condition(Message(f"solution.coordinate-derivative-{level}", **letters))
+    frame = case.naming.body(frames[0])
+    return Condition(Message(f"solution.relative-derivative-{level}", **letters, frame=frame))
+
+
+def _add_arms(axis: AxisName, chain: Sequence[Term], case: Case) -> list[Formula] | None:
+    """A coordinate of the first point that moves, and from point to point what the bodies add; None
+    where one is zero, or a point moves in a body and another one follows.
+    """
+    first, *others = chain
+    fixed = choose_axes(case.construction).coordinate(axis, first.point) == ORIGIN
+    if fixed or (first.frame != GROUND and first.kind != "rotation"):
+        return None
+    found: list[Formula] = [name_coordinate(axis, case.naming.letter(first.point))]
+    for before, term in pairwise(chain):
+        if term.kind != "rotation":
+            if term is not others[-1]:
+                return None
+            continue
+        part = point_from_base(term, case).pair.get(axis)
+        if part is None or term.base != before.point:
+            return None
+        found.append(_enclose(part))
+    return found
+
+
+def _enclose(part: Amount) -> Formula:
+    """A difference of coordinates in brackets, in which it is differentiated as a whole."""
+    letters = Product((part.letters,)) if part.letters.kind == "sum" else part.letters
+    return letters.signed(part.sign)
+
+
+def differentiate_direction(arm: Multiplier, turn: Term, level: Level, case: Case) -> Condition:
+    """The angle of an arm from the x axis, by its two coordinates."""
+    angle = Equation(Function("arctan", _divide(arm.pair["y"], arm.pair["x"])), ())
+    first, second = map(case.naming.point, (turn.base, turn.point))
+    letters = {"condition": _show(angle, case), "first": first, "second": second}
+    match level:
+        case "velocity":
+            way = Message("solution.first-derivative-direction", **letters)
+        case "acceleration":
+            way = Message("solution.second-derivative-direction", **letters)
+        case _:
+            assert_never(level)
+    return Condition(way, (angle,))
+
+
+def differentiate_length(arm: Multiplier, far: Formula, level: Level, case: Case) -> Condition:
+    """The square of an arm, which is as long as it was."""
+    squares = add_terms(one.letters**TWO for one in arm.pair.values())
+    fixed = Equation(squares, equate(far**TWO))
+    formula = _show(fixed, case)
+    match level:
+        case "velocity":
+            way = Message("solution.first-derivative-length", condition=formula)
+        case "acceleration":
+            way = Message("solution.second-derivative-length", condition=formula)
+        case _:
+            assert_never(level)
+    return Condition(way, (fixed,))
+
+
+def differentiate_distance(
+    normal: Multiplier, turn: Term, slide: Term, level: Level, case: Case
+) -> Condition:
+    """The distance of an axis from the line of a body along which a point slides."""
+    x, y = parts = tuple(_state_component(normal, axis) for axis in AXES)
+    letters = {
+        "axis": case.naming.point(turn.base),
+        "slider": case.naming.point(slide.point),
+        "x": _show(x, case),
+        "y": _show(y, case),
+    }
+    match level:
+        case "velocity":
+            way = Message("solution.first-derivative-distance", **letters)
+        case "acceleration":
+            way = Message("solution.second-derivative-distance", **letters)
+        case _:
+            assert_never(level)
+    return Condition(way, parts)
+
+
+def _show(formula: Equation, case: Case) -> str:
+    """A formula in letters, as a part of what is said."""
+    return f"${write_row(formula.print_inline(case.notation))}$"
+
+
+def _state_component(vector: Multiplier, axis: AxisName) -> Equation:
+    """A component of a vector in letters."""
+    part = vector.pair.get(axis)
+    return Equation(_sign(part) if part else ZERO, ())
+
+
+def _divide(above: Amount, below: Amount) -> Formula:
+    """The quotient of two components, without two signs that cancel."""
+    return (above.letters / below.letters).signed(above.sign * below.sign)
+
+
+def _sign(amount: Amount) -> Formula:
+    return amount.letters.signed(amount.sign)
