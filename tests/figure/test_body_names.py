@@ -7,15 +7,17 @@ from math import hypot
 
 import pytest
 from msgspec import structs
+from shapely import LineString
 
 from kinegrade.figure.joints.symbol import Rim
 from kinegrade.figure.marks.angle_arc import AngleArc
 from kinegrade.figure.marks.body_names import add_body_names
-from kinegrade.figure.marks.lengths.dimension_lines import SymbolBeside
+from kinegrade.figure.marks.lengths.dimension_lines import DimensionLine, SymbolBeside
 from kinegrade.figure.marks.sides import Side
 from kinegrade.figure.mechanism.layers import Drawing
 from kinegrade.figure.mechanism.straight_parts import Bar, Part, SlottedDisc
 from kinegrade.figure.placing.layout import Layout
+from kinegrade.figure.plane import unit
 from kinegrade.figure.scene import FIRM, THIN, TOOTHED, Bow, Disc, Label, Outline, Pen, Strokes
 from kinegrade.figure.symbols.bars import BAR_WIDTH, SLOT_WIDTH
 from kinegrade.figure.teeth import TOOTH_ROOT, trace_gear
@@ -150,3 +152,37 @@ def test_the_name_of_a_bar_does_not_stand_in_one_row_with_the_symbol_of_its_leng
     assert name("AB", (), plain, (bar,)) == alone
     moved = name("AB", (), measured, (bar,))
     assert abs(moved.y - symbol.centre.y) > 2.0 or abs(moved.x - symbol.centre.x) > 9.0
+
+
+def measure_up(start: Vector, end: Vector) -> DimensionLine:
+    """The dimension between two points, on a line eight millimetres above the upper one."""
+    level = max(start.y, end.y) + 8.0
+    return DimensionLine(
+        (start, end), (Vector(start.x, level), Vector(end.x, level)), "b", 0, (1, 1)
+    )
+
+
+def test_the_name_of_a_wheel_does_not_stand_at_the_end_of_an_extension_line() -> None:
+    alone = name("W", (WHEEL,), Layout.of(()))
+    for x in (0.0, 6.0):
+        below = alone - Vector(x, 13.0)
+        dimension = measure_up(below, below + Vector(6.0, 0.0))
+        at = name("W", (WHEEL,), structs.replace(Layout.of(()), marks=(dimension,)))
+        tops = [end for _, end in dimension.extensions]
+        assert hypot(*at) < 15.0
+        assert all(abs(at.x - top.x) > 1.5 or at.y < top.y for top in tops)
+
+
+@pytest.mark.parametrize("x", [-6.0, 0.0, 5.0])
+def test_the_leader_of_a_bar_runs_neither_along_nor_across_an_extension_line(x: float) -> None:
+    disc = SlottedDisc("D", CENTRE, 30.0, (Vector(8.0, -20.0), Vector(8.0, 20.0)))
+    bar = Bar("AB", Vector(-8.0, -4.0), Vector(8.0, 4.0), "slot")
+    dimension = measure_up(Vector(x - 6.0, 0.0), Vector(x + 6.0, 0.0))
+    hints, drawing = FigureHints(labels={"AB": "2"}), Drawing((), (), (), (disc, bar), (), ())
+    layout = structs.replace(Layout.of(dimension.primitives()), marks=(dimension,))
+    *_, leader = add_body_names(layout, NO_MECHANISM, hints, drawing).lines
+    assert isinstance(leader, Strokes)
+    [line] = leader.lines
+    for start, end in dimension.extensions:
+        assert abs(unit(line[1] - line[0]).cross(unit(end - start))) > 0.1
+        assert not LineString([start, end]).crosses(LineString(line))

@@ -11,6 +11,7 @@ from shapely import LineString, Point, Polygon, union_all
 
 from kinegrade.errors import TemplateError
 from kinegrade.figure.joints.symbol import Kind, Rim
+from kinegrade.figure.marks.angle_arc import AngleArc
 from kinegrade.figure.marks.radii import add_radii
 from kinegrade.figure.marks.radius_arrows import RadiusFromOutside
 from kinegrade.figure.placing.layout import Layout
@@ -20,7 +21,7 @@ from kinegrade.figure.symbols.ground import HATCHING, list_round_hatching
 from kinegrade.figure.teeth import trace_gear
 from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.vector import Vector
-from kinegrade.problem.template.hints import Radius
+from kinegrade.problem.template.hints import Angle, Radius
 from tests.figure.clear import heads
 from tests.figure.mechanisms import polar
 
@@ -123,6 +124,17 @@ def test_an_arrow_does_not_lie_between_the_sides_of_an_angle_at_its_centre() -> 
         assert abs(shorter_way(angle_of(tip) - preferred)) > 0.6
 
 
+def test_an_arrow_does_not_cross_the_arc_of_an_angle_at_another_point() -> None:
+    preferred = find_tip(mark([make_rim(ORIGIN, 20.0)]))
+    bow = Bow(preferred * 0.3 + Vector(0.0, 4.0), 6.0, angle_of(preferred) - 1.5, 3.0, THIN)
+    arc = AngleArc(bow, (), Angle("x", "P", "right", "up"), 0.0)
+    layout = replace(Layout.of([Disc(ORIGIN, 20.0, FIRM)]), marks=(arc,))
+    layout = add_radii(layout, {"O": ORIGIN}, (make_rim(ORIGIN, 20.0),), [Radius("R", "O")])
+    drawn = LineString(bow.path(0.1))
+    assert LineString([ORIGIN, preferred]).crosses(drawn)
+    assert not LineString([ORIGIN, find_tip(layout)]).crosses(drawn)
+
+
 def test_an_arrow_comes_from_outside_where_everything_is_in_its_way_within() -> None:
     spokes = [polar(6.0, turn) for turn in range(0, 360, 5)]
     fence = Strokes(tuple((spoke, spoke * 1.05) for spoke in spokes), FIRM)
@@ -147,6 +159,42 @@ def test_the_strokes_of_hatching_that_the_head_of_an_arrow_meets_are_left_out_wh
     assert cut == []
     assert head.distance(union_all(left)) > 0.4
     assert white.disjoint(edge.buffer(FIRM.width / 2))
+
+
+@pytest.mark.parametrize("radius", [24.0, 32.0, 48.0])
+def test_strokes_of_hatching_are_left_between_the_head_of_an_arrow_and_the_end_of_an_arc(
+    radius: float,
+) -> None:
+    contacts = (polar(radius, 60.0), polar(radius, 110.0))
+    rim = replace(make_rim(ORIGIN, radius), body=GROUND, contacts=contacts)
+    layout = mark([rim])
+    whites = [each for each in layout.lines if isinstance(each, Outline) and each.fill == "white"]
+    white = union_all([Polygon(each.corners) for each in whites])
+    strokes = list(list_round_hatching(ORIGIN, radius, outward=False, arc=rim.find_arc()))
+    hidden = [number for number, each in enumerate(strokes) if white.intersects(LineString(each))]
+    assert min(hidden) >= 3
+    assert max(hidden) <= len(strokes) - 4
+
+
+@pytest.mark.parametrize("outward", [True, False])
+def test_the_hatching_of_an_arc_reaches_both_ends_and_is_not_beyond_one(outward: bool) -> None:
+    arc = (0.5, 1.5)
+    strokes = list_round_hatching(ORIGIN, 28.0, outward, arc)
+    ends = [28.0 * (angle_of(at) - arc[0]) for stroke in strokes for at in stroke]
+    assert -1e-6 <= min(ends) < 1.0
+    assert -1.0 < max(ends) - 28.0 * arc[1] <= 1e-6
+
+
+def test_no_crumb_of_a_stroke_that_is_left_out_is_left_at_the_edge() -> None:
+    layout = mark([replace(make_rim(ORIGIN, 23.1), body=GROUND)])
+    whites = [each for each in layout.lines if isinstance(each, Outline) and each.fill == "white"]
+    white, edge = union_all([Polygon(each.corners) for each in whites]), FIRM.width / 2 + 0.05
+    strokes = [LineString(each) for each in list_round_hatching(ORIGIN, 23.1, outward=False)]
+    inside = Point(ORIGIN).buffer(23.1 - edge, 256)
+    left_out = [each for each in strokes if each.intersection(white).length > HATCHING / 2]
+    assert left_out
+    for stroke in left_out:
+        assert stroke.intersection(inside).difference(white.buffer(0.01)).is_empty
 
 
 def test_the_head_of_an_arrow_at_a_moving_wheel_has_no_white() -> None:

@@ -37,15 +37,22 @@ def test_a_symbol_beyond_a_rim_from_its_arrow_is_found() -> None:
     assert find(DISC.format(7), ARROW, write("ω", 19, 18.6)) == []
 
 
+def test_symbols_of_two_arrows_that_stand_at_one_another_are_found() -> None:
+    found = find(ARROW, write("ω", 19, 13), write("α", 19, 10.8))
+    assert found == ["ω stands at α"]
+    assert find(ARROW, write("ω", 19, 13), write("α", 19, 6)) == []
+
+
 @pytest.mark.parametrize(
     "template",
     [
         "differential-epicyclic-train",
         "hoist-with-gears",
         "oscillating-flat-faced-follower",
+        "pin-in-disc-slot-and-rod",
         "two-stage-belt-drive",
     ],
 )
 def test_in_figures_each_symbol_stands_at_its_own_arrow(template: str) -> None:
-    for seed in ("r1", "r2"):
+    for seed in ("r1", "r2", "v71a"):
         assert find_turning_flaws(read_printed(deal(template, seed)).picture) == []

@@ -1,5 +1,5 @@
 """What is wrong with the symbols of rotations in a printed picture: one that is nearer to a pin
-than to its own curved arrow, or on the other side of the rim of a wheel.
+than to its own curved arrow, on the other side of the rim of a wheel, or at the symbol of another.
 
 An angular velocity has one head and the letter omega or n, an angular acceleration two and alpha.
 """
@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from itertools import combinations
 
 from shapely import Polygon
 from shapely.geometry.base import BaseGeometry
@@ -20,6 +21,7 @@ LONG = (4.0, 12.0)  # millimetres of a shaft along its arc
 BENT = 0.8  # share of the box about a shaft up to which it is curved
 AT_HEAD = 0.8  # millimetres between a shaft and the back of each of its heads
 AT_RIM = 0.5  # millimetres within a rim, or without, at which an arrow lies on it
+APART = 1.5  # millimetres between the symbols of two arrows, at least
 HEADS = {"ω": 1, "n": 1, "α": 2}
 
 
@@ -34,8 +36,14 @@ class CurvedArrow:
 def find_turning_flaws(picture: Picture) -> list[str]:
     """What is wrong with the symbols of rotations, in words."""
     arrows = list(find_curved_arrows(picture))
-    return [
+    flaws = [
         flaw for letters in picture.letters for flaw in _find_flaws_of(letters, arrows, picture)
+    ]
+    symbols = [each for each in picture.letters if each.text[:1] in HEADS] if arrows else []
+    return flaws + [
+        f"{one.text} stands at {other.text}"
+        for one, other in combinations(symbols, 2)
+        if one.box.distance(other.box) < APART
     ]
 
 

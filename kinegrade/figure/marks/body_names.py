@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 from math import copysign, pi
 from typing import assert_never
 
@@ -16,10 +16,16 @@ from kinegrade.figure.marks.circle_names import list_spots_in_circle
 from kinegrade.figure.marks.frames import FrameAxis
 from kinegrade.figure.marks.in_angles import lies_in_angle, list_arcs, rate_in_angles
 from kinegrade.figure.marks.lengths.dimension_lines import Leader, SymbolBeside
+from kinegrade.figure.marks.lengths.extension_lines import (
+    is_taken_for_one,
+    list_extension_lines,
+    rate_beyond_lines,
+)
 from kinegrade.figure.marks.names import find_named_points
 from kinegrade.figure.marks.straight.motions import list_arrow_places
 from kinegrade.figure.mechanism.layers import Drawing
-from kinegrade.figure.mechanism.straight_parts import Bar, Rod, SlottedDisc
+from kinegrade.figure.mechanism.slotted_discs import list_slotted_rims
+from kinegrade.figure.mechanism.straight_parts import Bar, Rod
 from kinegrade.figure.placing.extent import measure_symbol
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.placing.place import (
@@ -38,13 +44,13 @@ from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import FigureHints
 
 _SPACE, _ROW = 2.5, 9.0  # millimetres between words, and from a name to a length in its row
-_AT_END, _ASIDE = 6.0, 1.5  # millimetres beyond the end of a line, and beside it, that are its own
 _INSIDE_RIM = 1.5  # millimetres inside a rim at which a leader to a disc ends
 _NEAR = 48  # spots around the middle of a bar before those along it
 # Millimetres of the leader of a bar's name, and where on the bar it ends
 _REACHES, _PLACES = (6.0, 9.0, 12.0), (0.5, 0.35, 0.65, 0.8, 0.9)
 _ALONG = 0.45  # sine between a slotted bar and a leader that would run into its slot
 _TAKEN, _DEAR = 10.0, 40.0  # demerit of a leader to a taken place; cost of one that is of no use
+_AS_EXTENSION = 14.0  # demerit of a leader that would seem to be one of a dimension's lines
 # Millimetres of paper between a name and a point whose letter it would seem to be, or the tip of an
 # axis whose index
 _AT_POINT, _AT_TIP = 2.6, 6.0
@@ -62,7 +68,7 @@ def add_body_names(
     """
     for body, symbol in hints.labels.items():
         if symbol and body not in mechanism.points:
-            circles = [*drawing.rims, *_list_slotted_discs(drawing)]
+            circles = [*drawing.rims, *list_slotted_rims(drawing.parts)]
             own = next((rim for rim in circles if rim.body == body), None)
             others = tuple(rim for rim in circles if rim is not own)
             named = find_named_points(mechanism, hints, drawing)
@@ -104,7 +110,7 @@ class _Surroundings(Struct, frozen=True):
     def rate(self, symbol: str, spots: Floats) -> Floats:
         """For each spot how many things there would seem to have the name."""
         wish = Wish(symbol, spots)
-        taken = _find_beside(wish, self.layout) + _find_at_angles(wish, self.layout)
+        taken = _find_beside(wish, self.layout) + _find_at_lines(wish, self.layout)
         taken += _find_at_points(wish, self.points, _AT_POINT)
         taken += _find_at_points(wish, self.tips, _AT_TIP)
         return taken + _find_in_others(wish, self.others)
@@ -120,10 +126,13 @@ class _Surroundings(Struct, frozen=True):
         """The leaders of one name, each with its demerit here."""
         ends = np.concatenate([leader.wish().spots[:1] for leader in leaders])
         arcs = tuple(list_arcs(self.layout.marks))
-        return [
-            replace(leader, worse=_TAKEN * (taken + lies_in_angle(leader.line(), arcs)))
-            for leader, taken in zip(leaders, self.rate(leaders[0].symbol, ends), strict=True)
-        ]
+        lines = tuple(list_extension_lines(self.layout.marks))
+        found = []
+        for leader, taken in zip(leaders, self.rate(leaders[0].symbol, ends), strict=True):
+            worse = _TAKEN * (taken + lies_in_angle(leader.line(), arcs))
+            worse += _AS_EXTENSION * is_taken_for_one(leader.line(), lines)
+            found.append(replace(leader, worse=worse))
+        return found
 
 
 def _find_beside(wish: Wish, layout: Layout) -> Floats:
@@ -142,17 +151,14 @@ def _find_beside(wish: Wish, layout: Layout) -> Floats:
     return beside
 
 
-def _find_at_angles(wish: Wish, layout: Layout) -> Floats:
-    """For each spot of a wish 1 in an angle, or where a line along a side of one ends, else 0."""
+def _find_at_lines(wish: Wish, layout: Layout) -> Floats:
+    """For each spot of a wish 1 in an angle, or beyond the end of a line along a side of one or of
+    an extension line, else 0.
+    """
     arcs, half = tuple(list_arcs(layout.marks)), max(measure_symbol(wish.symbol)) / 2
-    found = rate_in_angles(wish.spots, arcs)
-    for arc in arcs:
-        for start, end in arc.list_sides():
-            steps, toward = wish.spots - np.array(end), unit(end - start)
-            ahead, aside = steps @ np.array(toward), np.abs(steps @ np.array(toward.turned()))
-            beyond = (ahead > 0) & (ahead < half + _AT_END)
-            found = np.maximum(found, beyond & (aside < _ASIDE))
-    return found
+    sides = [side for arc in arcs for side in arc.list_sides()]
+    lines = (*sides, *list_extension_lines(layout.marks))
+    return np.maximum(rate_in_angles(wish.spots, arcs), rate_beyond_lines(wish.spots, half, lines))
 
 
 def _find_at_points(wish: Wish, points: Iterable[Vector], near: float) -> Floats:
@@ -176,14 +182,6 @@ def _find_in_others(wish: Wish, others: Iterable[Rim]) -> Floats:
     return found
 
 
-def _list_slotted_discs(drawing: Drawing) -> Iterator[Rim]:
-    """The circles of slotted discs, which no joint mentions."""
-    for part in drawing.parts:
-        if isinstance(part, SlottedDisc):
-            start, _ = part.slot
-            yield Rim(part.body, "", part.centre, part.radius, "edge", False, start, start)
-
-
 def _list_spots(body: str, symbol: str, circle: Rim | None, drawing: Drawing) -> Floats:
     if circle:
         return list_spots_in_circle(symbol, circle)
@@ -203,7 +201,7 @@ def _list_leaders(body: str, symbol: str, circle: Rim | None, drawing: Drawing) 
     if circle:
         return _list_leaders_to_rim(symbol, circle)
     bars = [part for part in drawing.parts if isinstance(part, Bar | Rod) and part.body == body]
-    turns = [pi / 6 * turn for turn in range(12)]
+    turns = [pi / 6 * turn for turn in range(12)] + [pi / 12 * turn for turn in range(1, 24, 2)]
     starts = [
         (start, turn)
         for bar in bars[:1]

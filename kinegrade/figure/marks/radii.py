@@ -169,6 +169,7 @@ def _draw_from_centre(
     strokes = list_round_hatching(rim.at, rim.radius, outward=False, arc=rim.find_arc())
     hatching = tuple(strokes) if hatched else ()
     arrow = RadiusFromCentre(rim.at, rim.radius, toward, symbol, demerit, others, rough, hatching)
+    arrow = replace(arrow, hatched_arc=bool(hatching and rim.find_arc()))
     return replace(arrow, demerit=demerit + _AT_POINT * hides + arrow.rate_meetings())
 
 

@@ -19,7 +19,10 @@ _ACROSS, _TOWARD_CENTRE = 15.0, 1.5
 _HALO = 0.6  # millimetres about an arrowhead that are free of hatching
 _ALONG_STROKE = (0.0, 0.25, 0.5, 0.75, 1.0)  # shares of a stroke at which it may touch a head
 # Millimetres of white on either side of a stroke that is left out, and from its edge's middle to it
-_WHITE, _OFF_EDGE = 0.4, FIRM.width / 2 + 0.1
+_WHITE, _OFF_EDGE = 0.4, FIRM.width / 2 + 0.03
+# Strokes of hatching between an arrow and an end of the arc that is hatched, which show that it is,
+# and the demerit of fewer
+_SHOWN, _BARE_END = 3, 12.0
 _BESIDE = 1.2  # millimetres beside another wheel within which an arrow seems to lie on its rim
 _PAST_TEETH = TOOTH_TIP + 1.0  # millimetres from a pitch circle to where an arrow is past its teeth
 FROM_OUTSIDE = 7.0  # millimetres from a rim to the tail of an arrow from outside
@@ -40,6 +43,7 @@ class RadiusFromCentre(Struct, frozen=True):
     others: tuple[Rim, ...]
     rough: bool
     hatching: tuple[Segment, ...]
+    hatched_arc: bool = False
     shared: bool = False
 
     def rate_meetings(self) -> float:
@@ -52,7 +56,14 @@ class RadiusFromCentre(Struct, frozen=True):
                 worse += _ACROSS
             if length(aside) < self.radius:
                 worse += _TOWARD_CENTRE * max(0.0, self.toward.dot(unit(aside)))
-        return worse
+        return worse + _BARE_END * self._bares_end()
+
+    def _bares_end(self) -> bool:
+        """Whether it leaves so few strokes towards an end of the arc that this seems to be bare."""
+        if not self.hatched_arc:
+            return False
+        left = [not self._meets(stroke) for stroke in self.hatching]
+        return not all((*left[:_SHOWN], *left[-_SHOWN:]))
 
     def path(self) -> tuple[Segment, ...]:
         """The arrow without its ends, which touch the centre and the rim in any case, or teeth or
@@ -80,7 +91,7 @@ class RadiusFromCentre(Struct, frozen=True):
     def primitives(self) -> tuple[Primitive, ...]:
         """A thin line and its arrowhead, with white over the strokes of hatching that it meets."""
         shaft = (self.centre + self.toward * 1.3, self._end() - self.toward * HEAD_LENGTH * 0.8)
-        met = (_hide_stroke(stroke, self.toward) for stroke in self.hatching if self._meets(stroke))
+        met = (_hide_stroke(stroke, self.centre) for stroke in self.hatching if self._meets(stroke))
         return (*met, Strokes((shaft,), THIN), draw_arrowhead(self._end(), self.toward))
 
     def _meets(self, stroke: Segment) -> bool:
@@ -127,10 +138,10 @@ class RadiusFromOutside(Struct, frozen=True):
         return self.centre + self.toward * (self.radius + gap)
 
 
-def _hide_stroke(stroke: Segment, outward: Vector) -> Outline:
+def _hide_stroke(stroke: Segment, centre: Vector) -> Outline:
     """White over a whole stroke of hatching, as its cut end would be a crumb; not over the edge."""
     foot, end = stroke
-    step = unit(end - foot)
+    step, outward = unit(end - foot), unit(foot - centre)
     near, far = foot - step * (_OFF_EDGE / step.dot(outward)), end + step * _WHITE
     aside = outward.turned() * _WHITE
     return Outline((near - aside, near + aside, far + aside, far - aside), None, "white")

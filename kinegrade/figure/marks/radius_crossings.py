@@ -1,5 +1,5 @@
-"""What the arrow of a radius should not cross, however thin: the arrows of motions, the sides of
-angles, dimensions.
+"""What the arrow of a radius should not cross, however thin: the arrows of motions, the sides and
+arcs of angles, dimensions.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from kinegrade.figure.placing.obstacles import Obstacles
 from kinegrade.figure.placing.ownership import CLAIMING, widen_labels
 from kinegrade.figure.scene import THIN, Primitive, Strokes
 
-# Cost of an arrow across that of a motion, and across a side of an angle or a dimension
+# Cost of an arrow across that of a motion, and across a side or arc of an angle or a dimension
 _ACROSS_ARROW, _ACROSS_LINE = 12.0, 6.0
 
 
@@ -30,8 +30,9 @@ def rate_crossings(arrows: Iterable[Mark], layout: Layout) -> Iterator[float]:
 
 
 def _list_lines(drawn: Sequence[Mark]) -> Iterator[Primitive]:
-    """The sides of angles, and dimensions with their extension lines."""
-    yield from (Strokes(arc.list_sides(), THIN) for arc in list_arcs(drawn))
+    """The sides and arcs of angles, and dimensions with their extension lines."""
+    for arc in list_arcs(drawn):
+        yield from (Strokes(arc.list_sides(), THIN), arc.bow)
     for mark in drawn:
         if isinstance(mark, DimensionLine):
             yield from mark.primitives()

@@ -4,10 +4,10 @@ radius where the author says so.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
-from kinegrade.figure.joints.symbol import Feature, Symbol
-from kinegrade.figure.mechanism.straight_parts import SlottedDisc
+from kinegrade.figure.joints.symbol import Feature, Rim, Symbol
+from kinegrade.figure.mechanism.straight_parts import Part, SlottedDisc
 from kinegrade.figure.plane import length, on_line, unit
 from kinegrade.figure.scene import FIRM, Disc, Outline, Primitive
 from kinegrade.figure.symbols.bars import SLOT_WIDTH, trace_round
@@ -64,3 +64,11 @@ def draw_slotted_disc(disc: SlottedDisc) -> tuple[Primitive, ...]:
     """The disc with its slot."""
     slot = Outline(trace_round(disc.slot, SLOT_WIDTH / 2), FIRM, "white")
     return (Disc(disc.centre, disc.radius, FIRM, "grey"), slot)
+
+
+def list_slotted_rims(parts: Iterable[Part]) -> Iterator[Rim]:
+    """The circles of slotted discs, which no joint mentions."""
+    for part in parts:
+        if isinstance(part, SlottedDisc):
+            start, _ = part.slot
+            yield Rim(part.body, "", part.centre, part.radius, "edge", False, start, start)

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 import numpy as np
 
 from kinegrade.figure.placing.extent import measure_symbol
-from kinegrade.figure.placing.place import Wish, measure_gap
+from kinegrade.figure.placing.place import Floats, Wish, measure_gap
 from kinegrade.figure.scene import Label
 from kinegrade.mechanics.vector import Vector
 
@@ -36,6 +36,15 @@ def makes_word(label: Label, others: Iterable[Label]) -> bool:
 def makes_product(label: Label, others: Iterable[Label]) -> bool:
     """Whether a label stands right beside another one in one row, as its factor would."""
     return any(adjoins(label, [other]) and makes_word(label, [other]) for other in others)
+
+
+def rate_close(wish: Wish, others: Sequence[Label], apart: float) -> Floats:
+    """For each spot of a wish 1 where the symbol is less than so far apart from one of some labels,
+    else 0.
+    """
+    places = [wish.label_at(spot) for spot in range(len(wish.spots))]
+    close = [any(measure_gap(place, other) < apart for other in others) for place in places]
+    return np.asarray(close, dtype=float)
 
 
 def keep_from_labels(wish: Wish, labels: Iterable[Label]) -> Wish:

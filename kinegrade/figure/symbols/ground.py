@@ -56,11 +56,14 @@ def list_round_hatching(
     arc: tuple[float, float] | None = None,
     open_at: float | None = None,
 ) -> Iterator[tuple[Vector, Vector]]:
-    """The strokes of the hatching of a fixed circular surface, each from its edge."""
+    """The strokes of the hatching of a fixed circular surface, each from its edge; at an arc up to
+    either end and not beyond one.
+    """
     first, sweep = arc or (0.0, 2 * pi)
     count = max(12, ceil(sweep * radius / 1.5))
     depth = HATCHING if outward else -min(HATCHING, radius / 3)
-    for index in range(count):
+    lean_back = int(arc is not None and not outward)
+    for index in range(lean_back, count + lean_back):
         angle = first + sweep * index / count
         if open_at is not None and -_OPEN[0] < shorter_way(angle - open_at) * radius < _OPEN[1]:
             continue

@@ -44,13 +44,13 @@ class DimensionLine(Struct, frozen=True, dict=True):
 
     def whole(self) -> tuple[Segment, ...]:
         """The dimension line and all of the extension lines."""
-        return (self.line(), *self._extensions)
+        return (self.line(), *self.extensions)
 
     def beginnings(self) -> tuple[Segment, ...]:
         """The extension lines, up to where they have left their points."""
         return tuple(
             (start, start + unit(end - start) * min(_LEFT, length(end - start)))
-            for start, end in self._extensions
+            for start, end in self.extensions
         )
 
     def crowds(self, other: DimensionLine) -> bool:
@@ -76,14 +76,14 @@ class DimensionLine(Struct, frozen=True, dict=True):
 
     def cuts(self, other: DimensionLine) -> bool:
         """Whether its line crosses another dimension, or an extension line of it the other line."""
-        pieces = (other.line(), *other._extensions)
-        return _cross_any(pieces, self.line()) or _cross_any(self._extensions, other.line())
+        pieces = (other.line(), *other.extensions)
+        return _cross_any(pieces, self.line()) or _cross_any(self.extensions, other.line())
 
     def begins_at(self, point: Vector, aside: float) -> bool:
         """Whether one of its extension lines passes a point within so many millimetres, and seems
         to begin there.
         """
-        return any(length(point - nearest_of(point, *line)) < aside for line in self._extensions)
+        return any(length(point - nearest_of(point, *line)) < aside for line in self.extensions)
 
     def wish(self) -> Wish:
         """Beside the dimension line, rather not where it would seem to name a pin, then rather on
@@ -104,7 +104,7 @@ class DimensionLine(Struct, frozen=True, dict=True):
         """Thin lines and two arrowheads, from outside where there is no room between the feet."""
         along = unit(self.feet[1] - self.feet[0]) * (1.0 if self._outside() else -1.0)
         heads = (draw_arrowhead(self.feet[0], along), draw_arrowhead(self.feet[1], -along))
-        return (Strokes((*self._extensions, self.line()), THIN), *heads)
+        return (Strokes((*self.extensions, self.line()), THIN), *heads)
 
     def heads(self) -> tuple[Segment, Segment]:
         """The pieces under its arrowheads."""
@@ -122,7 +122,7 @@ class DimensionLine(Struct, frozen=True, dict=True):
         return (self.feet[0] - tail, self.feet[1] + tail)
 
     @cached_property
-    def _extensions(self) -> tuple[Segment, ...]:
+    def extensions(self) -> tuple[Segment, ...]:
         """From a gap beyond each point to a little beyond its foot."""
         return self._extend(0.0)
 

@@ -25,6 +25,7 @@ from kinegrade.figure.marks.turning_radii import (
 from kinegrade.figure.mechanism.layers import Drawing
 from kinegrade.figure.mechanism.straight_parts import Bar, Rod
 from kinegrade.figure.placing.aligned import list_thin_lines
+from kinegrade.figure.placing.beside import rate_close
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.placing.obstacles import Segment
 from kinegrade.figure.placing.ownership import Claims, list_places
@@ -50,6 +51,9 @@ _ASTRAY, _AT_RIM = 1.2, 5.0
 _LOOSE, _ALONE = 40.0, 8.0
 # Millimetres about a pivot within which the arrow of a rotation keeps clear of letters
 _LETTERED = 12.0
+# Millimetres between the symbols of two arrows, of which either arrow could own both, and demerit
+# of less
+_APART, _AT_SYMBOL = 2.0, 3.0
 _ABOUT = 20.0  # millimetres about a pivot in which pins and lines may seem to own a symbol
 
 
@@ -101,9 +105,12 @@ def _write_symbols(
     """The layout with the symbols of all arrows, each apart from the others and from the letters
     that were spared for it.
     """
+    written = len(layout.labels)
     for arrow, letters in zip(arrows, spared, strict=True):
         others = [other for other in arrows if other != arrow]
-        layout = layout.captioned(arrow.wish_apart(others), letters)
+        wish = arrow.wish_apart(others)
+        wish = wish.worse_by(_AT_SYMBOL * rate_close(wish, layout.labels[written:], _APART))
+        layout = layout.captioned(wish, letters)
     return layout
 
 
