@@ -75,20 +75,25 @@ def _add_arms(axis: AxisName, chain: Sequence[Term], case: Case) -> list[Formula
         return None
     found: list[Formula] = [name_coordinate(axis, case.naming.letter(first.point))]
     for before, term in pairwise(chain):
-        if term.kind != "rotation":
-            if term is not others[-1]:
-                return None
-            continue
-        part = point_from_base(term, case).pair.get(axis)
-        if part is None or term.base != before.point:
-            return None
-        found.append(_enclose(part))
+        match term.kind:
+            case "rotation":
+                part = point_from_base(term, case).pair.get(axis)
+                if part is None or term.base != before.point:
+                    return None
+                found.append(_enclose(part))
+            case "sliding" | "arc":
+                if term is not others[-1]:
+                    return None
+            case _:
+                assert_never(term.kind)
     return found
 
 
 def _enclose(part: Amount) -> Formula:
     """A difference of coordinates in brackets, in which it is differentiated as a whole."""
-    letters = Product((part.letters,)) if part.letters.kind == "sum" else part.letters
+    letters = part.letters
+    if letters.kind == "sum":
+        letters = Product((letters,))
     return letters.signed(part.sign)
 
 
