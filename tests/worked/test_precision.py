@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import pytest
 
+from kinegrade.problem.template.library.library import load_template
 from kinegrade.worked.document import Prose
 from kinegrade.worked.formulas.equation import Equation, approximate, equate
 from kinegrade.worked.formulas.formula import Formula
@@ -14,9 +15,10 @@ from kinegrade.worked.formulas.numbers import measure, round_number, state_angle
 from kinegrade.worked.formulas.precision import find_more_digits
 from kinegrade.worked.formulas.symbols import read_symbol
 from kinegrade.worked.solution import write_worked_solution
+from tests.problem.draws import draw_filter, drawn
 from tests.prove.draws import seeded_solution
 from tests.worked.draws import stated
-from tests.worked.telling import displayed
+from tests.worked.telling import displayed, proses
 from tests.worked.test_checks import find_checks
 
 NEAR, FAR = 0.720568, 0.712546
@@ -98,3 +100,13 @@ def test_a_check_takes_no_more_digits_than_the_page_has_without_it(seed: int) ->
     checks = find_checks(blocks)
     assert checks
     assert [check for check in checks if not check.agrees] == []
+
+
+def test_a_check_with_fewer_digits_than_its_page_says_with_how_many() -> None:
+    """The page said four digits, and the check had three."""
+    template = load_template("slider-crank-relative-rotation-driver")
+    solution = drawn(draw_filter(template, "w2-en"), 1)[0].solution
+    told = " ".join(proses(write_worked_solution(solution, template.asked(), "en").blocks))
+    assert "4 significant digits (any" in told
+    [check] = [each for each in told.split("Check by ") if r"-0.593\,\unit{m^2/s}" in each]
+    assert "they agree to 3 significant digits." in check

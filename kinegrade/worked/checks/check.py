@@ -19,7 +19,7 @@ from kinegrade.worked.formulas.atoms import ZERO, list_summands
 from kinegrade.worked.formulas.equation import WIDEST, Equation, equate
 from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.measures import double
-from kinegrade.worked.formulas.notation import PLAIN, Notation
+from kinegrade.worked.formulas.notation import DIGITS, PLAIN, Notation
 from kinegrade.worked.vectors.arms import introduce_lengths, name_length
 
 _AT_A_GLANCE = 2 * WIDEST  # letters of both sides
@@ -121,9 +121,12 @@ class Check:
         )
         for condition in self.conditions:
             case.tell(condition)
-        message = Message("solution.check", way=self.way, equation=stated, left=left, right=right)
-        said = case.say(message)
-        yield replace(said, compact=True, on_check=True)
+        digits = self._count_digits(case.notation)
+        name = "solution.check-fewer" if 0 < digits < DIGITS else "solution.check"
+        message = Message(
+            name, way=self.way, equation=stated, left=left, right=right, digits=digits
+        )
+        yield replace(case.say(message), compact=True, on_check=True)
 
 
 def _holds(formula: Row, letters: Row) -> bool:

@@ -6,7 +6,7 @@ import math
 import re
 from collections.abc import Iterator, Sequence
 from functools import cache
-from itertools import pairwise
+from itertools import pairwise, product
 
 from kinegrade.language.known import known_languages
 from kinegrade.language.math.reading import read_math
@@ -18,6 +18,7 @@ from tests.worked.reader.equations import Line, Side, read_page
 from tests.worked.reader.forms import find_angles, is_decimal, measure_usual_digit
 from tests.worked.reader.formula_reader import ROUNDED, find_symbols, read_formula
 
+_SENTENCES = ("solution.check", "solution.check-fewer")
 _ANY = "体"  # stands for any words: a Chinese sentence has no space beside it
 RELATION = re.compile(r"(=|\\approx)")
 _DECIMALS = 2  # of a rounded angle in degrees
@@ -58,7 +59,7 @@ def split_check(block: Block) -> list[str]:
     """Both sides of a check, each with its letters; none for anything else."""
     if not isinstance(block, Prose):
         return []
-    sentences = map(_make_pattern, known_languages())
+    sentences = (_make_pattern(*each) for each in product(known_languages(), _SENTENCES))
     found = next(filter(None, (one.fullmatch(block.text) for one in sentences)), None)
     return list_sides(*found.groups()) if found else []
 
@@ -74,10 +75,12 @@ def list_sides(equation: str, left: str, right: str) -> list[str]:
 
 
 @cache
-def _make_pattern(language: str) -> re.Pattern[str]:
-    message = Message("solution.check", way=_ANY, equation=_ANY, left=_ANY, right=_ANY)
-    way, equation, left, right, end = re.escape(write_sentence(message, language)).split(_ANY)
-    return re.compile(rf"{way}.*{equation}(\$[^$]*\$){left}(\$.*\$){right}(\$.*\$){end}")
+def _make_pattern(language: str, sentence: str) -> re.Pattern[str]:
+    parts = dict.fromkeys(("way", "equation", "left", "right", "digits"), _ANY)
+    text = re.escape(write_sentence(Message(sentence, **parts), language))
+    way, equation, left, right, *end = text.split(_ANY)
+    last = r"\d".join(end)
+    return re.compile(rf"{way}.*{equation}(\$[^$]*\$){left}(\$.*\$){right}(\$.*\$){last}")
 
 
 def _is_repeatable(side: str) -> bool:
