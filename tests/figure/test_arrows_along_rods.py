@@ -72,7 +72,11 @@ def test_arrows_on_the_ground_begin_on_their_dot_with_their_symbols_above(seed: 
 
 @pytest.mark.parametrize(
     ("template", "seed", "symbol"),
-    [("two-wheels-on-cylinder", "v71a", "v_{A}"), ("toggle-press", "v71b", "v")],
+    [
+        ("two-wheels-on-cylinder", "v71a", "v_{A}"),
+        ("toggle-press", "v71b", "v"),
+        ("toggle-press", "w81a", "v"),
+    ],
 )
 def test_an_arrow_begins_at_the_centre_of_its_wheel_and_beside_a_short_rod(
     template: str, seed: str, symbol: str

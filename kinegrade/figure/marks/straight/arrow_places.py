@@ -39,7 +39,7 @@ _ABOVE = 0.95
 # Millimetres of an arrow beside the rod that leaves its point ahead of it, and from the point to
 # its tail; its lengths, a shorter one beside a short rod, with their demerits
 _BESIDE_ROD, _FROM_PIN = 1.15, 0.3
-_ALONG_ROD = {ARROW: 0.6, 7.0: 0.8}
+_ALONG_ROD = {ARROW: 0.6, 7.0: 0.8, 5.0: 1.0}
 # Millimetres beside the line of motion, on the free side first, and along it to the tail: level
 # with the point, unless a bar leaves it there
 _OFFSETS = {3.6: 1.0, -3.6: 1.3, 2.8: 1.6, -2.8: 1.9, 5.0: 2.0, -5.0: 2.3, 6.6: 3.0, -6.6: 3.3}
