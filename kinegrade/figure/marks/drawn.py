@@ -1,20 +1,18 @@
-"""How far a straight part of the mechanism, bare ground or the side of an angle
-runs along a direction."""
+"""How far a straight part of the mechanism, or bare ground, is drawn along a direction."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from itertools import pairwise
 
 from kinegrade.figure.mechanism.layers import Drawing
 from kinegrade.figure.mechanism.plates import Plate
 from kinegrade.figure.mechanism.straight_parts import Bar, Rod
 from kinegrade.figure.placing.obstacles import Segment
-from kinegrade.figure.plane import NEAR, length, on_line, unit
+from kinegrade.figure.plane import NEAR, length, mean, on_line, unit
 from kinegrade.figure.scene import Disc
 from kinegrade.mechanics.joints import Line
 from kinegrade.mechanics.vector import Vector
-from kinegrade.problem.template.hints import Angle
 
 _LARGEST_PIN = 1.5  # millimetres of radius: larger white circles are the insides of rings
 _BEGINS = 1.0  # millimetres from a point within which what is drawn has to begin
@@ -40,16 +38,19 @@ def measure_pin(at: Vector, drawing: Drawing) -> float:
     return max((pin.radius for pin in pins if length(pin.centre - at) < NEAR), default=0.0)
 
 
-def find_edge(at: Vector, toward: Vector, drawing: Drawing) -> float:
+def find_edge(at: Vector, toward: Vector, drawing: Drawing) -> tuple[float, Vector]:
     """The length in millimetres of the edge of a plate that leaves a corner in a direction (a unit
-    vector); 0 when none does.
+    vector), and the unit vector from the edge out of the plate; 0 when none does.
     """
-    found = [0.0]
+    found = [(0.0, toward.turned())]
     for part in drawing.parts:
         if isinstance(part, Plate) and any(length(corner - at) < NEAR for corner in part.corners):
             steps = [corner - at for corner in part.corners]
-            found += [step.dot(toward) for step in steps if abs(step.cross(toward)) < NEAR]
-    return max(found)
+            across = toward.turned()
+            outward = -across if mean(part.corners).dot(across) > at.dot(across) else across
+            reaches = [step.dot(toward) for step in steps if abs(step.cross(toward)) < NEAR]
+            found.append((max(reaches, default=0.0), outward))
+    return max(found, key=lambda edge: edge[0])
 
 
 def is_rigid(at: Vector, points: Mapping[str, Vector], drawing: Drawing) -> bool:
@@ -72,20 +73,6 @@ def find_block(at: Vector, toward: Vector, drawing: Drawing) -> tuple[float, flo
             size = rail.block.length if abs(rail.along.cross(toward)) < NEAR else rail.block.width
             return ahead - size / 2, ahead + size / 2
     return 0.0, 0.0
-
-
-def measure_leg(
-    at: Mapping[str, Vector], angles: Iterable[Angle], origin: Vector, toward: Vector
-) -> float:
-    """How far, in millimetres, the point lies that gives the side of an angle along an axis; 0
-    where the axis is no side, or one of the paper.
-    """
-    reaches = [0.0]
-    for angle in angles:
-        if length(at[angle.at] - origin) < NEAR:
-            sides = [at[name] - origin for name in (angle.start, angle.end) if name in at]
-            reaches += [length(side) for side in sides if length(unit(side) - toward) < NEAR]
-    return max(reaches)
 
 
 def meets_face(at: Vector, toward: Vector, drawing: Drawing) -> bool:

@@ -10,16 +10,10 @@ import numpy as np
 from msgspec import Struct
 from msgspec.structs import replace
 
-from kinegrade.figure.marks.drawn import (
-    find_block,
-    find_edge,
-    is_rigid,
-    measure_drawn,
-    measure_leg,
-    meets_face,
-)
+from kinegrade.figure.marks.drawn import find_block, find_edge, is_rigid, measure_drawn, meets_face
 from kinegrade.figure.mechanism.layers import Drawing
 from kinegrade.figure.mechanism.straight.broad_links import find_frame_place, measure_way
+from kinegrade.figure.mechanism.straight.edge_axes import has_room_for_axis
 from kinegrade.figure.mechanism.straight_parts import Bar
 from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.placing.obstacles import Segment
@@ -30,7 +24,7 @@ from kinegrade.figure.symbols.arrows import HEAD_LENGTH, draw_arrowhead
 from kinegrade.figure.symbols.pins import PIN
 from kinegrade.figure.symbols.sliding import BLOCK_LENGTH
 from kinegrade.mechanics.vector import Vector
-from kinegrade.problem.template.hints import BodyFrame, FigureHints
+from kinegrade.problem.template.hints import Angle, BodyFrame, FigureHints
 
 _ORIGIN, _RIGHT = Vector(0.0, 0.0), Vector(1.0, 0.0)
 # Millimetres, of the axes at the origin, of those of a body, and of those aside
@@ -43,8 +37,7 @@ _LEG_LENGTHS = (22.0, 25.0, 19.0)  # millimetres of an axis that is the leg of a
 _BEYOND_LEG = 4.0  # millimetres of an axis beyond the point that gives the side of an angle
 _BEYOND_TIP = 5.0  # millimetres of an axis beyond the arrow of a motion that lies on it
 _BEYOND_BAR = (6.0, 7.5, 9.0)  # millimetres of an axis beyond the bar or the ground that it is on
-_PAST_EDGE = (7.5, 9.0, 11.0, 6.0)  # millimetres of an axis past the far end of an edge
-_LONG_EDGE = 19.0  # millimetres of an edge that an axis does not reach beyond otherwise
+_OUTWARD = 3.0  # share of the way out of a plate, of the way from the tip on its edge to the letter
 _BEFORE_BLOCK = 18.0  # millimetres before a block that have no room for an axis and its letter
 _AT_ORIGIN = 3.0  # millimetres of an axis at its origin, where a pin and other axes are
 _CLEAR = 3.0  # millimetres about that square that are free as well
@@ -68,9 +61,9 @@ def add_frames(
     """The layout with the axes that stand at points: those of bodies, then x and y at the
     origin; their letters keep clear of lines that are still to come. An axis along a bar or the
     ground runs on beyond it, as does one to a block, however far that is where bodies have frames;
-    along the long edge of a plate it runs on past that, along a long link on that, which is broad;
-    one that is the leg of an angle reaches beyond its arc, one along the `likely` arrow of a motion
-    beyond its tip.
+    along the long edge of a plate it lies on that, which is thin, along a long link on that, which
+    is broad; one that is the leg of an angle reaches beyond its arc, one along
+    the `likely` arrow of a motion beyond its tip.
     """
     axes = [
         axis for frame in hints.frames for axis in _name_axes(*find_frame_place(at, frame), frame)
@@ -90,22 +83,23 @@ def _list_ways(
     to begin at its own origin.
     """
     symbol, origin, toward, usual = axis
-    edge = find_edge(origin, toward, drawing)
+    edge, outward = find_edge(origin, toward, drawing)
     if on := max(
         (measure_way(bar, origin, toward) for bar in _list_broad_bars(drawing)), default=0
     ):
         line = (origin + toward * PIN, origin + toward * (on - PIN))
         shafts = _list_axes(origin + toward * (on + PIN), toward, symbol, _BEYOND_BAR)
         return [replace(shaft, before=(line,)) for shaft in shafts]
-    if edge > _LONG_EDGE:
-        return list(_list_axes(origin + toward * (edge + PIN), toward, symbol, _PAST_EDGE))
+    if has_room_for_axis(edge):
+        ways = _list_axes(origin + toward * PIN, toward, symbol, usual)
+        return [replace(way, away=toward + outward * _OUTWARD, bare=True) for way in ways]
     begins, ends = find_block(origin, toward, drawing)
     led = bool(hints.frames) or _has_line(at, hints, origin, origin + toward * ends)
     if begins and (begins < _BEFORE_BLOCK or led):
         line = (origin + toward * PIN, origin + toward * begins)
         shafts = _list_axes(origin + toward * ends, toward, symbol, _BEYOND_BAR)
         return [replace(shaft, before=(line,)) for shaft in shafts]
-    leg = measure_leg(at, hints.angles, origin, toward)
+    leg = _measure_leg(at, hints.angles, origin, toward)
     long = (*(size for size in _LEG_LENGTHS if size > leg), leg + _BEYOND_LEG) if leg else ()
     drawn = measure_drawn(origin, toward, drawing)
     beyond = tuple(drawn + more - PIN for more in _BEYOND_BAR if drawn)
@@ -148,6 +142,20 @@ def _name_axes(origin: Vector, along: Vector, frame: BodyFrame) -> tuple[_NamedA
     )
 
 
+def _measure_leg(
+    at: Mapping[str, Vector], angles: Iterable[Angle], origin: Vector, toward: Vector
+) -> float:
+    """How far, in millimetres, the point lies that gives the side of an angle along an axis; 0
+    where the axis is no side, or one of the paper.
+    """
+    reaches = [0.0]
+    for angle in angles:
+        if length(at[angle.at] - origin) < NEAR:
+            sides = [at[name] - origin for name in (angle.start, angle.end) if name in at]
+            reaches += [length(side) for side in sides if length(unit(side) - toward) < NEAR]
+    return max(reaches)
+
+
 def add_axes_aside(layout: Layout, hints: FigureHints) -> Layout:
     """The layout with a small frame x, y where the hints want one: in a corner that is free, else
     outside everything at the lower left.
@@ -185,7 +193,7 @@ def _list_axes(
 
 class FrameAxis(Struct, frozen=True):
     """A thin arrow with its letter at the tip, rather in the direction `away`, where that is not
-    its own; `before` is the part short of a block on it.
+    its own; `before` is the part short of a block on it; it is `bare` where it may lie on anything.
     """
 
     start: Vector
@@ -195,6 +203,7 @@ class FrameAxis(Struct, frozen=True):
     demerit: float
     before: tuple[Segment, ...] = ()
     free: bool = False
+    bare: bool = False
     away: Vector | None = None
     shared: bool = True
 
@@ -212,6 +221,8 @@ class FrameAxis(Struct, frozen=True):
         """The part before the tip, as the rest may run along a bar or over one; all that is clear
         of its origin where it has to be `free`.
         """
+        if self.bare:
+            return ()
         size = max(_TIP, self.size - _AT_ORIGIN) if self.free else _TIP
         return ((self.tip() - self.toward * size, self.tip()),)
 

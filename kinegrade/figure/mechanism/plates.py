@@ -12,17 +12,20 @@ from kinegrade.mechanics.joints import Line
 from kinegrade.mechanics.mechanism import Body
 from kinegrade.mechanics.vector import Vector
 
+Edge = tuple[Vector, Vector]  # from corner to corner
+
 
 class Plate(Struct, frozen=True):
     """A body with three or more marked points that are not in line; corners counter-clockwise.
 
     It is `rounded` about the pins at its corners where all of them are pins and no edge of it
-    matters.
+    matters; `thin` are the edges that an axis of its frame runs along.
     """
 
     body: str
     corners: tuple[Vector, ...]
     rounded: bool = False
+    thin: tuple[Edge, ...] = ()
 
 
 def find_plate(body: Body, points: Sequence[Vector], shapes: Mapping[str, str]) -> Plate | None:

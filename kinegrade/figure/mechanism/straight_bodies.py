@@ -5,6 +5,7 @@ wheels.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import pairwise
 from typing import assert_never
 
 from kinegrade.figure.joints.symbol import Rim
@@ -14,7 +15,7 @@ from kinegrade.figure.mechanism.rims import find_gap_of_rack
 from kinegrade.figure.mechanism.slotted_discs import draw_slotted_disc
 from kinegrade.figure.mechanism.straight_parts import Bar, GenevaWheel, Part, Rod, SlottedDisc
 from kinegrade.figure.plane import length, unit
-from kinegrade.figure.scene import BOLD, FIRM, Outline, Primitive, Strokes
+from kinegrade.figure.scene import BOLD, FIRM, THIN, Outline, Primitive, Strokes
 from kinegrade.figure.symbols.bars import (
     SOLID_AT_PIN,
     draw_broad_bar,
@@ -33,7 +34,7 @@ def draw_straight_part(part: Part, rims: Sequence[Rim]) -> tuple[Primitive, ...]
     """The primitives of one straight part of a mechanism with those circles."""
     match part:
         case Plate():
-            return (Outline(_trace_plate(part), FIRM, "grey"),)
+            return _draw_plate(part)
         case SlottedDisc():
             return draw_slotted_disc(part)
         case GenevaWheel():
@@ -50,6 +51,16 @@ def draw_straight_part(part: Part, rims: Sequence[Rim]) -> tuple[Primitive, ...]
             return _draw_bar(part, rims)
         case _:
             assert_never(part)
+
+
+def _draw_plate(plate: Plate) -> tuple[Primitive, ...]:
+    """A plate with its edges."""
+    if not plate.thin:
+        return (Outline(_trace_plate(plate), FIRM, "grey"),)
+    edges = pairwise((*plate.corners, plate.corners[0]))
+    firm = tuple(edge for edge in edges if edge not in plate.thin)
+    body = Outline(plate.corners, None, "grey")
+    return (body, Strokes(plate.thin, THIN), Strokes(firm, FIRM))
 
 
 def _trace_plate(plate: Plate) -> tuple[Vector, ...]:
