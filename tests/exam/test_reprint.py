@@ -53,7 +53,8 @@ SUPERFLUOUS = re.compile(
     r"|press[.](word|latex|html|archive_page|cycle_page|typst[.](key|gallery|solution))"
     r"|problem[.](statement_faults"
     r"|template[.](library[.]stepwise|meaning[.]consistency))"
-    r"|files[.](tables|output|temporary|placing|csv_writing)))([.]|$)"
+    r"|files[.](tables|output|temporary|csv_writing"
+    r"|placing[.](?!readings|standing|droppings))))([.]|$)"
 )
 
 

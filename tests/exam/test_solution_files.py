@@ -130,7 +130,8 @@ def test_solve_typesets_the_worked_solution(tmp_path: Path) -> None:
     assert kinegrade("solve", "slider-crank", "-o", page).exit_code == 2
 
 
-RULE = re.compile(r"(\d)(?:significant|位有效数字|geltende)")
+# How values are rounded, not with how many digits the sides of a check agree
+RULE = re.compile(r"(?<!agreeto)(?<!前)(\d)(?:significant|位有效数字|geltende)")
 
 
 def test_the_questions_of_a_paper_say_how_values_are_rounded_where_that_changes(

@@ -28,7 +28,7 @@ S9,x,1.7 rad/s,=1+1,"-0,1375 m/s²"
 """
 RIGHT = '"1,73"'
 WRONG_UNIT = '"rad/s" measures an angular velocity; a speed was expected, in "m/s"'
-CALCULATION = '"1+1" is a range or a calculation; one number was expected'
+CALCULATION = '"=1+1" is a range or a calculation; one number was expected'
 
 
 def marked(exam: Path, content: str | bytes, *, force: bool = False) -> ClassGrades:

@@ -158,7 +158,7 @@ def test_a_shared_mechanism_has_translations_beside_it(tmp_path: Path) -> None:
     beside.write_text('title = "曲柄"\n[parameters]\nr = ""\n', encoding="utf-8")
     assert faults(tmp_path / "crank.toml") == [
         "mechanisms/arm.zh.toml:1: title: no such text in the file that is translated - "
-        "known here: parameters.h, parameters.r",
+        "known here: bodies.OA, parameters.h, parameters.r",
         'mechanisms/arm.zh.toml:3: parameters.r: "" - expected a text in quotation marks, "..."',
     ]
 

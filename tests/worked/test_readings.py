@@ -61,9 +61,9 @@ def test_chinese_has_no_preposition_twice() -> None:
 def test_a_sum_of_angles_is_worked_out_before_a_point_is_placed_by_it() -> None:
     # the cosine took 86.53 degrees, which stood nowhere
     told = displayed(kept("watt-linkage"))
-    (place,) = [place for place, line in enumerate(told) if line.startswith("y_{C} &=")]
+    (place,) = [place for place, line in enumerate(told) if line.startswith("x_{C} &=")]
     assert told[place - 1].endswith(r"= 17.8209^\circ + 68.7136^\circ \approx 86.5345^\circ")
-    assert r"\sin 86.5345^\circ" in told[place + 1]
+    assert r"\cos 86.5345^\circ" in told[place]
 
 
 def test_a_relative_rotation_is_added_in_numbers() -> None:

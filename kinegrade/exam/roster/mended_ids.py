@@ -26,7 +26,8 @@ _FRACTION = re.compile(r"([0-9]+)[.,]0+")
 _SHORTENED = re.compile(r"[0-9](?:[.,][0-9]+)?E\+[0-9]+", re.IGNORECASE)
 _DATE = re.compile(r"[0-9]{4}([-/.])[0-9]{1,2}\1[0-9]{1,2}|[0-9]{1,2}([-/.])[0-9]{1,2}\2[0-9]{4}")
 _LOST = ("files.cell-digits", "files.cell-date")  # remarks on cells that no longer hold the id
-_MOST_ALIKE = 4  # in five ids, at least, that are alike make the others strange
+_MOST_ALIKE = 4  # in five ids, at least, that are equally long digits make shorter ones strange
+_MOST_WITH_DIGITS = 9  # in ten ids, at least, that have digits make those without strange
 
 
 @dataclass(frozen=True, slots=True)
@@ -106,7 +107,7 @@ def find_ids_without_digits(table: Table, people: Sequence[Identity]) -> Iterato
     line of totals.
     """
     without = [each for each in people if not any(map(str.isdigit, each.student))]
-    if 5 * (len(people) - len(without)) < _MOST_ALIKE * len(people):
+    if 10 * (len(people) - len(without)) < _MOST_WITH_DIGITS * len(people):
         return
     for each in without:
         problem = Message("roster.no-digit", student=Quoted(each.student), line=each.line)

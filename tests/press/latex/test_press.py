@@ -244,8 +244,6 @@ def test_all_faults_of_all_papers_are_told_at_once() -> None:
         "q1, statement",
         "q2, title",
         "q2, statement",
-        "q1, title",
-        "q1, statement",
     ]
 
 
