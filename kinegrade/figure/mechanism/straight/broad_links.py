@@ -30,15 +30,20 @@ def find_frame_place(at: Mapping[str, Vector], frame: BodyFrame) -> tuple[Vector
             assert_never(frame.along)
 
 
-def broaden_links(
-    parts: Iterable[Part], at: Mapping[str, Vector], frames: Sequence[BodyFrame]
-) -> tuple[Part, ...]:
-    """The parts, of which long links with an axis on them are broad."""
-    axes = [
+def list_axes(at: Mapping[str, Vector], frames: Sequence[BodyFrame]) -> list[tuple[Vector, Vector]]:
+    """The origin and the direction of both axes of each frame."""
+    return [
         (origin, axis)
         for origin, along in (find_frame_place(at, frame) for frame in frames)
         for axis in (along, along.turned())
     ]
+
+
+def broaden_links(
+    parts: Iterable[Part], at: Mapping[str, Vector], frames: Sequence[BodyFrame]
+) -> tuple[Part, ...]:
+    """The parts, of which long links with an axis on them are broad."""
+    axes = list_axes(at, frames)
     return tuple(
         replace(part, use="broad")
         if isinstance(part, Bar)

@@ -11,7 +11,7 @@ from typing import assert_never
 from msgspec.structs import replace
 
 from kinegrade.figure.mechanism.plates import Edge, Plate
-from kinegrade.figure.mechanism.straight.broad_links import find_frame_place
+from kinegrade.figure.mechanism.straight.broad_links import list_axes
 from kinegrade.figure.mechanism.straight_parts import Bar, GenevaWheel, Part, Rod, SlottedDisc
 from kinegrade.figure.plane import NEAR, length, unit
 from kinegrade.mechanics.vector import Vector
@@ -29,11 +29,7 @@ def thin_edges(
     parts: Iterable[Part], at: Mapping[str, Vector], frames: Sequence[BodyFrame]
 ) -> tuple[Part, ...]:
     """The parts, with the edges of plates that an axis runs along as thin ones."""
-    axes = [
-        (origin, axis)
-        for origin, along in (find_frame_place(at, frame) for frame in frames)
-        for axis in (along, along.turned())
-    ]
+    axes = list_axes(at, frames)
     return tuple(_thin_edges_of(part, axes) for part in parts)
 
 

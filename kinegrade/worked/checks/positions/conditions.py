@@ -43,14 +43,8 @@ def differentiate_coordinate(
         return _differentiate_twice_over(axis, chains, level, case)
     left, right = map(add_terms, (first, second))
     equation = Equation(left, equate(right))
-    formula = _show(equation, case)
-    match level:
-        case "velocity":
-            return Condition(Message("solution.first-derivative", condition=formula), (equation,))
-        case "acceleration":
-            return Condition(Message("solution.second-derivative", condition=formula), (equation,))
-        case _:
-            assert_never(level)
+    way = Message(f"solution.sum-derivative-{level}", condition=_show(equation, case))
+    return Condition(way, (equation,))
 
 
 def _differentiate_twice_over(
@@ -102,13 +96,7 @@ def differentiate_direction(arm: Multiplier, turn: Term, level: Level, case: Cas
     angle = Equation(Function("arctan", _divide(arm.pair["y"], arm.pair["x"])), ())
     first, second = map(case.naming.point, (turn.base, turn.point))
     letters = {"condition": _show(angle, case), "first": first, "second": second}
-    match level:
-        case "velocity":
-            way = Message("solution.first-derivative-direction", **letters)
-        case "acceleration":
-            way = Message("solution.second-derivative-direction", **letters)
-        case _:
-            assert_never(level)
+    way = Message(f"solution.direction-derivative-{level}", **letters)
     return Condition(way, (angle,))
 
 
@@ -116,14 +104,7 @@ def differentiate_length(arm: Multiplier, far: Formula, level: Level, case: Case
     """The square of an arm, which is as long as it was."""
     squares = add_terms(one.letters**TWO for one in arm.pair.values())
     fixed = Equation(squares, equate(far**TWO))
-    formula = _show(fixed, case)
-    match level:
-        case "velocity":
-            way = Message("solution.first-derivative-length", condition=formula)
-        case "acceleration":
-            way = Message("solution.second-derivative-length", condition=formula)
-        case _:
-            assert_never(level)
+    way = Message(f"solution.length-derivative-{level}", condition=_show(fixed, case))
     return Condition(way, (fixed,))
 
 
@@ -138,13 +119,7 @@ def differentiate_distance(
         "x": _show(x, case),
         "y": _show(y, case),
     }
-    match level:
-        case "velocity":
-            way = Message("solution.first-derivative-distance", **letters)
-        case "acceleration":
-            way = Message("solution.second-derivative-distance", **letters)
-        case _:
-            assert_never(level)
+    way = Message(f"solution.distance-derivative-{level}", **letters)
     return Condition(way, parts)
 
 
