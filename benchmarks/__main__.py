@@ -23,6 +23,7 @@ BENCHMARKS = (
     "marking",
     "papers",
     "workers",
+    "typesetting",
     "tags",
     "class_commands",
     "cycles",

@@ -11,7 +11,7 @@ from time import perf_counter
 @dataclass(frozen=True)
 class Figure:
     """Cost per unit of work, ours and the peer's; `promise` is the least ratio peer/ours, None if
-    none is made.
+    none is made; `sought` is the ratio that was aimed at, where no way to it is known.
 
     Costs are seconds, shown as milliseconds, or megabytes where `unit` is "MB".
     """
@@ -21,6 +21,7 @@ class Figure:
     peer: float
     promise: float | None
     unit: str = "ms"
+    sought: float | None = None
 
     @property
     def ratio(self) -> float:
@@ -39,11 +40,12 @@ class Figure:
             if self.promise is None
             else f"  promised: {self.promise:g}  {'kept' if self.kept else 'BROKEN'}"
         )
+        sought = "" if self.sought is None else f", sought: {self.sought:g}"
         scale = 1e3 if self.unit == "ms" else 1.0
         costs = (
             f"ours {self.ours * scale:9.3f} {self.unit}  peer {self.peer * scale:9.3f} {self.unit}"
         )
-        return f"{self.name:<58} {costs}  ratio {self.ratio:7.2f}{promise}"
+        return f"{self.name:<58} {costs}  ratio {self.ratio:7.2f}{promise}{sought}"
 
 
 def seconds(work: Callable[[], object], repeats: int) -> float:
