@@ -22,7 +22,7 @@ from kinegrade.figure.marks.body_names import add_body_names
 from kinegrade.figure.marks.frames import add_axes_aside, add_frames
 from kinegrade.figure.marks.imposed import drop_still
 from kinegrade.figure.marks.lengths.claims import find_claimed, measure_strain
-from kinegrade.figure.marks.lengths.dimensions import add_length
+from kinegrade.figure.marks.lengths.dimensions import add_length, list_likely_extensions
 from kinegrade.figure.marks.lengths.extension_gaps import Around
 from kinegrade.figure.marks.names import find_named_points, keep_from_marks, label_points
 from kinegrade.figure.marks.radii import add_radii
@@ -212,7 +212,8 @@ def _place_frames_and_angles(
     usual = [choose_bow(seen, *each) for each in zip(hints.angles, sides, strict=True)]
     sparing = [line for lines in legs for line in lines]
     layout = add_frames(layout, at, hints, drawing, sparing, likely=likely)
-    around = find_neighbours(drawing)
+    extensions = list_likely_extensions(at, hints.lengths, layout.obstacles)
+    around = replace(find_neighbours(drawing), to_come=extensions)
     arrows = (*draw_likely_motions(likely), *list_likely_symbols(site, moving))
     for number, angle in enumerate(hints.angles, start=1):
         to_come = [*arrows, *(line for lines in legs[number:] for line in lines)]

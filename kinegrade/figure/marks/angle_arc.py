@@ -53,8 +53,8 @@ _TWELFTHS = tuple(turn * pi / 6 for turn in range(12))
 
 class Neighbours(Struct, frozen=True):
     """What else there is about an angle: circles along which its arc would merge with them, the
-    axes of bars, the arcs of other angles, which its letter must not seem to name, thin lines, and
-    pins, to which it must not seem to belong.
+    axes of bars, the arcs of other angles, which its letter must not seem to name, thin lines,
+    pins, to which it must not seem to belong, and lines that are likely `to_come`.
     """
 
     circles: tuple[Disc | Bow, ...] = ()
@@ -62,6 +62,7 @@ class Neighbours(Struct, frozen=True):
     arcs: tuple[Bow, ...] = ()
     lines: tuple[Segment, ...] = ()
     pins: tuple[Vector, ...] = ()
+    to_come: tuple[Segment, ...] = ()
 
 
 ALONE = Neighbours()

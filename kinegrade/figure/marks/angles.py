@@ -11,6 +11,12 @@ from operator import itemgetter
 from msgspec.structs import replace
 
 from kinegrade.figure.marks.angle_arc import ALONE, AngleArc, Neighbours, add_leaders
+from kinegrade.figure.marks.arcs.arc_heads import (
+    is_across_line,
+    is_at_pin_or_bar,
+    is_ended_on,
+    is_on_edge,
+)
 from kinegrade.figure.marks.sides import Side
 from kinegrade.figure.marks.sweep import SMALLEST_ANGLE, find_sweep
 from kinegrade.figure.mechanism.layers import Drawing
@@ -39,9 +45,11 @@ _PIN_ROOM, _BLOCK_ROOM = 1.6, 3.2
 # Millimetres from a side, at the usual radius, to an axis through its vertex, with which it merges
 # there, so that the arc would seem to end at that; and from a vertex to where an axis begins
 _AT_AXIS, _BEGINS = 0.9, 1.2
-# Demerit of an arrowhead lost among other lines, millimetres about it to a pin and to the axis of a
-# bar or the edge of a slot, and from a side to what is drawn along that
-_LOST_HEAD, _HEAD_OFF_PIN, _HEAD_OFF_LINE, _ON_SIDE = 12.0, 2.6, 1.8, 0.1
+_ON_SIDE = 0.1  # millimetres from a side to what is drawn along that
+# Demerits of an arrowhead lost among other lines, and of one across a line, where its arc seems to
+# end
+_LOST_HEAD, _ACROSS_LINE = 12.0, 20.0
+_AT_END = 5.0  # demerit of an arc at an end of which a line is likely to come
 # Millimetres between an arc and a circle at two of the places along the arc by which they merge,
 # the demerit of that, and the least radius of such a circle
 _MERGES, _PROBES, _MERGED, _LEAST_CIRCLE = 1.0, (0.1, 0.3, 0.5, 0.7, 0.9), 16.0, 3.2
@@ -74,7 +82,8 @@ def mark_angles(
                 _rate_demerit(bow.radius, nicest.radius, legs)
                 + _rate_ends(bow.radius, reaches)
                 + _rate_axes(bow, neighbours.lines)
-                + _rate_head(bow, hint, neighbours)
+                + _AT_END * is_ended_on(bow, neighbours.to_come)
+                + _rate_head(bow, legs, hint, neighbours)
                 + _rate_merging(bow, neighbours.circles)
                 + _rate_within(bow, neighbours.circles)
                 + _rate_enclosing(bow, neighbours.arcs),
@@ -172,14 +181,15 @@ def _leaves(at: Vector, start: Vector, end: Vector) -> bool:
     return on_line and length(nearest_of(at, start, end) - at) < _BEGINS
 
 
-def _rate_head(bow: Bow, hint: Angle, near: Neighbours) -> float:
-    """The demerit of an arrowhead at a pin, or where another line crosses the side of the angle."""
+def _rate_head(bow: Bow, legs: Sequence[Side], hint: Angle, near: Neighbours) -> float:
+    """The demerit of an arrowhead that is lost among other lines."""
     if not (hint.sense or hint.signed):
         return 0.0
-    tip = bow.centre + polar(bow.start + bow.sweep, bow.radius)
-    gaps = [length(nearest_of(tip, *line) - tip) for line in near.bars]
-    crossed = any(_ON_SIDE < gap < _HEAD_OFF_LINE for gap in gaps)
-    return _LOST_HEAD * (crossed or any(length(pin - tip) < _HEAD_OFF_PIN for pin in near.pins))
+    at_vertex = [line for line in near.to_come if line[0] == bow.centre]
+    if is_across_line(bow, (*near.lines, *at_vertex)):
+        return _ACROSS_LINE
+    lost = is_at_pin_or_bar(bow, near.pins, near.bars) or is_on_edge(bow, legs[1])
+    return _LOST_HEAD * lost
 
 
 def _rate_merging(bow: Bow, circles: Iterable[Disc | Bow]) -> float:

@@ -12,8 +12,10 @@ from kinegrade.figure.marks.angle_arc import AngleArc, LedAngleArc
 from kinegrade.figure.placing.mark import Mark
 from kinegrade.figure.placing.obstacles import Segment
 from kinegrade.figure.placing.place import Floats
+from kinegrade.figure.plane import polar
 
 _BEYOND = 4.0  # millimetres beyond the arc of an angle that are still in it
+_END = 0.3  # millimetres on either side of an arc that are its end
 _STATIONS = np.array(((0.4,), (0.7,), (1.0,)))  # of a line that begins on a side
 
 
@@ -24,6 +26,15 @@ def list_arcs(marks: Iterable[Mark]) -> Iterator[AngleArc]:
             yield mark
         elif isinstance(mark, LedAngleArc):
             yield mark.arc
+
+
+def list_arc_ends(marks: Iterable[Mark]) -> Iterator[Segment]:
+    """Where the arcs of angles among some marks end: a piece of each side there."""
+    for arc in list_arcs(marks):
+        bow = arc.bow
+        for angle in (bow.start, bow.start + bow.sweep):
+            end, piece = bow.centre + polar(angle, bow.radius), polar(angle, _END)
+            yield end - piece, end + piece
 
 
 def rate_in_angles(places: Floats, arcs: Iterable[AngleArc]) -> Floats:

@@ -8,6 +8,7 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from kinegrade.figure.marks.frames import FrameAxis
+from kinegrade.figure.marks.in_angles import list_arc_ends
 from kinegrade.figure.marks.lengths.dimension_lines import DimensionLine
 from kinegrade.figure.marks.lengths.measured_direction import find_measured_direction
 from kinegrade.figure.marks.straight.motions import gather_arrows
@@ -15,7 +16,7 @@ from kinegrade.figure.placing.layout import Layout
 from kinegrade.figure.placing.obstacles import Obstacles
 from kinegrade.figure.placing.ownership import CLAIMING, widen_labels
 from kinegrade.figure.plane import NEAR, length
-from kinegrade.figure.scene import THIN, Bow, Outline, Primitive
+from kinegrade.figure.scene import THIN, Bow, Outline, Primitive, Strokes
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import Length
 
@@ -27,6 +28,7 @@ _HEAD_ON_LINE = 16.0  # demerit of a dimension whose arrowhead lies on something
 # one that goes on from another one at another distance
 _CLOSE, _CUT, _STAGGERED = 6.0, 12.0, 6.0
 _ON_MARK = 8.0  # demerit of a dimension across the arc of an angle or the mark of a right one
+_ON_END = 12.0  # further demerit of one through an end of such an arc, which is read there
 # Demerit of an extension line that seems to begin at another point, and millimetres from that
 _AT_OTHER, _BESIDE_POINT = 8.0, 2.2
 
@@ -34,8 +36,8 @@ _AT_OTHER, _BESIDE_POINT = 8.0, 2.2
 class DimensionCompany(Struct, frozen=True):
     """What a dimension has to keep off as a whole: letters and what is about them, the arrows of
     motions, and with its line, other than with its extension lines, the axes of frames and all that
-    is firm; with its arrowheads all that is drawn; the ground; the arcs and squares of angles,
-    earlier dimensions and other points.
+    is firm; with its arrowheads all that is drawn; the ground; the arcs and squares of angles, most
+    of all the ends of arcs; earlier dimensions and other points.
     """
 
     written: Obstacles
@@ -46,6 +48,7 @@ class DimensionCompany(Struct, frozen=True):
     drawn: Obstacles
     ground: Obstacles
     angles: Obstacles
+    ends: Obstacles
     earlier: tuple[DimensionLine, ...]
     others: tuple[Vector, ...]
 
@@ -61,6 +64,7 @@ class DimensionCompany(Struct, frozen=True):
             layout.obstacles,
             ground,
             Obstacles.of(filter(_marks_angle, layout.lines)),
+            Obstacles.of((Strokes(tuple(list_arc_ends(layout.marks)), THIN),)),
             tuple(mark for mark in layout.marks if isinstance(mark, DimensionLine)),
             others,
         )
@@ -86,6 +90,7 @@ class DimensionCompany(Struct, frozen=True):
         worse += _ON_GROUND * (self.ground.along(path, mark.shared) > 0)
         worse += _HEAD_ON_LINE * (not goes_on and self.drawn.along(mark.heads(), shared=False) > 0)
         worse += _ON_MARK * (self.angles.along((*begins, *path), mark.shared) > 0)
+        worse += _ON_END * (self.ends.along((*begins, *path), mark.shared) > 0)
         worse += _AT_OTHER * any(mark.begins_at(point, _BESIDE_POINT) for point in self.others)
         return replace(mark, demerit=mark.demerit + worse) if worse else mark
 

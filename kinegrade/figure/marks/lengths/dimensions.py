@@ -39,6 +39,7 @@ _PART, _LEG = 20.0, 3.0
 # Demerits of a symbol alone beside the line that joins two points, if any does
 _JOINED: Mapping[Join, float] = {"whole": 0.0, "part": _PART, "none": inf}
 Gaps = tuple[Gap, Gap]
+_REACH = 30.0  # millimetres of a line that a dimension may need at a point
 _DRAWN_GAP = 2.5  # millimetres by which a line between two points may miss either of them
 
 
@@ -136,10 +137,28 @@ def find_extension_angles(
     for hint in hints:
         start, end = at[hint.start], at[hint.end]
         ends_here = min(length(start - point), length(end - point)) < NEAR
-        if ends_here and (hint.along or find_join(drawn, start, end, _DRAWN_GAP) != "whole"):
+        if ends_here and _needs_dimension(hint, start, end, drawn):
             across = angle_of(find_measured_direction(hint.along, start, end).turned())
             found += [across, across - pi]
     return tuple(found)
+
+
+def list_likely_extensions(
+    at: Mapping[str, Vector], hints: Iterable[Length], drawn: Obstacles
+) -> tuple[Segment, ...]:
+    """The lines that the dimensions of some lengths may need at their points."""
+    found = []
+    for hint in hints:
+        start, end = at[hint.start], at[hint.end]
+        if _needs_dimension(hint, start, end, drawn):
+            across = find_measured_direction(hint.along, start, end).turned() * _REACH
+            found += [(point, point + way) for point in (start, end) for way in (across, -across)]
+    return tuple(found)
+
+
+def _needs_dimension(hint: Length, start: Vector, end: Vector, drawn: Obstacles) -> bool:
+    """Whether a length may need a dimension line, as no bar leads from one point to the other."""
+    return hint.along is not None or find_join(drawn, start, end, _DRAWN_GAP) != "whole"
 
 
 def _share_line(at: Mapping[str, Vector], one: Length, other: Length, drawn: Obstacles) -> bool:
