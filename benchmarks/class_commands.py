@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import csv
 import json
+import shutil
 import subprocess
 import sys
 from collections.abc import Callable, Iterator
@@ -28,7 +29,7 @@ DONE = (0, 1)  # statuses: 1 is done with something to say
 
 @dataclass(frozen=True)
 class Class:
-    """An exam of 200 students, answered and marked, in a folder of its own."""
+    """Two exams of a class, answered and marked, in a folder of its own."""
 
     folder: Path
 
@@ -56,22 +57,27 @@ COMMANDS = (
     "report EXAM MARKS -o report.html",
     "sharing EXAM MARKS -o sharing.csv",
     "explain EXAM MARKS 0007",
-    "compare-entries answers.csv answers.csv",
+    "compare-entries answers.csv second.csv",
     "merge MARKS AGAIN --prefer last -o ALL",
-    "term MARKS AGAIN -o term.csv",
+    "term MARKS SECOND -o term.csv",
 )
 
 
 def figures() -> Iterator[Figure]:
     """Processor time of each command; seconds, parts that run side by side added up."""
     with TemporaryDirectory() as name:
-        class_ = make_class(Path(name))
-        code = spare_code(class_.folder)
+        class_ = make_class(Path(name), STUDENTS)
         importing = cost(lambda: subprocess.run([sys.executable, "-c", "import sympy"], check=True))
-        for command in COMMANDS:
-            words = command.replace("CODE", code).split()
+        for words in list_commands(class_.folder):
             ours = cost(lambda words=words: class_.run(*words))
             yield Figure(f"{words[0]}, {STUDENTS} students", ours, importing, PROMISE)
+
+
+def list_commands(folder: Path) -> Iterator[list[str]]:
+    """The words of each command for the class there."""
+    code = spare_code(folder)
+    for command in COMMANDS:
+        yield command.replace("CODE", code).split()
 
 
 def cost(work: Callable[[], object]) -> float:
@@ -82,34 +88,37 @@ def cost(work: Callable[[], object]) -> float:
     return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
 
 
-def make_class(folder: Path) -> Class:
-    """An exam set, its answers typed, most of them right, and marked."""
+def make_class(folder: Path, students: int) -> Class:
+    """Two exams set, their answers typed, most of them right, and marked."""
     class_ = Class(folder)
-    write_roster(folder / "roster.csv")
-    class_.run(
-        "generate", "demo", "roster.csv", "-o", "EXAM", "--spare", str(SPARE), "--reproducible", "x"
-    )
-    write_answers(folder)
+    write_roster(folder / "roster.csv", students)
+    setting = "generate", "demo", "roster.csv"
+    class_.run(*setting, "-o", "EXAM", "--spare", str(SPARE), "--reproducible", "x")
+    write_answers(folder / "EXAM", folder / "answers.csv")
+    shutil.copy(folder / "answers.csv", folder / "second.csv")  # as somebody else has typed them
     class_.run("grade", "EXAM", "answers.csv", "-o", "MARKS")
+    class_.run(*setting, "-o", "NEXT", "--no-papers", "--reproducible", "y")
+    write_answers(folder / "NEXT", folder / "next.csv")
+    class_.run("grade", "NEXT", "next.csv", "-o", "SECOND")
     return class_
 
 
-def write_roster(file: Path) -> None:
+def write_roster(file: Path, students: int) -> None:
     """Ids with leading zeros, in three rooms and four groups."""
     with file.open("w", encoding="utf-8", newline="") as opened:
         table = csv.writer(opened)
         table.writerow(("student", "name", "room", "seat", "group"))
-        for place in range(STUDENTS):
+        for place in range(students):
             room, group = f"R{place % 3}", f"G{place % 4}"
             table.writerow((f"{place:04}", f"Student {place}", room, place, group))
 
 
-def write_answers(folder: Path) -> None:
-    """The sheet of the exam, filled in from its key."""
+def write_answers(exam: Path, file: Path) -> None:
+    """The sheet of an exam, filled in from its key."""
     random = Random(1)
-    with (folder / "EXAM" / "key.jsonl").open(encoding="utf-8") as lines:
+    with (exam / "key.jsonl").open(encoding="utf-8") as lines:
         keys = list(map(json.loads, lines))
-    with (folder / "answers.csv").open("w", encoding="utf-8", newline="") as opened:
+    with file.open("w", encoding="utf-8", newline="") as opened:
         table = csv.writer(opened)
         for place, key in enumerate(keys):
             typed = dict(list_typed(key, random))
