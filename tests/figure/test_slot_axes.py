@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from operator import attrgetter
+
 import pytest
+from msgspec.structs import replace
 from shapely import LineString, Point, Polygon
 
 from kinegrade.figure.scene import FIRM, PITCH, Disc, Outline, Scene, Strokes
@@ -47,11 +50,25 @@ def test_the_axis_of_a_slot_is_drawn_in_no_open_pin(
     template: tuple[str, dict[str, str]], angles: dict[str, str]
 ) -> None:
     scene = draw_slot(template, **angles)
-    axes = list_axes(scene)
-    discs = (part for part in scene.primitives if isinstance(part, Disc) and part.fill == "white")
-    pins = [Point(*disc.centre) for disc in discs if disc.radius <= PIN]
+    discs = [part for part in scene.primitives if isinstance(part, Disc) and part.fill == "white"]
+    pins = [disc for disc in discs if disc.radius <= PIN]
+    first = min(map(scene.primitives.index, pins))  # what is drawn before is covered by the pins
+    axes = list_axes(replace(scene, primitives=scene.primitives[first:]))
     assert axes
-    assert min(axis.distance(pin) for axis in axes for pin in pins) > PIN + 0.1
+    assert min(axis.distance(Point(*pin.centre)) for axis in axes for pin in pins) > PIN + 0.1
+
+
+@pytest.mark.parametrize("phi", ["30", "60", "135"])
+def test_a_slot_beside_the_centre_of_its_disc_shows_the_axis_to_which_its_distance_is_measured(
+    phi: str,
+) -> None:
+    scene = draw_slot(DISC, phi=phi)
+    disc = max(
+        (part for part in scene.primitives if isinstance(part, Disc)), key=attrgetter("radius")
+    )
+    longest = max(list_axes(scene), key=attrgetter("length"))
+    assert longest.distance(Point(*disc.centre)) == pytest.approx(0.1 * scene.scale)
+    assert longest.length > disc.radius
 
 
 @pytest.mark.parametrize(("template", "angles"), CASES[:3])

@@ -50,6 +50,8 @@ def test_a_line_through_the_foot_of_an_arc_is_found() -> None:
         ("guide-tube-rod-fixed-centrode", "w2"),
         ("eccentric-cam-offset-follower", "x91b"),
         ("guide-tube-rod-fixed-centrode", "x91a"),
+        ("pin-in-disc-slot-and-rod", "x91a"),
+        ("slotted-bar-between-two-rods", "v71a"),
     ],
 )
 def test_arcs_of_templates_end_where_nothing_else_is(template: str, seed: str) -> None:

@@ -38,6 +38,8 @@ def test_a_dimension_that_others_cross_between_its_heads_has_no_flaw() -> None:
         ("pose-cam-tappet", "n2"),
         ("pose-cam-tappet", "y3"),
         ("slotted-bar-between-two-rods", "p2"),
+        ("pin-in-disc-slot-and-rod", "x91a"),
+        ("pin-in-disc-slot-and-rod", "x91b"),
     ],
 )
 def test_arrowheads_stand_off_axes_arcs_and_arrows(template: str, seed: str) -> None:

@@ -24,7 +24,7 @@ from kinegrade.figure.placing.wedge import (
 )
 from kinegrade.figure.plane import length, polar
 from kinegrade.figure.scene import PITCH, THIN, Bow, Disc, Primitive, Strokes
-from kinegrade.figure.symbols.arrows import draw_arc_head
+from kinegrade.figure.symbols.arrows import draw_arc_head, draw_gap
 from kinegrade.figure.symbols.bars import BAR_WIDTH
 from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import Angle
@@ -130,7 +130,9 @@ class AngleArc(Struct, frozen=True):
         return replace(wish, demerits=worse)
 
     def primitives(self) -> tuple[Primitive, ...]:
-        """The sides, those along a broad body as its axis, the arrowhead, the arc."""
+        """The sides, those along a broad body as its axis, the arc and its arrowhead, about which
+        the edge of such a body is interrupted.
+        """
         bow = self.bow
         parts: tuple[Primitive, ...] = ()
         for broad, pen in ((False, THIN), (True, PITCH)):
@@ -138,7 +140,10 @@ class AngleArc(Struct, frozen=True):
             sides = tuple(line for leg in legs for line in leg.list_seen(bow.centre, bow.radius))
             parts += (Strokes(sides, pen),) if sides else ()
         if self.hint.sense or self.hint.signed:
-            parts += (draw_arc_head(bow),)
+            head = draw_arc_head(bow)
+            last = self.legs[1]
+            on_edge = last.edged and bow.radius < last.drawn + BAR_WIDTH / 2
+            parts += (draw_gap(head), head) if on_edge else (head,)
         return (*parts, bow)
 
 

@@ -15,7 +15,6 @@ from kinegrade.figure.marks.arcs.arc_heads import (
     is_across_line,
     is_at_pin_or_bar,
     is_ended_on,
-    is_on_edge,
 )
 from kinegrade.figure.marks.sides import Side
 from kinegrade.figure.marks.sweep import SMALLEST_ANGLE, find_sweep
@@ -83,7 +82,7 @@ def mark_angles(
                 + _rate_ends(bow.radius, reaches)
                 + _rate_axes(bow, neighbours.lines)
                 + _AT_END * is_ended_on(bow, neighbours.to_come)
-                + _rate_head(bow, legs, hint, neighbours)
+                + _rate_head(bow, hint, neighbours)
                 + _rate_merging(bow, neighbours.circles)
                 + _rate_within(bow, neighbours.circles)
                 + _rate_enclosing(bow, neighbours.arcs),
@@ -181,14 +180,14 @@ def _leaves(at: Vector, start: Vector, end: Vector) -> bool:
     return on_line and length(nearest_of(at, start, end) - at) < _BEGINS
 
 
-def _rate_head(bow: Bow, legs: Sequence[Side], hint: Angle, near: Neighbours) -> float:
+def _rate_head(bow: Bow, hint: Angle, near: Neighbours) -> float:
     """The demerit of an arrowhead that is lost among other lines."""
     if not (hint.sense or hint.signed):
         return 0.0
     at_vertex = [line for line in near.to_come if line[0] == bow.centre]
     if is_across_line(bow, (*near.lines, *at_vertex)):
         return _ACROSS_LINE
-    lost = is_at_pin_or_bar(bow, near.pins, near.bars) or is_on_edge(bow, legs[1])
+    lost = is_at_pin_or_bar(bow, near.pins, near.bars)
     return _LOST_HEAD * lost
 
 

@@ -37,8 +37,9 @@ class Side(Struct, frozen=True):
     on it is (0 for none), whether the bar is so broad that its axis has to be drawn, how far
     outside the angle the ground runs that takes the place of a line, how far a line goes `beyond`
     the arc, how far the arrow of a motion is likely to hide it, how far the open pins reach
-    that are where the bar ends and at the point on the side, and between which millimetres the
-    axis of a broad bar is `covered` by a pin or a block.
+    that are where the bar ends and at the point on the side, between which millimetres the axis
+    of a broad bar is `covered` by a pin or a block, and whether such a bar is `edged` by straight
+    black lines.
     """
 
     angle: float
@@ -50,6 +51,7 @@ class Side(Struct, frozen=True):
     hidden: float = 0.0
     pins: tuple[float, float] = (0.0, 0.0)
     covered: tuple[Span, ...] = ()
+    edged: bool = False
 
     @property
     def half(self) -> float:
@@ -101,9 +103,11 @@ def find_sides(at: Mapping[str, Vector], hint: Angle, drawing: Drawing) -> tuple
             _reach_pin(vertex + way * drawn, drawing),
             _reach_pin(vertex + way * reach, drawing),
         )
-        broad = _is_broad(vertex, way, drawing)
+        bars = _find_broad_bars(vertex, way, drawing)
+        broad, edged = bool(bars), any(bar.use != "rack" for bar in bars)
         covered = tuple(_list_covered(vertex, way, drawing)) if broad else ()
-        legs.append(Side(angle_of(way), drawn, reach, broad, lag, pins=pins, covered=covered))
+        side = Side(angle_of(way), drawn, reach, broad, lag, pins=pins, covered=covered)
+        legs.append(replace(side, edged=edged))
     return tuple(legs)
 
 
@@ -161,10 +165,10 @@ def _measure_along(vertex: Vector, toward: Vector, line: Segment) -> float:
     return far if near < LEFT else 0.0
 
 
-def _is_broad(vertex: Vector, toward: Vector, drawing: Drawing) -> bool:
-    """Whether a bar that is drawn from a point in a direction is a broad one."""
+def _find_broad_bars(vertex: Vector, toward: Vector, drawing: Drawing) -> list[Bar]:
+    """The bars that are drawn from a point in a direction; none where one of them is slender."""
     bars = [bar for bar, reach in _list_bars_along(vertex, toward, drawing) if reach > PIN]
-    return bool(bars) and not any(map(is_slender, bars))
+    return [] if any(map(is_slender, bars)) else bars
 
 
 def _measure_ground(

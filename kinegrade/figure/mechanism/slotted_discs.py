@@ -9,8 +9,9 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from kinegrade.figure.joints.symbol import Feature, Rim, Symbol
 from kinegrade.figure.mechanism.straight_parts import Part, SlottedDisc
 from kinegrade.figure.plane import length, on_line, unit
-from kinegrade.figure.scene import FIRM, Disc, Outline, Primitive
+from kinegrade.figure.scene import FIRM, PITCH, Disc, Outline, Primitive, Strokes
 from kinegrade.figure.symbols.bars import SLOT_WIDTH, trace_round
+from kinegrade.mechanics.joints import Line
 from kinegrade.mechanics.mechanism import Body, Mechanism
 from kinegrade.mechanics.vector import Vector
 
@@ -61,9 +62,14 @@ def _find_chord(
 
 
 def draw_slotted_disc(disc: SlottedDisc) -> tuple[Primitive, ...]:
-    """The disc with its slot."""
+    """The disc with its slot; where that is beside the centre, its axis too, to which its distance
+    is measured.
+    """
     slot = Outline(trace_round(disc.slot, SLOT_WIDTH / 2), FIRM, "white")
-    return (Disc(disc.centre, disc.radius, FIRM, "grey"), slot)
+    whole = (Disc(disc.centre, disc.radius, FIRM, "grey"), slot)
+    start, end = disc.slot
+    beside = not on_line(disc.centre, Line(start, end - start))
+    return (*whole, Strokes((disc.slot,), PITCH)) if beside else whole
 
 
 def list_slotted_rims(parts: Iterable[Part]) -> Iterator[Rim]:

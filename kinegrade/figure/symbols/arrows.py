@@ -12,6 +12,7 @@ from kinegrade.mechanics.vector import Vector
 from kinegrade.mechanics.vector_equation import Level
 
 HEAD_LENGTH, _HEAD_SHARE = 2.0, 0.55  # the share that a head is wide
+_GAP = 0.35  # millimetres of paper beside a head in the edge that it is drawn over
 _HEAD_OF_ARC = 0.45  # largest share of an arc that its head takes
 _HEAD_STEP = 1.6  # from one head of an arrow to the next
 # Heads of the arrow of a velocity, and of an acceleration
@@ -22,6 +23,22 @@ def draw_arrowhead(tip: Vector, toward: Vector, size: float = HEAD_LENGTH) -> Ou
     """A slender filled arrowhead of a length."""
     back, across = tip - toward * size, toward.turned() * (_HEAD_SHARE * size / 2)
     return Outline((tip, back + across, back - across), None, "black")
+
+
+def draw_gap(head: Outline) -> Outline:
+    """The gap in the black edge under an arrowhead, drawn before that: paper on either side of it
+    and behind it, so that it is seen where it ends.
+    """
+    tip, *back = head.corners
+    away, across = unit((back[0] + back[1]) / 2 - tip), unit(back[0] - back[1])
+    front = tip + away * _GAP
+    corners = (
+        front + across * _GAP,
+        back[0] + (across + away / 2) * _GAP,
+        back[1] + (away / 2 - across) * _GAP,
+        front - across * _GAP,
+    )
+    return Outline(corners, None, "white")
 
 
 def draw_arrow(start: Vector, end: Vector, heads: int = 1) -> tuple[Primitive, ...]:

@@ -1,17 +1,15 @@
 """The ends of arcs: a line through one; arrowheads that are lost among other lines, at a pin,
-across a line, so that the arc seems to end there, or black on the black edge of a broad bar.
+or across a line, so that the arc seems to end there.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable
 
-from kinegrade.figure.marks.sides import Side
 from kinegrade.figure.placing.obstacles import Segment
 from kinegrade.figure.plane import length, nearest_of, parts, polar, unit
 from kinegrade.figure.scene import Bow
 from kinegrade.figure.symbols.arrows import draw_arc_head
-from kinegrade.figure.symbols.bars import BAR_WIDTH
 from kinegrade.mechanics.vector import Vector
 
 # Millimetres about the tip of a head to a pin and to the axis of a bar or the edge of a slot, and
@@ -20,7 +18,6 @@ _OFF_PIN, _OFF_BAR, _ON_SIDE = 2.6, 1.8, 0.1
 _OFF_LINE = 0.4  # millimetres between a head and a thin line that is no side of the angle
 _AT_END = 0.9  # millimetres between an end of an arc and a line that spoils it
 _ALONG = 0.02  # sine of the angle between a side and a line along it
-_PAST_BAR = BAR_WIDTH / 2 + 1.0  # millimetres from the end of the axis of a broad bar to a head
 
 
 def is_at_pin_or_bar(bow: Bow, pins: Iterable[Vector], bars: Iterable[Segment]) -> bool:
@@ -43,11 +40,6 @@ def is_across_line(bow: Bow, lines: Iterable[Segment]) -> bool:
             if gap < _OFF_LINE or parts(start, end, tip, neck):
                 return True
     return False
-
-
-def is_on_edge(bow: Bow, side: Side) -> bool:
-    """Whether the head of an arc lies over the edge of the broad bar that its last side runs in."""
-    return side.broad and bow.radius < side.drawn + _PAST_BAR
 
 
 def is_ended_on(bow: Bow, lines: Iterable[Segment]) -> bool:

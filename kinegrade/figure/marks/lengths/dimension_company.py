@@ -92,6 +92,8 @@ class DimensionCompany(Struct, frozen=True):
         worse += _ON_MARK * (self.angles.along((*begins, *path), mark.shared) > 0)
         worse += _ON_END * (self.ends.along((*begins, *path), mark.shared) > 0)
         worse += _AT_OTHER * any(mark.begins_at(point, _BESIDE_POINT) for point in self.others)
+        first, last = (self.firm.along((head,), shared=False) > 0 for head in mark.heads())
+        mark = replace(mark, on_edge=(first, last)) if first or last else mark
         return replace(mark, demerit=mark.demerit + worse) if worse else mark
 
 

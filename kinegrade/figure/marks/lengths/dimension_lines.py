@@ -15,7 +15,7 @@ from kinegrade.figure.placing.ownership import rate_beside_line
 from kinegrade.figure.placing.place import Wish, list_spots_beside
 from kinegrade.figure.plane import NEAR, length, nearest_of, polar, unit
 from kinegrade.figure.scene import THIN, Primitive, Strokes
-from kinegrade.figure.symbols.arrows import HEAD_LENGTH, draw_arrowhead
+from kinegrade.figure.symbols.arrows import HEAD_LENGTH, draw_arrowhead, draw_gap
 from kinegrade.mechanics.vector import Vector
 
 _LEFT = 4.2  # millimetres from a point in which its own bars leave beside an extension line
@@ -28,7 +28,9 @@ _OF_OTHER = 3.0  # demerit of a symbol no nearer to its own line than to somethi
 
 
 class DimensionLine(Struct, frozen=True, dict=True):
-    """Extension lines from two points to their feet, and the dimension line between the feet."""
+    """Extension lines from two points to their feet, and the dimension line between the feet; which
+    of its heads lie on a black edge, which is interrupted there.
+    """
 
     points: Segment
     feet: Segment
@@ -37,6 +39,7 @@ class DimensionLine(Struct, frozen=True, dict=True):
     gaps: tuple[float, float]
     shared: bool = True
     pins: tuple[Vector, ...] = ()
+    on_edge: tuple[bool, bool] = (False, False)
 
     def path(self) -> tuple[Segment, ...]:
         """The dimension line, and the extension lines from where they have left their points."""
@@ -104,7 +107,9 @@ class DimensionLine(Struct, frozen=True, dict=True):
         """Thin lines and two arrowheads, from outside where there is no room between the feet."""
         along = unit(self.feet[1] - self.feet[0]) * (1.0 if self._outside() else -1.0)
         heads = (draw_arrowhead(self.feet[0], along), draw_arrowhead(self.feet[1], -along))
-        return (Strokes((*self.extensions, self.line()), THIN), *heads)
+        over = zip(heads, self.on_edge, strict=True)
+        gaps = [draw_gap(head) for head, on_edge in over if on_edge]
+        return (*gaps, Strokes((*self.extensions, self.line()), THIN), *heads)
 
     def heads(self) -> tuple[Segment, Segment]:
         """The pieces under its arrowheads."""
