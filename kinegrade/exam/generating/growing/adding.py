@@ -191,7 +191,7 @@ def write_rest(
 
     Raises OutputError where a file would be lost that was edited by hand, TableError.
     """
-    write_room_booklets(folder, head)
+    write_room_booklets(folder, head, exam)
     write_grown_answers(exam.path, head, folder, passed_on)
     write_blank_workbook(head, folder)
     lost = list(find_edited(exam.path, exam.head, folder))
