@@ -5,8 +5,11 @@ from __future__ import annotations
 import unicodedata
 
 _SHOWN_CHARACTERS = 1000
-INVISIBLE = "\ufeff\u200b\u200c\u200d\u200e\u200f\u2060"
+# Turn the direction of what follows them, to the end of a line
+DIRECTIONS = "\u202a\u202b\u202c\u202d\u202e\u2066\u2067\u2068\u2069"
+INVISIBLE = "\u00ad\u061c\ufeff\u200b\u200c\u200d\u200e\u200f\u2060" + DIRECTIONS
 _SURROUNDING = "".join(chr(code) for code in range(0x3001) if chr(code).isspace()) + INVISIBLE
+_UNSEEN = str.maketrans(dict.fromkeys(INVISIBLE))
 _DASHES = "-\u2010\u2011\u2012\u2013\u2014\u2015\u2212\uff0d "
 
 
@@ -17,6 +20,15 @@ def trim(text: str) -> str:
     '007'
     """
     return text.strip(_SURROUNDING)
+
+
+def drop_invisible(text: str) -> str:
+    """Without characters that nobody sees, wherever they stand: what looks the same is the same.
+
+    >>> drop_invisible("00\\u200b12")
+    '0012'
+    """
+    return text if text.isascii() else text.translate(_UNSEEN)
 
 
 def is_answered(cell: str) -> bool:

@@ -15,7 +15,7 @@ from kinegrade.exam.roster.known_columns import (
     list_logins,
     make_column_key,
 )
-from kinegrade.files.cell_text import make_header_key, shorten, trim
+from kinegrade.files.cell_text import drop_invisible, make_header_key, shorten, trim
 from kinegrade.files.header_line import HeaderSign
 from kinegrade.files.rows.row import Row
 from kinegrade.files.tables import Table
@@ -40,10 +40,14 @@ class Columns:
     system: System | None
 
     def read(self, row: Row, column: Column) -> str:
-        """The cell of a row, without blanks around it and several in a place; "" where there is
-        none.
+        """The cell of a row, without blanks around it and several in a place, nor anything that
+        cannot be seen, which names may need; "" where there is none.
         """
-        return " ".join(trim(row.cell(self.places[column])).split()) if self.has(column) else ""
+        if not self.has(column):
+            return ""
+        cell = row.cell(self.places[column])
+        seen = cell if column in NAMES else drop_invisible(cell)
+        return " ".join(trim(seen).split())
 
     def has(self, column: Column) -> bool:
         """Whether the roster has it."""

@@ -15,7 +15,7 @@ from dataclasses import dataclass
 from kinegrade.errors import Problem
 from kinegrade.exam.roster.student_ids import find_zero_twins
 from kinegrade.exam.roster.students import make_student_key
-from kinegrade.files.cell_text import shorten, trim
+from kinegrade.files.cell_text import drop_invisible, shorten, trim
 from kinegrade.files.tables import Complaint, Table
 from kinegrade.language.message import Fault, Message, Quoted, list_all
 
@@ -26,6 +26,8 @@ _FRACTION = re.compile(r"([0-9]+)[.,]0+")
 _SHORTENED = re.compile(r"[0-9](?:[.,][0-9]+)?E\+[0-9]+", re.IGNORECASE)
 _DATE = re.compile(r"[0-9]{4}([-/.])[0-9]{1,2}\1[0-9]{1,2}|[0-9]{1,2}([-/.])[0-9]{1,2}\2[0-9]{4}")
 _LOST = ("files.cell-digits", "files.cell-date")  # remarks on cells that no longer hold the id
+_KEPT_DIGITS = 15  # of a number, in a spreadsheet
+_LEAST_ZEROS = 3  # behind those, in all ids together, come in one class of a thousand by chance
 _MOST_ALIKE = 4  # in five ids, at least, that are equally long digits make shorter ones strange
 _MOST_WITH_DIGITS = 9  # in ten ids, at least, that have digits make those without strange
 
@@ -44,9 +46,16 @@ def mend_ids(ids: Sequence[str]) -> tuple[Sequence[str], Sequence[Message]]:
 
     >>> mend_ids(["12.0", "7.0"])[0], mend_ids(['="007"', "12"])[0], mend_ids(["#007", "#12"])[0]
     (['12', '7'], ['007', '12'], ['007', '12'])
+    >>> mend_ids(["00\\u200b12"])[0]
+    ['0012']
     """
     remarks: list[Message] = []
-    mended = [found[1] if (found := _TEXT_FORMULA.fullmatch(each)) else each for each in ids]
+    seen = [*map(drop_invisible, ids)]
+    unseen = [each for each, rest in zip(ids, seen, strict=True) if each != rest]
+    if unseen:
+        cell = Quoted(unseen[0])
+        remarks.append(Message("roster.unseen-taken-away", count=len(unseen), cell=cell))
+    mended = [found[1] if (found := _TEXT_FORMULA.fullmatch(each)) else each for each in seen]
     for guard in _GUARDS:
         if mended and all(each.startswith(guard) for each in mended if each):
             mended = [each.removeprefix(guard) for each in mended]
@@ -72,6 +81,7 @@ def find_id_faults(
         yield from _find_formulas(table, people)
         yield from _find_dates(table, people)
         yield from _find_twins(table, people)
+        yield from _find_rounded(table, people)
     for each in people:
         if each.line in lost or _SHORTENED.fullmatch(each.student):
             what = Message("roster.lost-digits", student=Quoted(shorten(each.student)))
@@ -139,6 +149,17 @@ def _find_twins(table: Table, people: Sequence[Identity]) -> Iterator[Fault]:
         places = list_all([lines[each] for each in twins])
         what = Message("roster.zero-twins", students=students, lines=places)
         yield Fault(table.file, what, do=Message("roster.one-person"))
+
+
+def _find_rounded(table: Table, people: Sequence[Identity]) -> Iterator[Fault]:
+    """Long ids that all end as if a spreadsheet had kept fifteen digits of each."""
+    ends = {each: each.student[_KEPT_DIGITS:] for each in people if each.student.isdigit()}
+    zeros = "".join(ends.values())
+    if len(zeros) < _LEAST_ZEROS or zeros.strip("0"):
+        return
+    for each in filter(ends.get, ends):
+        what = Message("roster.rounded-id", student=Quoted(each.student))
+        yield Fault(f"{table.file}:{each.line}", what)
 
 
 def _find_formulas(table: Table, people: Sequence[Identity]) -> Iterator[Fault]:

@@ -30,6 +30,7 @@ from kinegrade.exam.roster.mended_ids import (
     find_short_ids,
     mend_ids,
 )
+from kinegrade.exam.roster.mended_names import mend_names
 from kinegrade.exam.roster.students import Student, make_file_names
 from kinegrade.exam.roster.way_of_reading import WayOfReading
 from kinegrade.files.cell_text import trim
@@ -54,8 +55,8 @@ def read_class(table: Table, wishes: Wishes, *, odd_ids: bool) -> ReadClass:
     """The class in a table. Raises TableError with all its faults at once."""
     columns = find_columns(table, wishes)
     rows, others = _part_students(table, columns)
-    names = [_read_name(row, columns) for row in rows]
-    ids, remarks = mend_ids([trim(row.cell(columns.places["student"])) for row in rows])
+    names, said_of_names = mend_names([_read_name(row, columns) for row in rows])
+    ids, said_of_ids = mend_ids([trim(row.cell(columns.places["student"])) for row in rows])
     people = [
         Identity(row.line, student, name)
         for row, student, name in zip(rows, ids, names, strict=True)
@@ -82,6 +83,7 @@ def read_class(table: Table, wishes: Wishes, *, odd_ids: bool) -> ReadClass:
         *_find_partial(table, students, columns),
     )
     unused = tuple(list_unused(table, columns))
+    remarks = *said_of_ids, *said_of_names
     said = (*remarks, *find_other_ids(table, columns, wishes), *_find_shared_addresses(students))
     way = WayOfReading(table, columns, unused, tuple(others), said)
     return ReadClass(students, complaints, way)

@@ -18,7 +18,7 @@ from typing import Literal, TypeAlias
 from unicodedata import normalize
 from urllib.parse import quote
 
-from kinegrade.files.cell_text import trim
+from kinegrade.files.cell_text import drop_invisible, trim
 
 #: How a paper is printed: as usual, in letters of 18 points, a question a page, or as usual with
 #: its figures for swell paper beside it.
@@ -66,15 +66,15 @@ class Student:
 
 
 def make_student_key(student: str) -> str:
-    """An id as it is compared: surrounding blanks and full-width forms are ignored, zeros and case
-    matter.
+    """An id as it is compared: surrounding blanks, full-width forms and what cannot be seen are
+    ignored, zeros and case matter.
 
     >>> make_student_key("\\uff10\\uff10\\uff17 ")
     '007'
     """
     if student.isascii() and student.isalnum():  # as most ids are
         return student
-    return trim(normalize("NFKC", student))
+    return trim(normalize("NFKC", drop_invisible(student)))
 
 
 def make_student_keys(students: Sequence[str]) -> Sequence[str]:

@@ -1,7 +1,8 @@
 // @ts-check
 // What keyboards produce, in one alphabet: digits, signs, brackets, blanks. See typed/keyboard.py.
 
-const INVISIBLE = "\ufeff\u200b\u200c\u200d\u200e\u200f\u2060";
+const INVISIBLE = "\u00ad\u061c\ufeff\u200b\u200c\u200d\u200e\u200f\u2060" +
+  "\u202a\u202b\u202c\u202d\u202e\u2066\u2067\u2068\u2069";
 const CONTROLS = "\t\n\v\f\r\x1c-\x1f"; // they group no digits
 const SPACES = " \x85\xa0\u1680\u2000-\u200a\u2028\u2029\u202f\u205f\u3000" + INVISIBLE;
 const BLANKS = CONTROLS + SPACES;
