@@ -175,18 +175,21 @@ def test_the_arc_of_a_signed_angle_has_an_arrowhead_at_its_end(phi: float) -> No
     assert heads(draw_crank(phi, angles=(replace(angle, signed=False),))) == []
 
 
-def test_an_axis_along_the_edge_of_a_plate_lies_on_it_and_its_letter_outside() -> None:
-    scene = sketch(
-        sliding_plate()[0], FigureHints(frames=(BodyFrame("x_2", "y_2", "B", "B", "C"),))
-    )
+def test_an_axis_along_the_edge_of_a_plate_lies_with_its_letter_within_a_firm_outline() -> None:
+    frames = (BodyFrame("x_2", "y_2", "B", "B", "C"),)
+    edge = Length("l", "B", "C")
+    scene = sketch(sliding_plate()[0], FigureHints(frames=frames, lengths=(edge,)))
     plate = next(
         part for part in scene.primitives if isinstance(part, Outline) and part.fill == "grey"
     )
+    assert plate.pen == FIRM
     tip, area = Point(heads(scene)[0].corners[0]), Polygon(plate.corners)
-    assert area.boundary.distance(tip) < 0.01
-    (letter,) = (label for label in scene.labels if label.symbol == "x_2")
-    assert not area.contains(Point(letter.centre))
-    assert tip.distance(Point(letter.centre)) < 5.0
+    assert area.contains(tip)
+    assert area.boundary.distance(tip) > 1.0
+    letters = {label.symbol: Point(label.centre) for label in scene.labels}
+    assert area.contains(letters["x_2"])
+    assert tip.distance(letters["x_2"]) < 5.0
+    assert not area.contains(letters["l"])  # the edge from corner to corner, not a part of it
 
 
 def test_an_axis_along_the_edge_of_a_plate_has_a_shaft_and_a_tip_of_its_own() -> None:

@@ -1,10 +1,11 @@
 """What is wrong with the frames of bodies in a printed picture: an axis that does not start at its
-origin.
+origin, one that is the edge of its body.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping
+from itertools import pairwise
 
 from shapely import LineString, Point, Polygon
 
@@ -14,6 +15,7 @@ from tests.figures.svg_shapes import Letters, Picture
 
 AT_TIP = 4.5  # millimetres from the letter of an axis to its arrowhead at most
 ON_AXIS = 0.3  # millimetres from the origin to an axis at most
+ON_EDGE = 0.1  # millimetres beside the edge of a body
 FAR = 60.0  # millimetres of an axis at most
 
 
@@ -28,6 +30,17 @@ def find_frame_flaws(
         if len(letters) == 1 and not _starts_at(points[at], letters[0], picture):
             flaws.append(f"{letters[0].text} does not start at its origin")
     return flaws
+
+
+def find_axes_on_edges(picture: Picture) -> list[str]:
+    """The thin lines with arrowheads along which a body ends that has no other outline there."""
+    edges = [LineString(side) for ground in picture.grounds for side in pairwise(ground.coords)]
+    axes = [line for line in picture.lines if any(map(line.intersects, picture.heads))]
+    return [
+        f"an axis is the edge of a body at ({axis.coords[0][0]:.1f}, {axis.coords[0][1]:.1f})"
+        for axis in axes
+        if any(axis.intersection(edge.buffer(ON_EDGE)).length > axis.length / 2 for edge in edges)
+    ]
 
 
 def _starts_at(origin: Point, letter: Letters, picture: Picture) -> bool:

@@ -43,7 +43,8 @@ class Picture:
     `ink` is what is seen of each shape, `heads` the black triangles of arrows, `pins` the centres of
     small circles; `arcs` are the thin arcs as lines, `lines` the thin straight ones longer than
     hatching, `toothed` what gears and racks cover, teeth and all; `hatchings` are those of one
-    support or guide each, `rims` the edges of wheels.
+    support or guide each, `rims` the edges of wheels, `grounds` those of filled shapes without an
+    outline.
     """
 
     paper: Polygon
@@ -56,6 +57,7 @@ class Picture:
     toothed: tuple[Polygon, ...] = ()
     hatchings: tuple[MultiLineString, ...] = ()
     rims: tuple[LineString, ...] = ()
+    grounds: tuple[LineString, ...] = ()
 
 
 def read_picture(text: str) -> Picture:
@@ -74,6 +76,7 @@ def read_picture(text: str) -> Picture:
     toothed: list[Polygon] = []
     hatchings: list[MultiLineString] = []
     rims: list[LineString] = []
+    grounds: list[LineString] = []
     for element in drawing:
         if element.tag == f"{SVG}text":
             letters.append(read_letters(element, size))
@@ -82,6 +85,7 @@ def read_picture(text: str) -> Picture:
         pins += [area.centroid] if float(element.attrib.get("r", PIN)) < PIN else []
         rims += [area.exterior] if is_rim(element) else []
         hatchings += read_hatching(element)
+        grounds += [area.exterior] if is_ground(element) else []
         thin += read_thin_lines(element)
         fill = element.attrib.get("fill")
         toothed += [area] if fill and is_toothed(element) else []
@@ -95,7 +99,7 @@ def read_picture(text: str) -> Picture:
     arcs = tuple(line for line in thin if len(line.coords) > 2)
     lines = tuple(line for line in thin if len(line.coords) == 2 and line.length > HATCHING)
     shapes = tuple(ink), tuple(heads), tuple(pins), tuple(letters)
-    round_and_rough = tuple(toothed), tuple(hatchings), tuple(rims)
+    round_and_rough = tuple(toothed), tuple(hatchings), tuple(rims), tuple(grounds)
     return Picture(box(0, 0, width, height), *shapes, arcs, lines, *round_and_rough)
 
 
@@ -111,6 +115,12 @@ def is_rim(element: ElementTree.Element) -> bool:
     toothed = attributes.get("stroke-width") == TOOTHED
     large = float(attributes.get("r", 0.0)) >= PIN
     return "fill" in attributes and attributes.get("stroke") != "none" and (toothed or large)
+
+
+def is_ground(element: ElementTree.Element) -> bool:
+    """Whether an element is a filled shape without an outline, other than an arrowhead."""
+    attributes = element.attrib
+    return attributes.get("stroke") == "none" and attributes.get("fill") not in (None, "#000")
 
 
 def read_hatching(element: ElementTree.Element) -> list[MultiLineString]:

@@ -37,7 +37,9 @@ _LEG_LENGTHS = (22.0, 25.0, 19.0)  # millimetres of an axis that is the leg of a
 _BEYOND_LEG = 4.0  # millimetres of an axis beyond the point that gives the side of an angle
 _BEYOND_TIP = 5.0  # millimetres of an axis beyond the arrow of a motion that lies on it
 _BEYOND_BAR = (6.0, 7.5, 9.0)  # millimetres of an axis beyond the bar or the ground that it is on
-_OUTWARD = 3.0  # share of the way out of a plate, of the way from the tip on its edge to the letter
+_INWARD = 3.0  # share of the way into a plate, of the way from the tip on its edge to the letter
+_ALONG_EDGE = (17.0, 20.0)  # further millimetres of an axis along an edge
+_OUTSIDE = 6.0  # demerit of a letter beyond the outline of the plate on whose edge its axis lies
 _BEFORE_BLOCK = 18.0  # millimetres before a block that have no room for an axis and its letter
 _AT_ORIGIN = 3.0  # millimetres of an axis at its origin, where a pin and other axes are
 _CLEAR = 3.0  # millimetres about that square that are free as well
@@ -91,8 +93,9 @@ def _list_ways(
         shafts = _list_axes(origin + toward * (on + PIN), toward, symbol, _BEYOND_BAR)
         return [replace(shaft, before=(line,)) for shaft in shafts]
     if has_room_for_axis(edge):
-        ways = _list_axes(origin + toward * PIN, toward, symbol, usual)
-        return [replace(way, away=toward + outward * _OUTWARD, bare=True) for way in ways]
+        sizes = (*usual, *(size for size in _ALONG_EDGE if size < edge - PIN))
+        ways = _list_axes(origin + toward * PIN, toward, symbol, sizes)
+        return [replace(way, inward=-outward) for way in ways]
     begins, ends = find_block(origin, toward, drawing)
     led = bool(hints.frames) or _has_line(at, hints, origin, origin + toward * ends)
     if begins and (begins < _BEFORE_BLOCK or led):
@@ -192,8 +195,8 @@ def _list_axes(
 
 
 class FrameAxis(Struct, frozen=True):
-    """A thin arrow with its letter at the tip, rather in the direction `away`, where that is not
-    its own; `before` is the part short of a block on it; it is `bare` where it may lie on anything.
+    """A thin arrow with its letter at the tip; `before` is the part short of a block on it. On an
+    edge of a plate, which is thin, the letter is rather `inward` of that.
     """
 
     start: Vector
@@ -203,8 +206,7 @@ class FrameAxis(Struct, frozen=True):
     demerit: float
     before: tuple[Segment, ...] = ()
     free: bool = False
-    bare: bool = False
-    away: Vector | None = None
+    inward: Vector | None = None
     shared: bool = True
 
     def past(self, arrows: Iterable[Segment]) -> FrameAxis:
@@ -221,15 +223,19 @@ class FrameAxis(Struct, frozen=True):
         """The part before the tip, as the rest may run along a bar or over one; all that is clear
         of its origin where it has to be `free`.
         """
-        if self.bare:
+        if self.inward:
             return ()
         size = max(_TIP, self.size - _AT_ORIGIN) if self.free else _TIP
         return ((self.tip() - self.toward * size, self.tip()),)
 
     def wish(self) -> Wish:
-        """Around the tip, beyond it first."""
-        away = self.away or self.toward
-        return Wish(self.symbol, list_spots_around(self.symbol, self.tip(), away=away))
+        """Around the tip, beyond it first, or inside the plate."""
+        if not self.inward:
+            return Wish(self.symbol, list_spots_around(self.symbol, self.tip(), away=self.toward))
+        away = self.toward + self.inward * _INWARD
+        spots = list_spots_around(self.symbol, self.tip(), away=away)
+        outside = (spots - np.array(self.tip())) @ np.array(self.inward) < 0
+        return Wish(self.symbol, spots, demerits=_OUTSIDE * outside)
 
     def primitives(self) -> tuple[Primitive, ...]:
         """The shaft and its arrowhead."""

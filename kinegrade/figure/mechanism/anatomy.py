@@ -12,7 +12,7 @@ from kinegrade.figure.mechanism.bars import find_straight_parts
 from kinegrade.figure.mechanism.plates import Plate, find_outward_direction
 from kinegrade.figure.mechanism.rims import find_rims, order_rims
 from kinegrade.figure.mechanism.straight.broad_links import broaden_links
-from kinegrade.figure.mechanism.straight.edge_axes import thin_edges
+from kinegrade.figure.mechanism.straight.edge_axes import rule_plates
 from kinegrade.figure.mechanism.straight.gussets import Corner, find_corners
 from kinegrade.figure.mechanism.straight_parts import Bar, Part, Rod, find_guided_rack
 from kinegrade.figure.mechanism.wheels.arms import Neck, find_necks, find_wheels
@@ -46,7 +46,7 @@ class Anatomy(Struct, frozen=True):
         rims = order_rims(find_rims(mechanism, symbols, hints.circles))
         parts = find_straight_parts(mechanism, hints.shapes, symbols, rims)
         parts = broaden_links(parts, mechanism.points, hints.frames)
-        parts = thin_edges(parts, mechanism.points, hints.frames)
+        parts = rule_plates(parts, mechanism.points, hints.frames)
         pins = find_pins(mechanism, symbols)
         wheels = tuple(find_wheels(mechanism, hints.shapes, symbols, rims))
         necks = tuple(find_necks(wheels, parts))

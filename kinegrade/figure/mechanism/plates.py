@@ -12,20 +12,21 @@ from kinegrade.mechanics.joints import Line
 from kinegrade.mechanics.mechanism import Body
 from kinegrade.mechanics.vector import Vector
 
-Edge = tuple[Vector, Vector]  # from corner to corner
+RULED_EDGE = 1.5  # millimetres of a ruled plate beyond its edges
 
 
 class Plate(Struct, frozen=True):
     """A body with three or more marked points that are not in line; corners counter-clockwise.
 
     It is `rounded` about the pins at its corners where all of them are pins and no edge of it
-    matters; `thin` are the edges that an axis of its frame runs along.
+    matters. Where it is `ruled`, an axis of its frame runs along an edge: it reaches beyond its
+    edges, which are thin lines on it.
     """
 
     body: str
     corners: tuple[Vector, ...]
     rounded: bool = False
-    thin: tuple[Edge, ...] = ()
+    ruled: bool = False
 
 
 def find_plate(body: Body, points: Sequence[Vector], shapes: Mapping[str, str]) -> Plate | None:

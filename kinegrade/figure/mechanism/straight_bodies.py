@@ -10,7 +10,7 @@ from typing import assert_never
 
 from kinegrade.figure.joints.symbol import Rim
 from kinegrade.figure.mechanism.geneva_wheels import trace_geneva_wheel
-from kinegrade.figure.mechanism.plates import Plate
+from kinegrade.figure.mechanism.plates import RULED_EDGE, Plate
 from kinegrade.figure.mechanism.rims import find_gap_of_rack
 from kinegrade.figure.mechanism.slotted_discs import draw_slotted_disc
 from kinegrade.figure.mechanism.straight_parts import Bar, GenevaWheel, Part, Rod, SlottedDisc
@@ -54,20 +54,19 @@ def draw_straight_part(part: Part, rims: Sequence[Rim]) -> tuple[Primitive, ...]
 
 
 def _draw_plate(plate: Plate) -> tuple[Primitive, ...]:
-    """A plate with its edges."""
-    if not plate.thin:
-        return (Outline(_trace_plate(plate), FIRM, "grey"),)
-    edges = pairwise((*plate.corners, plate.corners[0]))
-    firm = tuple(edge for edge in edges if edge not in plate.thin)
-    body = Outline(plate.corners, None, "grey")
-    return (body, Strokes(plate.thin, THIN), Strokes(firm, FIRM))
-
-
-def _trace_plate(plate: Plate) -> tuple[Vector, ...]:
-    """Round about the pins of a plate; exact where a corner is no pin, or an edge touches
-    something.
+    """A plate: round about the pins at its corners, or exact where a corner is no pin, or an edge
+    touches something; round about its edges as well where they are thin lines on it.
     """
-    return trace_round(plate.corners, _PLATE_EDGE) if plate.rounded else plate.corners
+    if plate.ruled:
+        edges = tuple(pairwise((*plate.corners, plate.corners[0])))
+        return (_draw_round_plate(plate, RULED_EDGE), Strokes(edges, THIN))
+    if plate.rounded:
+        return (_draw_round_plate(plate, _PLATE_EDGE),)
+    return (Outline(plate.corners, FIRM, "grey"),)
+
+
+def _draw_round_plate(plate: Plate, beyond: float) -> Outline:
+    return Outline(trace_round(plate.corners, beyond), FIRM, "grey")
 
 
 def _draw_bar(bar: Bar, rims: Sequence[Rim]) -> tuple[Primitive, ...]:

@@ -24,6 +24,7 @@ _BESIDE = 3.6  # millimetres between parallel dimension lines side by side
 # Millimetres from a pin to the middle of a symbol that would seem to name it, and demerit of one
 _AT_PIN, _NAMING = 6.0, 0.3
 _AMONG = 0.1  # demerit of a symbol on the side of other pins, where one of them is near
+_IN_PLATE = 3.0  # demerit of the symbol of a plate's edge amid the plate
 _OF_OTHER = 3.0  # demerit of a symbol no nearer to its own line than to something else
 
 
@@ -157,7 +158,7 @@ def _cross_any(lines: tuple[Segment, ...], across: Segment) -> bool:
 class SymbolBeside(Struct, frozen=True, dict=True):
     """The symbol alone, close to a line that is drawn between the two points, or to the edge of a
     link of `half` a width, where the most room is, and clearly nearer to it than to anything else
-    that is `drawn`.
+    that is `drawn`; rather `outward` of the edge of a plate.
     """
 
     start: Vector
@@ -167,6 +168,7 @@ class SymbolBeside(Struct, frozen=True, dict=True):
     half: float = 0.0
     drawn: Obstacles = NOTHING
     shared: bool = True
+    outward: Vector | None = None
 
     def path(self) -> tuple[Segment, ...]:
         """Empty: no line is drawn."""
@@ -182,7 +184,11 @@ class SymbolBeside(Struct, frozen=True, dict=True):
         spots = list_spots_beside(self.symbol, self.start, self.end, gaps=gaps, stations=5)
         own = (self.start, self.end)
         other = rate_beside_line(self.symbol, spots, own, self.half, self.drawn)
-        return Wish(self.symbol, spots, demerits=_OF_OTHER * other)
+        demerits = _OF_OTHER * other
+        if self.outward:
+            inside = (spots - np.array(self.start)) @ np.array(self.outward) < 0
+            demerits = demerits + _IN_PLATE * inside
+        return Wish(self.symbol, spots, demerits=demerits)
 
     def primitives(self) -> tuple[Primitive, ...]:
         """Empty: no line is drawn."""

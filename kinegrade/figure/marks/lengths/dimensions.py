@@ -64,6 +64,7 @@ def add_length(
         demerit = min(demerit, _LEG)
     half = around.find_half_width(start, end)
     letters = _list_letters(at, hint, 0.0 if half else demerit, half, layout.obstacles)
+    letters = [replace(each, outward=around.find_outward(start, end)) for each in letters]
     led = demerit < _PART and letters
     leaders = partial(list_leaders, layout, (start, end), hint.symbol) if led else no_others
     close = [company.rate(mark) for mark in dimensions if mark.demerit < _LIKELY]
@@ -116,7 +117,7 @@ def _draw_close_dimension(
 
 def _list_letters(
     at: Mapping[str, Vector], hint: Length, demerit: float, half: float, drawn: Obstacles
-) -> list[Mark]:
+) -> list[SymbolBeside]:
     """The symbol beside the line between the two points, or the link of that half width; nothing
     where no line joins the points, or a part of it could be meant.
     """

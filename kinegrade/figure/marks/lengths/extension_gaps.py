@@ -7,11 +7,13 @@ from __future__ import annotations
 from msgspec import Struct
 
 from kinegrade.figure.mechanism.layers import Drawing
+from kinegrade.figure.mechanism.plates import RULED_EDGE, Plate, find_outward_direction
 from kinegrade.figure.mechanism.straight_parts import Bar, Rod, find_half_width, list_ways
 from kinegrade.figure.placing.obstacles import Obstacles
 from kinegrade.figure.plane import NEAR, length, unit
 from kinegrade.figure.scene import BOLD
 from kinegrade.figure.symbols.sliding import measure_in_sleeve
+from kinegrade.mechanics.joints import Line
 from kinegrade.mechanics.vector import Vector
 
 _LEAVING = 1.6  # millimetres from a point to its extension line, where nothing is in the way
@@ -27,14 +29,15 @@ _OFF_BAR, _NEAR_BY, _FAR_OFF = 0.7, 4.2, 12.0
 
 
 class Around(Struct, frozen=True):
-    """What there is about a dimension: the mechanism, its supports and guides, its bars, and its
-    half pins, which sit in sleeves.
+    """What there is about a dimension: the mechanism, its supports and guides, its bars, its half
+    pins, which sit in sleeves, and its ruled plates.
     """
 
     drawn: Obstacles
     ground: Obstacles
     bars: tuple[Bar | Rod, ...] = ()
     half_pins: tuple[tuple[Vector, Vector], ...] = ()
+    plates: tuple[Plate, ...] = ()
 
     @staticmethod
     def of(drawn: Obstacles, drawing: Drawing) -> Around:
@@ -44,15 +47,29 @@ class Around(Struct, frozen=True):
             for part in drawing.parts
             if isinstance(part, Rod) or (isinstance(part, Bar) and part.use != "slot")
         )
-        return Around(drawn, Obstacles.of(drawing.ground), bars, drawing.half_pins)
+        ruled = tuple(part for part in drawing.parts if isinstance(part, Plate) and part.ruled)
+        return Around(drawn, Obstacles.of(drawing.ground), bars, drawing.half_pins, ruled)
 
     def find_half_width(self, start: Vector, end: Vector) -> float:
-        """Half the width of the broad link that is pinned at both points; 0 where there is none."""
+        """Half the width of the broad link that is pinned at both points, or what a ruled plate has
+        beyond its edge from one to the other; 0 where there is none.
+        """
         points = {start, end}
+        if self.find_outward(start, end):
+            return RULED_EDGE
         broad = (bar for bar in self.bars if isinstance(bar, Bar) and bar.use == "broad")
         return max(
             (find_half_width(bar) for bar in broad if {bar.start, bar.end} == points), default=0.0
         )
+
+    def find_outward(self, start: Vector, end: Vector) -> Vector | None:
+        """The direction out of a ruled plate across its edge between two points; None where there
+        is none.
+        """
+        for plate in self.plates:
+            if {start, end} <= set(plate.corners):
+                return find_outward_direction(plate, Line(start, end - start))
+        return None
 
 
 class Gap(Struct, frozen=True):

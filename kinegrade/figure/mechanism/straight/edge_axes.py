@@ -1,16 +1,16 @@
-"""Edges of plates along which an axis of their frame runs: thin ones, which are its shaft, so that
-its head and its tip are seen.
+"""Plates along an edge of which an axis of their frame runs: they reach beyond their edges, so that
+the axis lies on them from its origin to its tip.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from itertools import pairwise
+from collections.abc import Iterable, Mapping, Sequence
+from itertools import permutations
 from typing import assert_never
 
 from msgspec.structs import replace
 
-from kinegrade.figure.mechanism.plates import Edge, Plate
+from kinegrade.figure.mechanism.plates import Plate
 from kinegrade.figure.mechanism.straight.broad_links import list_axes
 from kinegrade.figure.mechanism.straight_parts import Bar, GenevaWheel, Part, Rod, SlottedDisc
 from kinegrade.figure.plane import NEAR, length, unit
@@ -25,33 +25,30 @@ def has_room_for_axis(edge: float) -> bool:
     return edge > _LONG
 
 
-def thin_edges(
+def rule_plates(
     parts: Iterable[Part], at: Mapping[str, Vector], frames: Sequence[BodyFrame]
 ) -> tuple[Part, ...]:
-    """The parts, with the edges of plates that an axis runs along as thin ones."""
+    """The parts, of which plates with an axis along an edge are ruled."""
     axes = list_axes(at, frames)
-    return tuple(_thin_edges_of(part, axes) for part in parts)
+    return tuple(_rule_plate(part, axes) for part in parts)
 
 
-def _thin_edges_of(part: Part, axes: Sequence[tuple[Vector, Vector]]) -> Part:
+def _rule_plate(part: Part, axes: Sequence[tuple[Vector, Vector]]) -> Part:
     match part:
         case Plate():
-            return replace(part, thin=tuple(_list_thin(part, axes)))
+            return replace(part, ruled=_has_axis_on_edge(part, axes))
         case Bar() | SlottedDisc() | GenevaWheel() | Rod():
             return part
         case _:
             assert_never(part)
 
 
-def _list_thin(plate: Plate, axes: Sequence[tuple[Vector, Vector]]) -> Iterator[Edge]:
-    """The edges of a plate along which one of some axes runs from either end."""
-    for start, end in pairwise((*plate.corners, plate.corners[0])):
-        along = unit(end - start)
-        ways = ((start, along), (end, -along))
-        on_edge = any(
-            length(origin - corner) < NEAR and length(axis - way) < NEAR
-            for origin, axis in axes
-            for corner, way in ways
-        )
-        if on_edge and has_room_for_axis(length(end - start)):
-            yield start, end
+def _has_axis_on_edge(plate: Plate, axes: Sequence[tuple[Vector, Vector]]) -> bool:
+    """Whether one of some axes runs from a corner along a long edge of a plate."""
+    return any(
+        has_room_for_axis(length(end - start))
+        and length(origin - start) < NEAR
+        and length(axis - unit(end - start)) < NEAR
+        for start, end in permutations(plate.corners, 2)
+        for origin, axis in axes
+    )
