@@ -11,8 +11,8 @@ from kinegrade.cli import options
 Capture = pytest.CaptureFixture[str]
 
 
-def work(monkeypatch: pytest.MonkeyPatch, seconds: float) -> list[str]:
-    """Four papers, each of which takes so long."""
+def work(monkeypatch: pytest.MonkeyPatch, seconds: float, start: float = 0.0) -> list[str]:
+    """Four papers, each of which takes so long, behind what it takes to start."""
     clock = 0.0
 
     def tick() -> float:
@@ -20,6 +20,7 @@ def work(monkeypatch: pytest.MonkeyPatch, seconds: float) -> list[str]:
 
     def papers() -> Iterator[str]:
         nonlocal clock
+        clock += start
         for each in "abcd":
             clock += seconds
             yield each
@@ -35,6 +36,14 @@ def test_a_log_gets_a_line_now_and_then_with_the_time_left(
     said = capsys.readouterr()
     assert said.out == ""
     assert said.err == "2 of 4 papers, 3 a minute, about 40 seconds left\n"
+
+
+def test_the_time_left_does_not_count_what_it_took_to_start(
+    monkeypatch: pytest.MonkeyPatch, capsys: Capture
+) -> None:
+    """By the time that the first paper took, 50 s, the other three would take some 150 s."""
+    work(monkeypatch, 6.0, start=44.0)
+    assert capsys.readouterr().err == "2 of 4 papers, 10 a minute, about 12 seconds left\n"
 
 
 def test_short_work_says_nothing_in_a_log(monkeypatch: pytest.MonkeyPatch, capsys: Capture) -> None:

@@ -29,6 +29,8 @@ COMPLAINTS = 1
 FAILURE = 2
 # Seconds between two lines on the progress of long work in a log.
 BETWEEN_LINES = 30.0
+# Papers come in parts, the first behind the time in which all is loaded and dealt
+_LEAST_MEASURED = 5.0
 FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO)
 LANGUAGE = click.option(
     "--lang",
@@ -125,14 +127,18 @@ def _whole_output() -> Iterator[None]:
 
 
 def _log_progress(items: Iterator[Any], count: int) -> Iterator[Any]:
-    """The items; where they take long, a line for some of them says how long the rest will take."""
-    begin = said = monotonic()
+    """The items; where they take long, a line for some of them says how long the rest will take, by
+    the pace since the first.
+    """
+    said, first = monotonic(), None
     for done, item in enumerate(items, 1):
         yield item
         now = monotonic()
-        if now - said >= BETWEEN_LINES and done < count:
-            left = ceil((now - begin) / done * (count - done))
-            rate = _write_rate(done, now - begin)
+        first = now if first is None else first
+        measured = now - first
+        if now - said >= BETWEEN_LINES and measured >= _LEAST_MEASURED and done < count:
+            left = ceil(measured / (done - 1) * (count - done))
+            rate = _write_rate(done - 1, measured)
             say(Message("terminal.progress-so-far", done=done, all=count, rate=rate, count=left))
             said = now
 
