@@ -355,6 +355,20 @@ def test_merged_cells_below_the_header_are_told_and_titles_above_it_are_not(tmp_
     ]
 
 
+def test_an_id_merged_with_an_empty_column_is_no_complaint(tmp_path: Path) -> None:
+    book = Workbook()
+    sheet = book.active
+    assert sheet is not None
+    for row in (["student", None, "q1.v_B"], ["007", None, "1.5"], ["008", None, "2"]):
+        sheet.append(row)
+    for number in (1, 2, 3):
+        sheet.merge_cells(f"A{number}:B{number}")
+    book.save(tmp_path / "merged.xlsx")
+    table = read_workbook(tmp_path / "merged.xlsx", lambda cells: "student" in cells)
+    assert table.complaints == ()
+    assert [(row.cell(0), row.cell(2)) for row in table.rows] == [("007", "1.5"), ("008", "2")]
+
+
 def test_a_number_shown_as_per_cent_is_read_so(tmp_path: Path) -> None:
     book = Workbook()
     sheet = book.active

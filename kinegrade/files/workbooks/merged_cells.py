@@ -18,14 +18,24 @@ _MERGED = b"mergeCell"
 def note_merged(
     path: Path, sheet: str, titles: Sequence[str], filled: Mapping[Position, str]
 ) -> list[Complaint]:
-    """A complaint for each group of merged cells below the titles; `filled` are the texts there.
-    Raises TableError for a damaged workbook.
+    """A complaint for each group of merged cells below the titles that may stand for several cells;
+    `filled` are the texts there. Raises TableError for a damaged workbook.
     """
     return [
         _complain(path.name, titles, each, filled[each.first])
         for each in _find_merged(path, sheet)
-        if each.first in filled and each.first[1] <= len(titles)
+        if each.first in filled and _hides_something(each, titles)
     ]
+
+
+def _hides_something(merged: Merged, titles: Sequence[str]) -> bool:
+    """Whether other cells of a row, or of a column with a title, show what the first one holds. An
+    id that reaches over a column of nothing does no harm.
+    """
+    (top, left), (bottom, right) = merged.first, merged.last
+    if left > len(titles):
+        return False
+    return bottom > top or any(titles[left:right])
 
 
 def _find_merged(path: Path, sheet: str) -> Sequence[Merged]:
