@@ -45,7 +45,7 @@ def test_a_student_in_the_file_of_another_version_is_told() -> None:
     assert line == (
         "A.csv:23: the student has version B, and 12 of the 13 students in this file have version "
         "A - perhaps the quiz of another version was sat - marked by version B; if version A was "
-        "sat: kinegrade exchange ... A BA0"
+        "sat: kinegrade exchange EXAM A BA0"
     )
 
 
@@ -81,6 +81,6 @@ def test_grade_tells_it_by_the_files_of_a_quiz(tmp_path: Path) -> None:
         rows = "".join(f"{each},1\n" for each in students)
         files[-1].write_text(f"student,q1.v_x\n{rows}", encoding="utf-8")
     done = kinegrade("grade", tmp_path / "EXAM", *files, "-o", tmp_path / "MARKS")
-    assert f"kinegrade exchange ... {other} {first.student}" in done.stderr
+    assert f"kinegrade exchange EXAM {other} {first.student}" in done.stderr
     assert done.stderr.count("kinegrade exchange") == 1
     assert done.exit_code == 1

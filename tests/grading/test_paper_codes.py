@@ -58,7 +58,7 @@ def test_a_code_that_contradicts_the_id_is_said(exam: Path, tmp_path: Path) -> N
     said, owner = type_row(exam, tmp_path, "007", code)
     assert owner == "007"
     assert 'the paper with this code is that of "0012"' in said
-    assert f'"007", by the id; if the code is right: kinegrade exchange ... {code} 007' in said
+    assert f'"007", by the id; if the code is right: kinegrade exchange EXAM {code} 007' in said
 
 
 def test_a_code_beside_the_id_that_no_paper_has_is_said(exam: Path, tmp_path: Path) -> None:
