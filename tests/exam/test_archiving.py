@@ -164,6 +164,39 @@ def test_a_key_that_follows_from_other_numbers_than_were_printed_is_named(exam: 
     assert not any(f'student "{line["student"]}"' in each for each in named for line in others)
 
 
+def test_pages_of_other_numbers_are_named_where_no_arrays_keep_the_key(exam: Path) -> None:
+    """The questions of two students, exchanged, in a folder without key.npz."""
+    key = exam / "key.jsonl"
+    first, second, *others = map(json.loads, key.read_text(encoding="utf-8").splitlines())
+    first["questions"], second["questions"] = second["questions"], first["questions"]
+    lines = [json.dumps(line) + "\n" for line in (first, second, *others)]
+    key.write_text("".join(lines), encoding="utf-8")
+    (exam / "key.npz").unlink()
+    printed = [exam / "papers" / f"{line['student']}.pdf" for line in (first, second)]
+    said = "is not the paper that follows from the exam's folder"
+    assert [each.partition(": ")[0] for each in complaints(exam, "--all") if said in each] == [
+        str(file) for file in printed
+    ]
+
+
+def test_a_paper_whose_pages_were_edited_is_named_once(exam: Path) -> None:
+    paper = exam / "papers" / "007.pdf"
+    paper.write_bytes(paper.read_bytes() + b"\n")
+    (named,) = complaints(exam, "--all")
+    assert named.startswith(f"{paper}: is not the paper that follows from the exam's folder")
+    assert named.endswith('print it again: kinegrade paper EXAM "007" --force -o FILE')
+
+
+def test_pages_by_another_version_are_not_compared(exam: Path) -> None:
+    """Its layout may be another one."""
+    head = exam / "exam.json"
+    stated = json.loads(head.read_text(encoding="utf-8"))
+    head.write_text(json.dumps(stated | {"kinegrade": "0.1.0"}), encoding="utf-8")
+    paper = exam / "papers" / "007.pdf"
+    paper.write_bytes(paper.read_bytes() + b"\n")
+    assert complaints(exam, "--all") == []
+
+
 def test_a_changed_mistake_is_named(exam: Path) -> None:
     key = exam / "key.jsonl"
     first, *others = key.read_text(encoding="utf-8").splitlines(keepends=True)

@@ -215,4 +215,4 @@ def test_answers_on_a_spare_paper_that_is_nobodys_say_how_it_is_assigned(
     result = kinegrade("grade", exam, sheet, "-o", tmp_path / "MARKS")
     assert said.format(code=code) in result.stderr
     way = "exchange" if "paper" in header else "assign"
-    assert f"kinegrade {way} ... {code}" in result.stderr
+    assert f"kinegrade {way} EXAM {code}" in result.stderr

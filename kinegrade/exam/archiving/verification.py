@@ -11,12 +11,11 @@ from pathlib import Path, PurePosixPath
 
 from kinegrade.errors import ExamError, KinegradeError, Problem
 from kinegrade.exam.archiving.archive import CHECKSUMS, EXAM, MARKS, read_checksums
+from kinegrade.exam.archiving.changed_pages import solve_again
 from kinegrade.exam.archiving.other_hands import find_changed_keys, find_copied_papers
 from kinegrade.exam.archiving.unpacked import name_inside
 from kinegrade.exam.folder.exam_folder import ExamFolder, open_exam
-from kinegrade.exam.folder.records import Candidate
 from kinegrade.exam.generating.hand_work import digest_editable
-from kinegrade.exam.setting.kept_exam import KeptExam
 from kinegrade.files.temporary import temporary_folder
 from kinegrade.language.message import Fault, Message
 from kinegrade.marks_folder import folder as marks_folder
@@ -61,24 +60,13 @@ def _verify_folder(
         exam = open_exam(path)
         exam.require_sound_key()
         papers = exam.head.everybody
-        missing = *_find_missing(exam), *find_copied_papers(exam), *find_changed_keys(exam)
+        copied, changed = tuple(find_copied_papers(exam)), tuple(find_changed_keys(exam))
+        missing = *_find_missing(exam), *copied, *changed
         sample = papers if everything else papers[:: max(1, len(papers) // _SAMPLE)]
-        contradictions = _solve_again(exam, sample)
+        contradictions = tuple(solve_again(exam, sample, frozenset(each.where for each in copied)))
     except KinegradeError as error:
         return Verified(files, 0, 0, (*wrong, *error.faults))
     return Verified(files, len(sample), len(papers), (*wrong, *missing, *contradictions))
-
-
-def _solve_again(exam: ExamFolder, sample: tuple[Candidate, ...]) -> tuple[Problem, ...]:
-    """What no longer follows from the values of these papers."""
-    kept = KeptExam(exam)
-    problems: list[Problem] = []
-    for candidate in sample:
-        try:
-            kept.paper(candidate)
-        except ExamError as error:
-            problems += error.faults
-    return tuple(problems)
 
 
 def _find_missing(exam: ExamFolder) -> Iterator[Fault]:

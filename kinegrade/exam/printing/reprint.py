@@ -44,10 +44,7 @@ class Reprint(Struct, frozen=True, dict=True):
         """The paper as PDF, in `large` print also for a student who has usual print. Raises
         TypesetError.
         """
-        sheet = lay_out_paper(self.run.bank, self.paper, self.run.language)
-        sheet = replace(sheet, pages=self.run.pages or 0, large=large or sheet.large)
-        printed = self._press.papers({self._name: sheet})[self._name]
-        return self.run.bind(printed).pdf
+        return print_again(self.run, self.paper, self._press, large=large)
 
     def solution(self, *, large: bool = False) -> bytes:
         """Its worked solutions as PDF, in `large` print as by `pages`. Raises TypesetError."""
@@ -81,6 +78,14 @@ class Reprint(Struct, frozen=True, dict=True):
     @cached_property
     def _press(self) -> Press:
         return self.run.press_order.press()
+
+
+def print_again(run: PrintRun, paper: SetPaper, press: Press, *, large: bool = False) -> bytes:
+    """A paper as PDF, as `Reprint.pages` gives it. Raises TypesetError."""
+    sheet = lay_out_paper(run.bank, paper, run.language)
+    sheet = replace(sheet, pages=run.pages or 0, large=large or sheet.large)
+    name = paper.student.file_name
+    return run.bind(press.papers({name: sheet})[name]).pdf
 
 
 def reprint(exam: ExamFolder, student: str) -> Reprint:
