@@ -38,7 +38,7 @@ from kinegrade.files.placing.publishing import (
     publish,
     sync_folder,
 )
-from kinegrade.files.placing.readings import require_readings
+from kinegrade.files.placing.readings import forget_readings, require_readings
 from kinegrade.files.placing.standing import find_standing
 from kinegrade.files.temporary import clear_temporary_folders
 from kinegrade.language.message import Fault, Message
@@ -202,6 +202,7 @@ def _open_partial(path: Path, target: Path, resumable: Resumable | None = None) 
     finally:
         if resumable and resumable.stays and (partial / resumable.workings).is_dir():
             leave(partial, _make_beginning(target))
+        forget_readings(partial)  # what was written is looked at where it was written
         remove(partial)
 
 

@@ -16,6 +16,7 @@ from pathlib import Path
 
 from kinegrade.errors import TableError
 from kinegrade.files.csv_writing import restore
+from kinegrade.files.placing.readings import note_reading
 from kinegrade.files.tables import Complaint, Table
 from kinegrade.grade_scale.scale import Scale
 from kinegrade.language.message import Message
@@ -49,6 +50,7 @@ from kinegrade.marks_folder.layout import (
     FORMER_IDS,
     GRADES,
     MANUAL,
+    MARKER,
     MERGED,
     PRINTED,
     PUT,
@@ -242,6 +244,7 @@ def open_marks(path: Path, *, to_mark_again: bool = False) -> MarksFolder:
     """The marks folder at a path. Raises TableError where its totals contradict its marks, or where
     it is not a marks folder; but `to_mark_again`, marks by hand may have been taken back since.
     """
+    note_reading(path, MARKER)
     folder = MarksFolder(path)
     if not (to_mark_again and are_edited(path)):
         refuse_changed_totals(path, folder.totals, folder.sums, folder.scale)

@@ -45,6 +45,7 @@ def publish(path: Path, partial: Path, target: Path, stood: Standing) -> None:
     """
     with alone_in(target.parent):
         stood.require(target, path)
+        forget_readings(partial)
         require_readings()
         if not target.exists():
             move_to_free_place(path, partial, target)

@@ -70,7 +70,7 @@ def require_readings() -> None:
 
 
 def forget_readings(place: Path) -> None:
-    """That this command replaced the folder itself."""
+    """That this command puts the folder in its place, or replaced it, itself."""
     if readings := _CURRENT.get():
         readings.all[:] = [
             each for each in readings.all if each.file.parent.resolve() != place.resolve()
