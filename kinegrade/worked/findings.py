@@ -134,6 +134,7 @@ class Findings:
     legs: dict[frozenset[str], tuple[str, str]] = field(default_factory=dict)
     printed: list[Equation] = field(default_factory=list)
     checked: list[Checked] = field(default_factory=list)
+    is_checked: bool = False
     stated: dict[tuple[str, str], Stated | None] = field(default_factory=dict)
     composed: set[tuple[Level, str, str | None]] = field(default_factory=set)
     coincident: set[str] = field(default_factory=set)

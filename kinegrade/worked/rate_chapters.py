@@ -46,10 +46,14 @@ def write_rate_chapters(
     if velocities:
         yield Heading(case.write(Message("solution.velocities")), 1)
         wanted = [ask for ask in moving if ask not in later]
-        yield from _write_level_chapter(velocities, case, "velocity", _Answers(wanted, boxes))
+        yield from _write_level_chapter(
+            velocities, case, "velocity", _Answers(wanted, boxes), not accelerations
+        )
     if accelerations:
         yield Heading(case.write(Message("solution.accelerations")), 1)
-        yield from _write_level_chapter(accelerations, case, "acceleration", _Answers(later, boxes))
+        yield from _write_level_chapter(
+            accelerations, case, "acceleration", _Answers(later, boxes), True
+        )
 
 
 @dataclass
@@ -78,7 +82,7 @@ class _Answers:
 
 
 def _write_level_chapter(
-    steps: Sequence[Step], case: Case, level: Level, answers: _Answers
+    steps: Sequence[Step], case: Case, level: Level, answers: _Answers, last: bool
 ) -> Iterator[Block]:
     """The given motions, then the steps of velocities, or of accelerations, each with the answers
     that follow.
@@ -90,7 +94,7 @@ def _write_level_chapter(
     stages, asked = find_stages(steps, case, level, known), tuple(answers.wanted)
     yield from _write_steps(steps, stages, known, answers)
     yield from answers.follow(None)
-    yield from check_rates(stages, asked, level, case)
+    yield from check_rates(stages, asked, level, case, last=last)
 
 
 def _write_steps(

@@ -243,13 +243,16 @@ def test_a_wheel_between_tracks_is_checked_from_the_other_contact() -> None:
     ]
 
 
-def test_a_train_about_fixed_axes_is_checked_in_one_step() -> None:
+def test_a_train_that_is_driven_at_a_rotational_speed_is_checked_by_counting_turns() -> None:
+    """Not by the product of both ratios, which are the equations of the two steps."""
     values = {"r1": "26", "r2": "20", "r3": "30", "r4": "10", "n": "-60"}
-    assert find_checks(stated("two-stage-belt-drive", **values))[0] == Check(
-        "the transmission from the engine pulley to the dynamo pulley in one step",
-        r"\omega_{C} = -24.504\,\unit{rad/s}",
-        r"\frac{r_{1}\,r_{3}}{r_{2}\,r_{4}}\,\omega_{O} = \frac{0.26\,\unit{m} \cdot 0.3\,\unit{m}}{0.2\,\unit{m} \cdot 0.1\,\unit{m}} \cdot "
-        r"(-6.2832\,\unit{rad/s}) \approx -24.504\,\unit{rad/s}",
+    (check,) = find_checks(stated("two-stage-belt-drive", **values))
+    assert check == Check(
+        "counting turns: those of the shaft are to those of the engine pulley as the radii say,"
+        " and each moves the rim of radius $r_{3}$ by its circumference",
+        r"v_{B} = 2.4504\,\unit{m/s}",
+        r"2\pi\,n\,\frac{r_{1}}{r_{2}}\,r_{3} = \frac{2\pi \cdot 60}{60\,\unit{s}} \cdot"
+        r" \frac{0.26\,\unit{m}}{0.2\,\unit{m}} \cdot 0.3\,\unit{m} \approx 2.4504\,\unit{m/s}",
     )
 
 

@@ -12,6 +12,7 @@ from kinegrade.mechanics.laws.imposed import (
     ImposedComponent,
     ImposedMotion,
     ImposedRotation,
+    find_imposed_rotation,
 )
 from kinegrade.mechanics.laws.rims import EqualBeltSpeed, EqualPitchSpeed, EqualRimSpeed, find_rims
 from kinegrade.mechanics.laws.rolling import NoSlip, find_rolling
@@ -40,6 +41,7 @@ __all__ = [
     "NoSlip",
     "SharedPoint",
     "Turning",
+    "find_imposed_rotation",
     "find_rims",
     "find_rolling",
 ]

@@ -90,3 +90,8 @@ class ImposedCircling(_Imposed):
     def list_factors(self, shares: Shares) -> Turning:
         """None: it is a component of a vector."""
         return ()
+
+
+def find_imposed_rotation(law: Reason | None) -> ImposedRotation | None:
+    """The rotation that a law imposes; None where it is something else."""
+    return law if isinstance(law, ImposedRotation) else None

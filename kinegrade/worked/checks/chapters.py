@@ -17,6 +17,11 @@ from kinegrade.worked.checks.carriers import list_carrier_checks
 from kinegrade.worked.checks.check import Check, choose_check
 from kinegrade.worked.checks.constraints import list_constraint_checks
 from kinegrade.worked.checks.forms import Told, list_rates, list_solved
+from kinegrade.worked.checks.laws.carried import list_carried_checks
+from kinegrade.worked.checks.laws.pole_accelerations import list_pole_accelerations
+from kinegrade.worked.checks.laws.relative_poles import list_relative_poles
+from kinegrade.worked.checks.laws.turns import list_turn_checks
+from kinegrade.worked.checks.laws.wheels import list_wheel_checks
 from kinegrade.worked.checks.positions.places import list_place_checks
 from kinegrade.worked.checks.positions.poles import list_pole_checks
 from kinegrade.worked.checks.positions.sleeves import list_sleeve_checks
@@ -24,7 +29,6 @@ from kinegrade.worked.checks.second_derivatives import list_second_derivatives
 from kinegrade.worked.checks.seen import list_seen_checks
 from kinegrade.worked.checks.theorems import list_theorem_checks
 from kinegrade.worked.checks.tracks import list_track_checks
-from kinegrade.worked.checks.trains import list_train_checks
 from kinegrade.worked.document import Block
 from kinegrade.worked.findings import Checked
 from kinegrade.worked.vectors.needed_rates import find_needs, find_references
@@ -32,10 +36,11 @@ from kinegrade.worked.vectors.stage import Stage
 
 
 def check_rates(
-    stages: Mapping[Step, Stage], asked: Sequence[Ask], level: Level, case: Case
+    stages: Mapping[Step, Stage], asked: Sequence[Ask], level: Level, case: Case, *, last: bool
 ) -> Iterator[Block]:
     """The check of a chapter that goes by another way than its steps, of those that there are the
-    one that takes up most of what is asked; none where all of them say again what a step has.
+    one that takes up most of what is asked; where all of them say again what a step has, one by
+    another law, or in the last chapter, where none has had a check, one by positions.
     """
     if case.findings.places_alone:
         yield from _say_first(list_pole_checks(stages.values(), case), case)
@@ -49,7 +54,11 @@ def check_rates(
         case.findings.checked.append(Checked(chosen.form, tuple(solved)))
         yield from chosen.say(case)
     elif level == "velocity":
-        yield from _say_first(list_sleeve_checks(case), case)
+        yield from _say_first(_list_other_laws(case), case)
+    else:
+        yield from _say_first(list_pole_accelerations(case), case)
+    if last and not case.findings.is_checked:
+        yield from _say_first(_list_differentiated(stages, case), case)
 
 
 def check_places(asked: Sequence[Ask], case: Case) -> Iterator[Block]:
@@ -64,6 +73,23 @@ def _say_first(checks: Iterable[Check], case: Case) -> Iterator[Block]:
         yield from chosen.say(case)
 
 
+def _list_other_laws(case: Case) -> Iterator[Check]:
+    """The checks of velocities by laws that no step has gone by."""
+    yield from list_sleeve_checks(case)
+    yield from list_turn_checks(case)
+    yield from list_relative_poles(case)
+    yield from list_carried_checks(case)
+    yield from list_wheel_checks(case)
+
+
+def _list_differentiated(stages: Mapping[Step, Stage], case: Case) -> Iterator[Check]:
+    """The checks by positions, in coordinates, of what projections and angles have given."""
+    for stage in reversed(tuple(stages.values())):
+        for check in list_constraint_checks(stage, Told((), case.held_rates)):
+            if list_rates(check.form):
+                yield check
+
+
 def _list_rate_checks(
     stages: Mapping[Step, Stage], level: Level, case: Case, told: Told
 ) -> Iterator[Check]:
@@ -76,7 +102,6 @@ def _list_rate_checks(
     for step, stage in last_first:
         yield from list_track_checks(step, stage)
     yield from list_carrier_checks(level, case)
-    yield from list_train_checks(level, case)
     for _, stage in last_first:
         yield from list_constraint_checks(stage, told)
     yield from list_new_body_checks(level, case)

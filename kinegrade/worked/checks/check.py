@@ -110,6 +110,7 @@ class Check:
         """The check in one sentence, after the length that it needs: the equation in letters, then
         both of its sides in numbers.
         """
+        case.findings.is_checked = True
         for equation in introduce_lengths((self.arm,) if self.arm else (), case):
             here = case.say(Message("solution.here", equations=case.tell(equation)))
             yield replace(here, on_check=True)

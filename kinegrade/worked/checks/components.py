@@ -4,7 +4,7 @@ makes the difference of the components.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 from kinegrade.language.message import Message
@@ -15,17 +15,17 @@ from kinegrade.mechanics.vector_equation import Level
 from kinegrade.worked.case import Case
 from kinegrade.worked.checks.check import Check, compare
 from kinegrade.worked.checks.forms import compare_points
-from kinegrade.worked.checks.sides import Side
+from kinegrade.worked.checks.sides import make_side
 from kinegrade.worked.coincident_points import name_owned_point
 from kinegrade.worked.findings import Fact
-from kinegrade.worked.formulas.atoms import AXES, add_terms
+from kinegrade.worked.formulas.atoms import AXES
 from kinegrade.worked.formulas.measures import double, is_zero
 from kinegrade.worked.vectors.components import (
     find_heading,
     list_component,
     list_turning_summands,
 )
-from kinegrade.worked.vectors.summands import PLACES, Summand
+from kinegrade.worked.vectors.summands import PLACES
 from kinegrade.worked.vectors.vectors import UNITS
 
 _ALONG: dict[AxisName, Vector] = {"x": Vector(1, 0), "y": Vector(0, 1)}
@@ -61,7 +61,7 @@ def list_component_checks(turned: Turned, level: Level, case: Case) -> Iterator[
         kind = f"solution.component-check-{level}"
         way = Message(kind, axis=axis, first=first, second=second)
         form = compare_points(turned.body, turned.points, turned.facts, _ALONG[axis], case)
-        sides = _add(after, value), _add(before, value)
+        sides = make_side(after, value), make_side(before, value)
         yield compare(way, *sides, UNITS[level, False], form=form)
 
 
@@ -69,11 +69,3 @@ def _is_placed(fact: Fact, case: Case) -> bool:
     """Whether a vector is known by magnitudes whose directions angles give."""
     pieces = (piece for piece in fact.parts if not is_zero(piece.value))
     return not fact.by_components and all(find_heading(piece, case) for piece in pieces)
-
-
-def _add(summands: Sequence[Summand], value: float) -> Side:
-    """A side in letters and in numbers."""
-    told = [one for one in summands if one.counts]
-    numbers = add_terms(one.in_numbers for one in told)
-    letters = add_terms(one.in_symbols for one in told) if told else None
-    return Side(numbers, value, letters)

@@ -4,17 +4,19 @@ printed numbers gets.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from math import floor, log10
 from typing import Any
 
-from kinegrade.worked.formulas.atoms import ZERO, Measured, Number
+from kinegrade.worked.formulas.atoms import ZERO, Measured, Number, add_terms
 from kinegrade.worked.formulas.equation import Equation, Link, approximate, equate
 from kinegrade.worked.formulas.formula import Formula
 from kinegrade.worked.formulas.measures import double
 from kinegrade.worked.formulas.notation import DIGITS, Notation
 from kinegrade.worked.formulas.numbers import round_number
 from kinegrade.worked.formulas.printed_values import find_printed_value
+from kinegrade.worked.vectors.summands import Summand
 
 _EQUAL = 1e-9  # relative: far below a digit that is printed
 
@@ -84,3 +86,11 @@ class Side:
         printed = find_printed_value(self.numbers, notation)
         away = abs(printed - find_printed_value(number)) > _EQUAL * max(abs(printed), 1e-3)
         return equate(stated) if away or not self.numbers.is_decimal else ()
+
+
+def make_side(summands: Sequence[Summand], value: Any) -> Side:
+    """The side that is a sum, in letters and in numbers."""
+    told = [one for one in summands if one.counts]
+    numbers = add_terms(one.in_numbers for one in told)
+    letters = add_terms(one.in_symbols for one in told) if told else None
+    return Side(numbers, value, letters)

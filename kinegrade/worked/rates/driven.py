@@ -152,6 +152,19 @@ def _state_as_given(tree: Expression, value: Any, unit: str, case: Case) -> tupl
     return stated
 
 
+def state_turned(
+    law: ImposedRotation, relation: Relation, case: Case
+) -> tuple[Formula, Formula] | None:
+    """The size of an angular velocity by the rotational speed that gives it: 2 pi n; None else."""
+    tree = _find_tree(law, case, "velocity")
+    size = relation.velocity if double(relation.velocity) > 0 else -relation.velocity
+    given = _state_as_given(tree, size, "rad/s", case)
+    if not given or not _counts_turns(tree, case):
+        return None
+    letters = state_expression(tree, case).size
+    return count_full_turns(letters), given[0].right
+
+
 def _drop_unit(formula: Formula) -> Formula:
     """The number of what is measured."""
     return formula.number if isinstance(formula, Measured) else formula

@@ -19,9 +19,11 @@ from kinegrade.worked.formulas.atoms import AXES, TWO, ZERO, add_terms
 from kinegrade.worked.formulas.equation import Equation, equate
 from kinegrade.worked.formulas.formula import Formula, Product
 from kinegrade.worked.formulas.functions import Function
+from kinegrade.worked.formulas.measures import double
 from kinegrade.worked.formulas.symbols import name_coordinate
 from kinegrade.worked.positions.algebra import ZERO as ORIGIN
 from kinegrade.worked.positions.axes import choose_axes
+from kinegrade.worked.vectors.summands import PLACES
 
 
 @dataclass(frozen=True)
@@ -38,6 +40,9 @@ def differentiate_coordinate(
     """The coordinate of the point at the end of two chains, by way of other points where there are
     such.
     """
+    for chain, other in (chains, chains[::-1]):
+        if len(chain) == 1 and _keeps_arm(axis, other, case):
+            return _differentiate_constant(axis, other, level, case)
     first, second = (_add_arms(axis, chain, case) for chain in chains)
     if first is None or second is None or len(first) == len(second) == 1:
         return _differentiate_twice_over(axis, chains, level, case)
@@ -45,6 +50,27 @@ def differentiate_coordinate(
     equation = Equation(left, equate(right))
     way = Message(f"solution.sum-derivative-{level}", condition=_show(equation, case))
     return Condition(way, (equation,))
+
+
+def _keeps_arm(axis: AxisName, chain: Sequence[Term], case: Case) -> bool:
+    """Whether a chain goes from a point over an arm of a body that does not turn to the end, which
+    moves in that body across the axis at most.
+    """
+    if len(chain) < 2 or chain[1].kind != "rotation" or chain[1].rate not in case.held_rates:
+        return False
+    arm, place = chain[1], PLACES[axis]
+    slides = all(not double(term.vector[place]) for term in chain[2:])
+    return arm.base == chain[0].point and bool(double(arm.vector[place])) and slides
+
+
+def _differentiate_constant(
+    axis: AxisName, chain: Sequence[Term], level: Level, case: Case
+) -> Condition:
+    """The difference of two coordinates, whose derivatives are zero."""
+    part = point_from_base(chain[1], case).pair[axis]
+    difference = Equation(part.letters.signed(part.sign), ())
+    way = Message(f"solution.constant-derivative-{level}", condition=_show(difference, case))
+    return Condition(way, (difference,))
 
 
 def _differentiate_twice_over(

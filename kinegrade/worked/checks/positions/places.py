@@ -1,5 +1,5 @@
 """Checks of positions: distances that are given, from coordinates; direction cosines, from the
-angle.
+angle; sums of angles, and right angles.
 """
 
 from __future__ import annotations
@@ -17,7 +17,9 @@ from kinegrade.worked.answers.pose_working import AXIS_X, AXIS_Y
 from kinegrade.worked.case import Case
 from kinegrade.worked.checks.arms import point_from
 from kinegrade.worked.checks.check import Check, compare
+from kinegrade.worked.checks.positions.angle_sums import list_angle_sums
 from kinegrade.worked.checks.positions.cosines import list_circles_on_lines, list_cosine_checks
+from kinegrade.worked.checks.positions.right_angles import list_right_angles
 from kinegrade.worked.checks.sides import Side
 from kinegrade.worked.formulas.atoms import ZERO, add_squares
 from kinegrade.worked.formulas.formula import Formula
@@ -77,6 +79,8 @@ def list_place_checks(asked: Sequence[Ask], case: Case) -> Iterator[Check]:
     for angle in asked:
         for cosine in asked:
             yield from _check_cosine(angle, cosine, case)
+    yield from list_angle_sums(asked, case)
+    yield from list_right_angles(case)
 
 
 def _list_on_circles(case: Case) -> Iterator[_Distance]:

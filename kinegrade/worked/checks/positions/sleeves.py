@@ -4,7 +4,7 @@ the axis moves along the sleeve, so the pole lies on the normal to it there.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from kinegrade.language.message import Message
 from kinegrade.mechanics.vector import AxisName, Vector
@@ -41,7 +41,9 @@ def _check_pole(body: str, sleeve: str, pin: str, case: Case) -> Check:
     """The two products of the scalar product that is zero, one on each side."""
     pole = case.findings.poles[body]
     places = {**case.motion.points, pole: case.motion.pole(body, case.arithmetic)}
-    along, across = (_multiply(axis, sleeve, (pole, pin), places, case) for axis in PLACES)
+    along, across = (
+        multiply_coordinates(axis, sleeve, (pole, pin), places, case) for axis in PLACES
+    )
     letter, axle, end = map(case.naming.point, (pole, sleeve, pin))
     way = Message(
         "solution.sleeve-normal",
@@ -54,8 +56,8 @@ def _check_pole(body: str, sleeve: str, pin: str, case: Case) -> Check:
     return compare(way, along, turned, "m^2")
 
 
-def _multiply(
-    axis: AxisName, start: str, ends: tuple[str, str], places: dict[str, Vector], case: Case
+def multiply_coordinates(
+    axis: AxisName, start: str, ends: tuple[str, str], places: Mapping[str, Vector], case: Case
 ) -> Side:
     """The product of the coordinates of two points, both from a third one."""
     fixed = choose_axes(case.construction).coordinate(axis, start)
