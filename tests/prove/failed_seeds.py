@@ -51,6 +51,10 @@ FAILED = {
         745403411,
     ): "a page took 1/Ⅳ behind a number for another number, not for a unit",
     ("typed texts", 745403413): "a page took (0010)^69, which is 10^69, for too high a power",
+    (
+        "unlike figures",
+        145272829,
+    ): "slotted-link-on-cylinder: the figure refused two of its four angles in every paper",
     ("typed texts", 2): "2π*0/5 was read as 2, its first number",
     ("described pictures", 54839449): "numbers of names, as of ring 1, were taken for answers",
 }
