@@ -75,9 +75,7 @@ from kinegrade.marks_folder.totals import read_totals
 
 @dataclass(frozen=True)
 class MarksFolder:
-    """The files of a marks folder at `path`. Every reader raises TableError for a file that is
-    missing, or that `grade` cannot have written.
-    """
+    """The files at `path`. TableError for one that is missing or `grade` cannot have written."""
 
     path: Path
 
