@@ -15,6 +15,7 @@ from tests.prove import (
     by_hand,
     clear_figures,
     damaged_files,
+    dealt_values,
     described_figures,
     described_pictures,
     fair_marks,
@@ -48,6 +49,7 @@ PROOFS = (
     ),
     Proof("independent positions", independent_positions.hold, cases=5_000, batch=50, sample=25),
     Proof("sound templates", sound_templates.hold, cases=200, batch=10, sample=0),
+    Proof("dealt values", dealt_values.hold, cases=EACH, batch=6, sample=1),
     Proof("clear figures", clear_figures.hold, cases=2_000, batch=100, sample=4),
     Proof("described figures", described_figures.hold, cases=20 * EACH, batch=51, sample=9),
     Proof(
