@@ -77,7 +77,7 @@ class Equation:
         left, links = self.left.print(notation), self._list_printed(notation)
         lines: list[Row] = [(*left, Mark())]
         room, used = WIDEST - measure_row(left), 0.0
-        for group in _list_groups(links):
+        for group in _list_groups(links, notation, room):
             aside = self.aside if group[-1] is links[-1] else ()
             row = (*print_links(group, notation), *aside)
             width = measure_row(row)
@@ -107,11 +107,19 @@ def _find_unit(figure: Formula) -> str:
     return figure.size.unit if isinstance(figure.size, Measured) else ""
 
 
-def _list_groups(links: tuple[Link, ...]) -> Iterator[tuple[Link, ...]]:
-    """What stays on one line: each link, and a rounded value with the exact one before it."""
+def _list_groups(
+    links: tuple[Link, ...], notation: Notation, room: float
+) -> Iterator[tuple[Link, ...]]:
+    """What stays on one line: each link, and a rounded value with the exact one before it where
+    both have room.
+    """
     starts = [place for place, link in enumerate(links) if not place or link.relation != r"\approx"]
     for start, end in zip(starts, (*starts[1:], len(links)), strict=True):
-        yield links[start:end]
+        group = links[start:end]
+        if measure_row(print_links(group, notation)) <= room:
+            yield group
+        else:
+            yield from ((link,) for link in group)
 
 
 def print_links(links: tuple[Link, ...], notation: Notation) -> Row:
