@@ -74,7 +74,6 @@ def test_arrows_on_the_ground_begin_on_their_dot_with_their_symbols_above(seed: 
     ("template", "seed", "symbol"),
     [
         ("two-wheels-on-cylinder", "v71a", "v_{A}"),
-        ("toggle-press", "v71b", "v"),
         ("toggle-press", "w81a", "v"),
     ],
 )

@@ -53,12 +53,21 @@ def check_rates(
     if chosen is not None:
         case.findings.checked.append(Checked(chosen.form, tuple(solved)))
         yield from chosen.say(case)
-    elif level == "velocity":
-        yield from _say_first(_list_other_laws(case), case)
     else:
-        yield from _say_first(list_pole_accelerations(case), case)
+        yield from _say_first(_list_laws(level, case), case)
     if last and not case.findings.is_checked:
         yield from _say_first(_list_differentiated(stages, case), case)
+
+
+def _list_laws(level: Level, case: Case) -> Iterator[Check]:
+    """The checks by another law than the steps'."""
+    match level:
+        case "velocity":
+            return _list_other_laws(case)
+        case "acceleration":
+            return list_pole_accelerations(case)
+        case _:
+            assert_never(level)
 
 
 def check_places(asked: Sequence[Ask], case: Case) -> Iterator[Block]:

@@ -5,6 +5,7 @@ point, whose own velocity has been found.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import assert_never
 
 from kinegrade.language.message import Message
 from kinegrade.mechanics.ground import GROUND
@@ -31,8 +32,13 @@ def list_wheel_checks(case: Case) -> Iterator[Check]:
     """The checks of the points of wheels that roll on fixed tracks, along an axis each, in which
     both the centre and the rotation count.
     """
-    if case.method == "base-point":
-        return
+    match case.method:
+        case "base-point":
+            return  # a check by the centre would say it again
+        case "projection" | "pole" | None:
+            pass
+        case _:
+            assert_never(case.method)
     for relation in case.motion.frames.relations:
         roll = find_rolling(relation.source)
         if roll is not None and roll.of == GROUND:
