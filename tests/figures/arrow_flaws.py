@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from shapely import LineString, Point, shortest_line
 from shapely.geometry.base import BaseGeometry
 
-from tests.figures.dimension_flaws import find_ends
+from tests.figures.dimension_flaws import find_ends, find_extension_lines
 from tests.figures.svg_shapes import Letters, Picture
 
 SHAFT = (0.38, 0.45)  # millimetres, the width of a shaft
@@ -22,6 +22,7 @@ SECOND = (1.4, 1.8)  # millimetres from one tip to the next behind it
 BEYOND = 3.0  # millimetres past a tip that are the arrow's own
 NEAR = 6.0  # millimetres within which another arrow may be mistaken
 BAR = 0.6, 5.0  # millimetres: least width and length of a bar
+UNDER = 0.25, 2.0  # millimetres beside a shaft, and of a line there that is not told apart from it
 HEADS = {"v": 1, "a": 2}
 
 
@@ -40,6 +41,17 @@ def find_arrow_flaws(picture: Picture) -> list[str]:
     bars = [ink for ink in picture.ink if _is_bar(ink)]
     flaws = [flaw for letters in picture.letters for flaw in _find_flaws_of(letters, arrows)]
     return [*flaws, *(flaw for each in picture.letters for flaw in _find_cut(each, arrows, bars))]
+
+
+def find_arrows_on_dimensions(picture: Picture) -> list[str]:
+    """The arrows along extension lines of dimensions, of which they would seem to be a part."""
+    lines = list(find_extension_lines(picture))
+    return [
+        f"an arrow to ({x:.1f}, {y:.1f}) lies on the line of a dimension"
+        for arrow in find_arrows(picture)
+        for x, y in arrow.line.coords[-1:]
+        if any(line.intersection(arrow.line.buffer(UNDER[0])).length > UNDER[1] for line in lines)
+    ]
 
 
 def _find_cut(

@@ -63,6 +63,16 @@ def find_dimensions(picture: Picture) -> Iterator[Dimension]:
                 yield Dimension(line, (one, other))
 
 
+def find_extension_lines(picture: Picture) -> Iterator[LineString]:
+    """Thin lines across the end of a dimension line, at the tip of its arrowhead."""
+    for dimension in find_dimensions(picture):
+        tips = [find_ends(head)[0] for head in dimension.heads]
+        for line in picture.lines:
+            meets = any(line.distance(tip) < ON_LINE for tip in tips)
+            if meets and not _runs_along(line, dimension.line):
+                yield line
+
+
 def _lies_on(head: Polygon, line: LineString) -> bool:
     tip, neck = find_ends(head)
     return line.distance(tip) < ON_LINE and line.distance(neck) < ON_LINE

@@ -6,7 +6,11 @@ from __future__ import annotations
 
 import pytest
 
-from tests.figures.arrow_flaws import find_arrow_flaws, find_arrows
+from tests.figures.arrow_flaws import (
+    find_arrow_flaws,
+    find_arrows,
+    find_arrows_on_dimensions,
+)
 from tests.figures.printed import read_printed
 from tests.figures.sheet import deal
 from tests.figures.test_flaws import draw, write
@@ -58,6 +62,23 @@ def test_a_symbol_beyond_a_bar_from_its_arrow_is_found() -> None:
     cut_off = ["v is cut off from its own arrow by a bar"]
     assert find_arrow_flaws(draw(VELOCITY, bar, write("v", 8, 6.5))) == cut_off
     assert find_arrow_flaws(draw(VELOCITY, bar, write("v", 8, 13))) == []
+
+
+def test_an_arrow_along_the_line_of_a_dimension_is_found() -> None:
+    dimension = (
+        '<path d="M3 10L22 10M3 2L22 2M21 10L21 2" stroke-width="0.18"/>'
+        '<path d="M21 10L20.45 8L21.55 8Z" fill="#000" stroke="none"/>'
+        '<path d="M21 2L20.45 4L21.55 4Z" fill="#000" stroke="none"/>'
+    )
+    lies_on = ["an arrow to (14.0, 10.0) lies on the line of a dimension"]
+    assert find_arrows_on_dimensions(draw(VELOCITY, dimension)) == lies_on
+    assert find_arrows_on_dimensions(draw(ACCELERATION, dimension)) == []
+
+
+@pytest.mark.parametrize("seed", ["v71a", "v71b", "r1", "r2"])
+def test_a_dimension_begins_on_the_side_away_from_the_arrow(seed: str) -> None:
+    printed = read_printed(deal("bar-through-swivelling-sleeve", seed))
+    assert find_arrows_on_dimensions(printed.picture) == []
 
 
 @pytest.mark.sampled(2, by="template")

@@ -22,7 +22,7 @@ from kinegrade.figure.placing.wedge import (
     rate_parted,
     rate_parted_by_rims,
 )
-from kinegrade.figure.plane import length, polar
+from kinegrade.figure.plane import length, polar, unit
 from kinegrade.figure.scene import PITCH, THIN, Bow, Disc, Primitive, Strokes
 from kinegrade.figure.symbols.arrows import draw_arc_head, draw_gap
 from kinegrade.figure.symbols.bars import BAR_WIDTH
@@ -30,6 +30,9 @@ from kinegrade.mechanics.vector import Vector
 from kinegrade.problem.template.hints import Angle
 
 _PAST_BAR = 0.9  # millimetres from the round end of a broad bar to a line past it
+# Millimetres on either side of the line of a dimension to come that are kept clear of a letter, and
+# the demerit of one in there; sine of the angle between a side and a line along it
+_LANE, _IN_LANE, _ALONG = 0.22, 1.0, 0.02
 _TRIM = 1.5  # millimetres at either end of an arc where it meets its sides, as it should
 # Millimetres of the leader from an arc to a letter that has no room at it, and the demerit of one,
 # which grows with the millimetres beyond the shortest
@@ -125,9 +128,27 @@ class AngleArc(Struct, frozen=True):
         worse += _PARTED * rate_parted_by_rims(wish.spots, self.bow, near.circles)
         worse += _MISTAKEN * rate_nearness(wish.symbol, wish.spots, own, others)
         worse += _AT_PIN * rate_nearness(wish.symbol, wish.spots, own, near.pins, 0.0)
+        lanes = self._find_lanes()
+        if lanes != self.wedge:
+            worse += _IN_LANE * rate_outside(wish.symbol, wish.spots, lanes)
         if wish.demerits is not None:
             worse += wish.demerits
         return replace(wish, demerits=worse)
+
+    def _find_lanes(self) -> Wedge:
+        """The arc between what is drawn along its sides, or is to come along them."""
+        first, last = (self._measure_half(leg) for leg in self.legs)
+        return Wedge(self.bow, (first, last))
+
+    def _measure_half(self, side: Side) -> float:
+        """Half the width of what is drawn along a side, or of the lane of a line to come there."""
+        to_come = any(self._runs_along(side, *line) for line in self.neighbours.to_come)
+        return max(side.half, _LANE if to_come else 0.0)
+
+    def _runs_along(self, side: Side, start: Vector, end: Vector) -> bool:
+        """Whether a line from the vertex runs along a side."""
+        toward, way = polar(side.angle), unit(end - start)
+        return start == self.bow.centre and abs(way.cross(toward)) < _ALONG and way.dot(toward) > 0
 
     def primitives(self) -> tuple[Primitive, ...]:
         """The sides, those along a broad body as its axis, the arc and its arrowhead, about which
