@@ -1,11 +1,12 @@
 """What is wrong with the letters of lengths in a printed picture: one beside its bar that is nearer
-to something else, so that a reader takes it for the length of that.
+to something else, so that a reader takes it for the length of that, or close to the letter of a
+rate.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 
 from shapely import LineString, Point
 from shapely.geometry.base import BaseGeometry
@@ -18,6 +19,7 @@ ITS_OWN = 1.0  # millimetres about a line that are its own
 OF_LINK = 2.2, 0.8  # millimetres about a line, and share of some ink in it that is its own
 ALONG, AT_DIMENSION = 7.0, 1.6  # millimetres from a line to a dimension line, from that to a letter
 AT_END = 1.2  # millimetres between a letter and the end of its leader
+RATES, FRACTION = "vaωα", 1.5  # first letters of rates, and millimetres from one to a length
 CLEARLY = 0.3  # millimetres by which a letter may not be nearer to something else
 
 
@@ -25,17 +27,34 @@ def find_ownership_flaws(
     picture: Picture, points: Mapping[str, Point], lengths: Sequence[Length]
 ) -> list[str]:
     """What is wrong with the letters of lengths between marked points, in words."""
-    return [
+    texts = {_write_text(length) for length in lengths}
+    rates = [each for each in picture.letters if each.text[0] in RATES and each.text not in texts]
+    owned = [
         flaw
         for length in lengths
         if length.along is None and {length.start, length.end} <= {*points}
         for flaw in _find_flaws_of(picture, length, points)
     ]
+    return [*owned, *_find_fractions(picture, texts, rates)]
+
+
+def _find_fractions(
+    picture: Picture, texts: Collection[str], rates: Sequence[Letters]
+) -> Iterator[str]:
+    """The letters of lengths that stand at that of a rate, as a divisor would."""
+    for each in picture.letters:
+        for rate in rates:
+            if each.text in texts and each.box.distance(rate.box) < FRACTION:
+                yield f"{each.text} stands at {rate.text}, as in a fraction"
+
+
+def _write_text(length: Length) -> str:
+    return re.sub(r"[^A-Za-z0-9]", "", length.symbol)
 
 
 def _find_flaws_of(picture: Picture, length: Length, points: Mapping[str, Point]) -> Iterator[str]:
     own = LineString([points[length.start], points[length.end]])
-    text = re.sub(r"[^A-Za-z0-9]", "", length.symbol)
+    text = _write_text(length)
     letters = [each for each in picture.letters if each.text == text]
     nearest = min(letters, key=lambda each: each.box.distance(own), default=None)
     if nearest and nearest.box.distance(own) < BESIDE and not _has_leader(nearest, own, picture):

@@ -33,12 +33,18 @@ def test_a_letter_at_its_own_line_or_at_a_leader_or_dimension_has_no_flaw() -> N
     assert find(dimension, write("l", 20, 8.5)) == []
 
 
+def test_a_letter_below_that_of_a_rate_is_found() -> None:
+    assert find(write("v", 20, 5), write("l", 20, 8.4)) == ["l stands at v, as in a fraction"]
+    assert find(write("v", 26, 5), write("l", 20, 8.4)) == []
+
+
 @pytest.mark.parametrize(
     ("template", "seed"),
     [
         ("elliptic-trammel-crank-driven", "k2"),
         ("extended-rod-driving-rocker", "t1"),
         ("two-wheels-on-cylinder", "k1"),
+        ("two-wheels-on-cylinder", "x91b"),
     ],
 )
 def test_the_letter_of_a_bar_is_clearly_that_bars(template: str, seed: str) -> None:

@@ -35,8 +35,7 @@ def find_claimed(layout: Layout) -> tuple[str, ...]:
     """The symbols beside lines of which each is nearer to something else than to its own line, or
     makes a product with the symbol of an arrow.
     """
-    arrows = {arrow.hint.symbol for arrow in list_arrows(layout.marks)}
-    rates = [label for label in layout.labels if label.symbol in arrows]
+    rates = list_rates(layout)
     return tuple(
         mark.symbol
         for mark in layout.marks
@@ -47,6 +46,12 @@ def find_claimed(layout: Layout) -> tuple[str, ...]:
             if label.symbol == mark.symbol
         )
     )
+
+
+def list_rates(layout: Layout) -> tuple[Label, ...]:
+    """The symbols of the arrows of motions."""
+    arrows = {arrow.hint.symbol for arrow in list_arrows(layout.marks)}
+    return tuple(label for label in layout.labels if label.symbol in arrows)
 
 
 def _is_claimed(mark: SymbolBeside, label: Label, drawn: Obstacles, rates: Sequence[Label]) -> bool:

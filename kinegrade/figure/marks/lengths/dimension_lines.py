@@ -9,12 +9,14 @@ from functools import cached_property
 import numpy as np
 from msgspec import Struct
 
+from kinegrade.figure.placing.beside import adjoins
+from kinegrade.figure.placing.extent import measure_symbol
 from kinegrade.figure.placing.leading import list_spots_at_leader
 from kinegrade.figure.placing.obstacles import NOTHING, Obstacles, Segment
 from kinegrade.figure.placing.ownership import rate_beside_line
 from kinegrade.figure.placing.place import Wish, list_spots_beside
 from kinegrade.figure.plane import NEAR, length, nearest_of, polar, unit
-from kinegrade.figure.scene import THIN, Primitive, Strokes
+from kinegrade.figure.scene import THIN, Label, Primitive, Strokes
 from kinegrade.figure.symbols.arrows import HEAD_LENGTH, draw_arrowhead, draw_gap
 from kinegrade.mechanics.vector import Vector
 
@@ -25,6 +27,7 @@ _BESIDE = 3.6  # millimetres between parallel dimension lines side by side
 _AT_PIN, _NAMING = 6.0, 0.3
 _AMONG = 0.1  # demerit of a symbol on the side of other pins, where one of them is near
 _IN_PLATE = 3.0  # demerit of the symbol of a plate's edge amid the plate
+_AT_RATE = 1.3  # demerit of a symbol close to that of a rate, with which it would be a fraction
 _OF_OTHER = 3.0  # demerit of a symbol no nearer to its own line than to something else
 
 
@@ -169,6 +172,7 @@ class SymbolBeside(Struct, frozen=True, dict=True):
     drawn: Obstacles = NOTHING
     shared: bool = True
     outward: Vector | None = None
+    rates: tuple[Label, ...] = ()
 
     def path(self) -> tuple[Segment, ...]:
         """Empty: no line is drawn."""
@@ -185,6 +189,8 @@ class SymbolBeside(Struct, frozen=True, dict=True):
         own = (self.start, self.end)
         other = rate_beside_line(self.symbol, spots, own, self.half, self.drawn)
         demerits = _OF_OTHER * other
+        places = [Label(self.symbol, Vector(*spot), *measure_symbol(self.symbol)) for spot in spots]
+        demerits += _AT_RATE * np.array([adjoins(place, self.rates) for place in places])
         if self.outward:
             inside = (spots - np.array(self.start)) @ np.array(self.outward) < 0
             demerits = demerits + _IN_PLATE * inside

@@ -10,6 +10,7 @@ from math import copysign, inf, pi
 
 from msgspec.structs import replace
 
+from kinegrade.figure.marks.lengths.claims import list_rates
 from kinegrade.figure.marks.lengths.dimension_company import DimensionCompany, list_beside
 from kinegrade.figure.marks.lengths.dimension_lines import DimensionLine, SymbolBeside
 from kinegrade.figure.marks.lengths.extension_gaps import Around, Gap, find_gap
@@ -64,7 +65,8 @@ def add_length(
         demerit = min(demerit, _LEG)
     half = around.find_half_width(start, end)
     letters = _list_letters(at, hint, 0.0 if half else demerit, half, layout.obstacles)
-    letters = [replace(each, outward=around.find_outward(start, end)) for each in letters]
+    outward, rates = around.find_outward(start, end), list_rates(layout)
+    letters = [replace(each, outward=outward, rates=rates) for each in letters]
     led = demerit < _PART and letters
     leaders = partial(list_leaders, layout, (start, end), hint.symbol) if led else no_others
     close = [company.rate(mark) for mark in dimensions if mark.demerit < _LIKELY]
