@@ -134,7 +134,9 @@ def _draw_ring(rim: Rim) -> tuple[Primitive, ...]:
 
 def _draw_gear(rim: Rim, fill: Fill) -> tuple[Primitive, ...]:
     """The teeth with the pitch circle."""
-    teeth = Outline(trace_gear(rim.at, rim.tooth, rim.ring), TOOTHED, fill)
+    teeth = Outline(
+        trace_gear(rim.at, rim.tooth, rim.ring, rim.toothing, rim.meshes), TOOTHED, fill
+    )
     return (teeth, Disc(rim.at, rim.radius, PITCH))
 
 
