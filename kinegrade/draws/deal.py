@@ -27,6 +27,9 @@ LOOKS = 400
 # 300 is, a class of 30 has its papers, whatever its secret
 PATIENCE = 2_000
 
+# Combinations refused for rounding that are enough for each place: what helps, helps half of them
+_ENOUGH = 2
+
 # Combinations in one part at most: more at a time are looked at no faster, and several processes
 # are busy to the end of a round, for which the next one waits
 PART = 12
@@ -99,12 +102,17 @@ class Deal:
         return Fault(name, what, Message("template.one-for-each"), self.advise(question))
 
     def advise(self, question: DrawFilter) -> Message:
-        """What to do for more good combinations: by what most of the others were refused for."""
+        """What to do for more good combinations: what leaves those in peace that are refused for
+        rounding, where these are most of the refused or enough for all places; else more values.
+        """
         refused = [position for position, verdict in enumerate(self.verdicts) if verdict]
         rounding = [position for position in refused if self.verdicts[position] == "rounding"]
-        if 2 * len(rounding) <= len(refused):
+        mostly = 2 * len(rounding) > len(refused)
+        if not mostly and len(rounding) < _ENOUGH * (self.places - self.good):
             return question.widening
-        return advise_on_rounding(question, [*map(question.deck.combination, rounding)])
+        helps = advise_on_rounding(question, [*map(question.deck.combination, rounding)])
+        otherwise = Message("template.no-tolerance-enough") if mostly else question.widening
+        return helps or otherwise
 
     def looked_at(self) -> Message:
         """The combinations that were looked at, in words."""

@@ -19,8 +19,10 @@ _TRIED = 30  # combinations
 _HELPED = 0.5  # of them: what helps fewer is not worth advice
 
 
-def advise_on_rounding(question: DrawFilter, refused: Sequence[Combination]) -> Message:
-    """What to state in the bank so that rounding leaves most of these combinations in peace."""
+def advise_on_rounding(question: DrawFilter, refused: Sequence[Combination]) -> Message | None:
+    """What to state in the bank so that rounding leaves most of these combinations in peace; None
+    where nothing does.
+    """
     tried = refused[:_TRIED]
     shares = _find_shares(question, tried)
     ways = [*_find_carry(question, tried)]
@@ -30,9 +32,7 @@ def advise_on_rounding(question: DrawFilter, refused: Sequence[Combination]) -> 
             for ask, share in shares.items()
         )
         ways.append(Message("template.honest-helps", asks=list_all(wide)))
-    if not ways:
-        return Message("template.no-tolerance-enough")
-    return Message("template.rounding-helps", ways=list_choices(ways))
+    return Message("template.rounding-helps", ways=list_choices(ways)) if ways else None
 
 
 def _find_carry(question: DrawFilter, tried: Sequence[Combination]) -> Iterator[Message]:

@@ -90,6 +90,23 @@ def test_some_with_the_same_numbers_hear_the_same_advice() -> None:
     )
 
 
+def test_figures_are_advised_where_mistakes_refuse_more() -> None:
+    rules = {
+        "v_B": Tolerance(Fraction(1, 50)),
+        "omega_AB": Tolerance(Fraction(1, 100), Fraction(1, 20)),
+        "a_B": Tolerance(Fraction(1, 50), figures=2),
+    }
+    coarse = replace(
+        draw_filter(load_template("slider-crank"), asks=tuple(rules), tolerances=rules), carry=3
+    )
+    said_of_it = refusal(coarse)
+    refused = {reason: int(count) for reason, count in re.findall(r"(\w+) (\d+)", said_of_it)}
+    assert refused["mistake"] > refused["rounding"] >= 2 * PLACES
+    assert "state carry = " in said_of_it
+    carry = int(re.findall(r"carry = (\d)", said_of_it)[0])
+    assert dealt(replace(coarse, carry=carry), PLACES).lasting
+
+
 def test_other_reasons_keep_their_advice() -> None:
     few = draw_filter(crank(), asks=("v_x",))
     assert said(dealt(few, 30).shortage("q1", "students", few)).endswith("widen the domains")
