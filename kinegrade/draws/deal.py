@@ -129,8 +129,7 @@ class Deal:
     @property
     def bound(self) -> int:
         """How many combinations are looked at, at most."""
-        most = LOOKS * self.places
-        return min(self.size, most if self.positions else max(most, self.patience))
+        return min(self.size, max(LOOKS * self.places, self.patience))
 
     def further(self) -> range:
         """The positions to look at next, none if no more are needed or there is no hope: as many as

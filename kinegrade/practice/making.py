@@ -9,13 +9,13 @@ from dataclasses import dataclass
 
 from msgspec.structs import replace
 
-from kinegrade.exam.bank.blueprint import Bank, BankQuestion, Blueprint
+from kinegrade.exam.bank.blueprint import Bank, Blueprint
 from kinegrade.exam.bank.texts import require_bank_language
 from kinegrade.exam.folder.exam_secret import FromWords
 from kinegrade.exam.printing.pages import lay_out_paper
 from kinegrade.exam.roster.roster import Roster
 from kinegrade.exam.roster.students import Student
-from kinegrade.exam.setting.dealing import deal_exam
+from kinegrade.exam.setting.dealing import ClassDeal, deal_exam
 from kinegrade.exam.setting.key_mistakes import find_mistaken_answers
 from kinegrade.exam.setting.setting import SetPaper
 from kinegrade.language import Language
@@ -44,7 +44,8 @@ def make_practice_sheet(
     """
     bank = _open_bank(blueprint, seed)
     require_bank_language(bank, language)
-    papers = _set_papers(bank, draws, seed)
+    dealt = _deal(bank, draws, seed)
+    papers = list(dealt.papers())
     laid_out = [lay_out_paper(bank, paper, language) for paper in papers]
     drawn = [_select_different(each) for each in _sort_by_question(papers, laid_out)]
     questions = [make_question(each, bank.credit.mistakes, language) for each in drawn]
@@ -61,7 +62,7 @@ def make_practice_sheet(
         {name: text for name, text in sentences.items() if name in named},
         tuple(questions),
     )
-    return MadeSheet(sheet, tuple(_list_notes(blueprint, bank, drawn, draws)))
+    return MadeSheet(sheet, tuple(_list_notes(blueprint, dealt, drawn, draws)))
 
 
 def _open_bank(blueprint: Blueprint, seed: str) -> Bank:
@@ -73,10 +74,10 @@ def _open_bank(blueprint: Blueprint, seed: str) -> Bank:
     return replace(bank, questions=questions, versions=0, shuffle=False, choices=(), by_hand=())
 
 
-def _set_papers(bank: Bank, draws: int, seed: str) -> list[SetPaper]:
+def _deal(bank: Bank, draws: int, seed: str) -> ClassDeal:
     names = [f"draw-{number}" for number in range(1, draws + 1)]
     roster = Roster(tuple(Student(name, "", "", name) for name in names), ())
-    return list(deal_exam(bank, roster, FromWords(seed)).papers())
+    return deal_exam(bank, roster, FromWords(seed))
 
 
 def _sort_by_question(
@@ -99,16 +100,19 @@ def _select_different(drawn: Sequence[DrawnQuestion]) -> list[DrawnQuestion]:
 
 
 def _list_notes(
-    blueprint: Blueprint, bank: Bank, drawn: Sequence[Sequence[DrawnQuestion]], draws: int
+    blueprint: Blueprint, dealt: ClassDeal, drawn: Sequence[Sequence[DrawnQuestion]], draws: int
 ) -> Iterator[Message]:
     """Questions that people mark, which are left out, and those with fewer draws."""
     left_out = len(blueprint.frame.by_hand)
     if left_out:
         yield Message("practice.by-hand", count=left_out)
-    for question, each in zip(bank.questions, drawn, strict=True):
+    for question, each in zip(dealt.bank.questions, drawn, strict=True):
         if len(each) < draws:
-            yield _tell_fewer(question, len(each))
+            yield _tell_fewer(question.identifier, len(each), dealt)
 
 
-def _tell_fewer(question: BankQuestion, count: int) -> Message:
-    return Message("practice.fewer", question=question.identifier, count=count)
+def _tell_fewer(question: str, count: int, dealt: ClassDeal) -> Message:
+    looked, advice = dealt.deals[question], dealt.advise(question)
+    return Message(
+        "practice.fewer", question=question, count=count, among=looked.looked_at(), advice=advice
+    )

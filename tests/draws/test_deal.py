@@ -17,6 +17,7 @@ from msgspec import structs
 from kinegrade.draws.deal import (
     LOOKS,
     PART,
+    PATIENCE,
     Deal,
     DeckPart,
     Verdicts,
@@ -50,7 +51,7 @@ def cranks(**fixed: tuple[str, ...]) -> DrawFilter:
 def of(verdicts: list[bool], places: int) -> Deal:
     """A deck that is dealt to places when these of its combinations are good."""
     told: list[Verdict] = [None if good else "mechanism" for good in verdicts]
-    return Deal(len(told), places, tuple(told[: LOOKS * places]))
+    return Deal(len(told), places, tuple(told[: max(LOOKS * places, PATIENCE)]))
 
 
 @cache
@@ -151,15 +152,17 @@ def test_a_shortage_is_said() -> None:
 
 
 def test_looking_for_a_place_ends_at_a_bound() -> None:
-    good = [False] * 2000
-    good[10] = good[1500] = True
-    three, four = of(good, 3), of(good, 4)
-    assert (three.positions, four.positions) == ([10], [10, 1500])
-    assert (three.good, said(three.looked_at())) == (
-        1,
-        "the first 1200 of the 2000 combinations of values",
-    )
-    assert three.refused == {"mechanism": 1199}
+    good = [False] * 3000
+    good[10] = good[2300] = True
+    two, five, six = of(good, 2), of(good, 5), of(good, 6)
+    assert (two.positions, five.positions, six.positions) == ([10], [10], [10, 2300])
+    for few in (two, five):
+        assert (few.good, said(few.looked_at())) == (
+            1,
+            "the first 2000 of the 3000 combinations of values",
+        )
+        assert few.bound == 2000
+        assert few.refused == {"mechanism": 1999}
 
 
 def test_reasons_are_counted() -> None:

@@ -54,6 +54,16 @@ def test_the_command_says_how_many_questions_there_are(
     assert f"sheet.html: {said}" in done.stdout + done.stderr
 
 
+def test_too_few_sets_of_numbers_are_told_with_what_helps(bank: Path, tmp_path: Path) -> None:
+    few = "draw = { l = ['0.4'], phi = [30, 60], v = ['0.4'], a = [3] }"
+    bank.write_text(BANK + few, encoding="utf-8")
+    done = kinegrade("practice", bank, "-o", tmp_path / "sheet.html", "--draws", "4")
+    assert (
+        "q1: only 2 good sets of numbers among the 2 combinations of values - "
+        "state more values in the question, as in draw = { l = [...] }"
+    ) in done.stderr
+
+
 def test_a_file_of_another_kind_is_refused(bank: Path, tmp_path: Path) -> None:
     done = kinegrade("practice", bank, "-o", tmp_path / "sheet.pdf", "--draws", "1")
     assert done.exit_code == 2

@@ -111,6 +111,10 @@ class ClassDeal:
             if each.dealing == "own" and not self.deals[each.identifier].lasting
         }
 
+    def advise(self, question: str) -> Message:
+        """What to do for more good numbers of a question."""
+        return self.deals[question].advise(self.exam.filters[question])
+
     def _explain_shortage(self, question: BankQuestion) -> Fault:
         name = question.identifier
         where = f"{name} ({question.template.name})"
