@@ -60,7 +60,8 @@ def make_quiz_paper(
     """The questions of one paper, without a student where they are pooled.
 
     They are in the bank's order even if the paper is shuffled, because responses are read in that
-    order. Raises ExamError where the line is broken, TypesetError for texts that cannot be shown.
+    order; each has its number on the paper. Raises ExamError where the line is broken,
+    TypesetError for texts that cannot be shown.
     """
     code = line.version or line.paper  # a version belongs to no particular student
     try:
@@ -114,7 +115,8 @@ def _make_question(
             for ask, stated in entry.asks.items()
         }
         rows = tuple(ask.row for ask in asks)
-        sheet = lay_out_question(QuestionPlace(place + 1, name), shown, rows, language)
+        number = line.order.index(name) + 1
+        sheet = lay_out_question(QuestionPlace(number, name), shown, rows, language)
         solved = solve_template(template, entry.values)
         return QuizQuestion(
             f"{source.identifier}-{code}-{name}",

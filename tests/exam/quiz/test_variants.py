@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
@@ -19,7 +20,7 @@ from kinegrade.exam.quiz.source import read_quiz_source
 from kinegrade.processes.executor import Start, open_executor
 from tests.exam.quiz.exam_folders import copied, first_line, read_line
 from tests.exam.quizzes import papers, quiz_of
-from tests.small_class import generate, write_class
+from tests.small_class import generate, key_lines, kinegrade, write_class
 
 
 def test_variants_are_the_first_papers_and_nobodys(small_class: Path) -> None:
@@ -54,6 +55,29 @@ def test_a_version_is_put_once_and_questions_in_the_order_in_which_responses_are
     assert len(papers(folder / "EXAM", variants=2)) == 2
     with pytest.raises(ExamError, match="has 2 different papers"):
         quiz_of(folder / "EXAM", variants=3)
+
+
+def test_a_question_without_its_figure_says_where_that_is_on_a_shuffled_paper(
+    tmp_path: Path,
+) -> None:
+    folder = write_class(tmp_path)
+    bank = (folder / "bank.toml").read_text(encoding="utf-8")
+    (folder / "bank.toml").write_text("shuffle = true\n" + bank, encoding="utf-8")
+    assert generate(folder).exit_code == 0
+    upload = tmp_path / "upload.txt"
+    assert kinegrade("quiz", folder / "EXAM", "--to", "blackboard", "-o", upload).exit_code <= 1
+    texts = [line.split("\t")[1] for line in upload.read_text("utf-8").splitlines()]
+    keys = key_lines(folder / "EXAM")
+    orders = [key["printed"] for key in keys]
+    assert len(set(map(tuple, orders))) > 1
+    expected = [
+        (key["paper"], key["printed"].index(question["question"]) + 1)
+        for key in keys
+        for question in key["questions"]
+        for _ in question["asks"]
+    ]
+    said = [re.search(r"^\[(.*?)\] .*your paper, at question (\d)\.\)", text) for text in texts]
+    assert [(each[1], int(each[2])) for each in said if each] == expected
 
 
 @pytest.mark.sampled(2, by="start")

@@ -93,7 +93,7 @@ def test_no_text_breaks_its_line(tmp_path: Path) -> None:
 
 def test_the_figure_is_on_a_students_paper_but_pooled_questions_have_none(tmp_path: Path) -> None:
     fields, complaints = one_ask(a_quiz.SPEED, tmp_path)
-    assert "(The figure is on your paper.)" in fields[1]
+    assert "(The figure is on your paper, at question 1.)" in fields[1]
     write(many(1), tmp_path / "pool.txt")
     assert "figure" not in (tmp_path / "pool.txt").read_text("utf-8")
     assert complaints[0].startswith("blackboard: its text upload has no figures")

@@ -31,7 +31,7 @@ def write_question_line(
     rule = write_prose(write_rules(question, "blackboard", language), where)
     parts: tuple[Text, ...] = (
         write_prose(question.sheet.statement, where),
-        Message("quiz.figure-on-paper") if shown else "",
+        Message("quiz.figure-on-paper", number=question.sheet.number) if shown else "",
         rule,
         _write_asked(ask, language, where),
         Message("quiz.half-turn") if ask.period is not None else "",
