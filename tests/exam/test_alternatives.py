@@ -216,6 +216,15 @@ def test_feedback_report_and_export_of_totals(exam_folder: Path, tmp_path: Path)
     assert ",9,1: 3/3; 2: 6/6" in moodle.read_text(encoding="utf-8-sig")
 
 
+def test_why_a_mark_is_as_it_is_by_the_number_that_the_paper_prints(exam_folder: Path) -> None:
+    exam, marks = exam_folder / "EXAM", exam_folder / "MARKS"
+    held = find_held(exam)["1002"][1]
+    by_name = kinegrade("explain", exam, marks, "1002", held)
+    assert by_name.exit_code == 0, by_name.stderr
+    for said_on_paper in (held[1:], "2"):
+        assert kinegrade("explain", exam, marks, "1002", said_on_paper).output == by_name.output
+
+
 def test_single_questions_and_quizzes_are_refused(exam_folder: Path, tmp_path: Path) -> None:
     exam, marks = exam_folder / "EXAM", exam_folder / "MARKS"
     arguments = ("--to", "generic", "--title", "Midterm", "--per-question")
@@ -245,6 +254,21 @@ def test_points_out_of_unlike_maxima_are_not_exported_as_they_are(
         assert refused.exit_code == 2
         assert "not all students could get the same points - expected one" in refused.stderr
         assert kinegrade(*export, "--maximum", "9").exit_code in (0, 1)
+    for stated in ("9", "6"):
+        gradebook = tmp_path / f"of-{stated}.csv"
+        rows = "".join(f"N,{place},{each},{each},S,\n" for place, each in enumerate(STUDENTS))
+        head = "Student,ID,SIS User ID,SIS Login ID,Section,Midterm (7)\n"
+        gradebook.write_text(f"{head}    Points Possible,,,,,{stated}\n{rows}", "utf-8")
+        into = "export", marks, "--to", "canvas", "--into", gradebook, "--column", "Midterm (7)"
+        refused = kinegrade(*into, "-o", tmp_path / "into.csv")
+        assert refused.exit_code == 2
+        assert (
+            f"counts {stated} there, and not all students could get the same points - expected one "
+            "maximum - add --scale to scale all grades to it"
+        ) in refused.stderr
+        assert "correct the item" not in refused.stderr
+        scaled = kinegrade(*into, "--scale", "-o", tmp_path / f"scaled-{stated}.csv")
+        assert scaled.exit_code in (0, 1), scaled.stderr
 
 
 def test_what_is_typed_for_the_other_alternative_is_complained_of_and_kept(tmp_path: Path) -> None:

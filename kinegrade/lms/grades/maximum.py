@@ -52,26 +52,33 @@ def maximum_faults(
     """Why the grades of an item cannot be written as they are, one line for each reason."""
     graded = tuple(students)
     known = {each.out_of[item] for each in graded}
-    scale = _explain_scale(stated, sorted(known - {stated}), options)
-    several = len(known - {0}) > 1 and target_maximum(stated, options) is None and stated is None
+    several = len(known - {0}) > 1
+    scale = _explain_scale(stated, sorted(known - {stated}), several, options)
+    unscaled = several and target_maximum(stated, options) is None and stated is None
     return [
         *(Fault(where, fault) for fault in scale),
-        *([Fault(where, Message("grades.several-maxima"))] if several else []),
+        *([Fault(where, Message("grades.several-maxima"))] if unscaled else []),
         *_find_above(graded, item),
     ]
 
 
 def _explain_scale(
-    stated: Fraction | None, others: Sequence[Fraction], options: ExportOptions
+    stated: Fraction | None, others: Sequence[Fraction], several: bool, options: ExportOptions
 ) -> Iterator[Message]:
-    """Why grades cannot be scaled, or must be: `others` are maxima that the file does not state."""
+    """Why grades cannot be scaled, or must be: `others` are maxima that the file does not state,
+    `several` says whether students have different ones.
+    """
     target = target_maximum(stated, options)
     maximum = None if options.maximum is None else Fraction(options.maximum)
     if maximum is not None and stated not in (None, maximum):
         yield Message("grades.other-maximum", stated=_show(stated), maximum=_show(maximum))
     elif options.scale and target is None:
         yield Message("grades.no-maximum")
-    if stated is not None and target is None and others:
+    if stated is None or target is not None or not others:
+        return
+    if several:
+        yield Message("grades.scale-several", stated=_show(stated))
+    else:
         yield Message("grades.add-scale", stated=_show(stated), exam=_show(others[0]))
 
 

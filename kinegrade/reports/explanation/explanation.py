@@ -126,11 +126,14 @@ class _Wanted:
 
     @classmethod
     def read(cls, which: str, numbers: Mapping[str, int]) -> _Wanted:
-        """Reads `q3.v_B`, or `3.v_B` by the number on the paper, or `3`."""
+        """Reads `q3.v_B`, or `3.v_B` by the number on the paper, or `3`; `2b` as `q2b`, for papers
+        with alternatives print that number of the answer sheet.
+        """
         question, _, ask = which.strip().partition(".")
         printed = {str(number): name for name, number in numbers.items()}
-        by_hand = f"q{question}" if question.isdecimal() else question
-        return cls(printed.get(question, by_hand), ask)
+        in_sheet = f"q{question}"
+        by_name = in_sheet if question.isdecimal() or in_sheet in numbers else question
+        return cls(printed.get(question, by_name), ask)
 
     def has(self, question: str, ask: str) -> bool:
         """Whether an answer, or marks for a whole question, are meant."""
