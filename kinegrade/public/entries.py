@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from dataclasses import replace
 from fractions import Fraction
 from os import PathLike
 from pathlib import Path
@@ -25,6 +26,7 @@ from kinegrade.lms.responses.class_files import read_class, refuse_one_file_twic
 from kinegrade.lms.responses.sheet import part_times, read_answer_file
 from kinegrade.public.opened import expect_opened
 from kinegrade.reports.double_entry import DoubleEntry, compare_parts
+from kinegrade.reports.entry_names import NamedEntries, find_unlike_entries
 
 _ASKED = re.compile(r"(?P<question>q[0-9]+[a-z]?)\.(?P<ask>\w+)(?:\s*[(\[](?P<unit>.*)[)\]])?")
 
@@ -59,7 +61,9 @@ def compare_entries(
         sitting = _stand_in(files)
     one, other = (read_part(each, sitting) for each in files)
     titles = [ask.column if exam else _name_column(ask) for ask in sitting.asks]
-    return compare_parts(one, other, sitting, titles)
+    named = (NamedEntries(each.table, part) for each, part in zip(files, (one, other), strict=True))
+    compared = compare_parts(one, other, sitting, titles)
+    return replace(compared, complaints=(*compared.complaints, *find_unlike_entries(*named)))
 
 
 def _read_sheet(path: Path) -> Table:

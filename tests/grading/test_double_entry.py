@@ -58,6 +58,28 @@ def test_what_is_not_is_told_with_its_lines(
     assert summary == "1 cell differs; 1 filled cell agrees"
 
 
+@pytest.mark.parametrize("with_exam", [True, False])
+def test_two_names_beside_one_id_are_told(
+    exam_folder: Path, tmp_path: Path, with_exam: bool
+) -> None:
+    """Two people disagree whose row it is, and the answers agree."""
+    files = tmp_path / "a.csv", tmp_path / "b.csv"
+    head = "student,name,q1.v_B\n"
+    files[0].write_text(head + '0012,"O\'Neil, Zoë",3\n007,Ada Byron,2\n', encoding="utf-8")
+    files[1].write_text(head + "007,Ute Byron,2\n0012,zoe o'neil,3\n", encoding="utf-8")
+    exam = (exam_folder,) if with_exam else ()
+    agreed = "-o", tmp_path / "agreed.csv"
+    done = kinegrade("compare-entries", *files, *exam, *agreed)
+    assert done.exit_code == 1
+    assert (
+        'b.csv:2: name: "Ute Byron" here, and "Ada Byron" in a.csv - compared as the row of "007"; '
+        "correct the file in which the id is not that of the name"
+    ) in done.stderr
+    assert "O'Neil" not in done.stderr
+    assert "zoe" not in done.stderr
+    assert not (tmp_path / "agreed.csv").exists()
+
+
 def test_without_the_exam_sheets_are_compared_by_their_headers(tmp_path: Path) -> None:
     other = "student,q2.a_B,q1.v_B,q1.omega_AB\n12,3,1,2\n007,6,4.0,5\n"
     assert compare(tmp_path, f"{HEAD}007,4,5,6\n12,1,2,3\n", other)[0] == 0
