@@ -276,6 +276,11 @@ def test_what_is_no_plain_number_is_no_slip(text: str) -> None:
             'crank.toml:24: bodies.OA: "O" stands twice in the body - list each point once',
         ),
         (
+            '"pin O: ground OA"',
+            '"pin O: ground OA", "pin O: OA ground"',
+            "crank.toml:5: joints[2]: says what joints[1] says - state each joint once",
+        ),
+        (
             "[asks]",
             '[figure]\nlengths = [{ symbol = "r", from = "A", to = "A" }]\n[asks]',
             'crank.toml:27: figure.lengths[1].to: a mark from "A" to itself - expected another point',
@@ -297,7 +302,7 @@ def test_what_is_no_plain_number_is_no_slip(text: str) -> None:
         ),
     ],
 )
-def test_a_point_stands_once_in_a_body_and_at_one_end_of_a_mark(
+def test_a_point_stands_once_in_a_body_and_at_one_end_of_a_mark_and_a_joint_once(
     old: str, new: str, said: str
 ) -> None:
     assert faults((old, new)) == [said]
