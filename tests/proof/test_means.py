@@ -39,6 +39,31 @@ def test_words_that_name_another_point_than_the_quantity_are_a_fault(means: str,
     assert find(means) == [f"{fault}meant in both places"] * bool(said)
 
 
+@pytest.mark.parametrize(
+    ("velocity", "draw", "means", "said"),
+    [
+        ("omega", "[2]", "rate, clockwise", "clockwise"),
+        ("-omega", "[2]", "rate, counter-clockwise", "counter-clockwise"),
+        ("-omega", "[2]", "Winkelgeschwindigkeit, im Gegenuhrzeigersinn", "im Gegenuhrzeigersinn"),
+        ("omega", "[2]", "角速度，顺时针", "顺时针"),
+        ("-omega", "[2]", "rate, clockwise", ""),
+        ("omega", "[2]", "rate, counter-clockwise", ""),
+        ("omega", "[-2, 2]", "rate, clockwise", ""),
+        ("omega", "[2]", "rate", ""),
+    ],
+)
+def test_a_given_whose_words_name_another_sense_than_it_drives_is_a_fault(
+    velocity: str, draw: str, means: str, said: str
+) -> None:
+    text = changed(
+        ('velocity = "omega"', f'velocity = "{velocity}"'),
+        ('draw = [2], means = { en = "rate"', f'draw = {draw}, means = {{ en = "{means}"'),
+    )
+    found = all_said(find_false_claims(read_template("crank", text), []))
+    fault = f'parameters.omega.means: "{said}", and its input drives the other way: change the '
+    assert found == [f"{fault}words, or the minus in the input"] * bool(said)
+
+
 def test_words_that_name_another_body_than_the_quantity_are_a_fault() -> None:
     text = write_starter_text()
     named = "angular velocity of the rocker $CB$"

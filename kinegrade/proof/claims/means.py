@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections import defaultdict
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import chain, combinations
 
 from kinegrade.expressions.tree import find_names
@@ -10,12 +11,13 @@ from kinegrade.figure.plane import length
 from kinegrade.language.message import Fault, Message, Quoted, list_plainly
 from kinegrade.numbers.floats import Floats
 from kinegrade.problem.solution import Solution
+from kinegrade.problem.template.driven import find_driven
 from kinegrade.problem.template.meaning.senses import find_positive
 from kinegrade.problem.template.template import Ask, Parameter, Template
 from kinegrade.proof.claims.nouns import Nouns
 from kinegrade.proof.claims.patterns import find_words
 from kinegrade.proof.claims.reading import DIFFERENT, find_points, name_senses, read_texts
-from kinegrade.sign_conventions import OPPOSITE
+from kinegrade.sign_conventions import OPPOSITE, Convention
 
 # "The height above O", "to the left of O": no property of O
 _NO_SUBJECT = (
@@ -25,12 +27,15 @@ _NO_SUBJECT = (
 
 def find_wrong_means(template: Template, examples: Sequence[Solution]) -> Iterator[Fault]:
     """A fault for each ask whose words name another point or body than its quantity, or the sense
-    opposite to the one in which it is positive, and for each length that is said to be another's.
+    opposite to the one in which it is positive, for each given whose words name another sense than
+    that in which it drives, and for each length that is said to be another's.
     """
     for name, given in template.parameters.items():
         if given.unit.is_length:
             found = _find_other_lengths(template, given, examples)
             yield from (Fault(f"parameters.{name}.means", what) for what in found)
+    for name, what in _find_other_drives(template):
+        yield Fault(f"parameters.{name}.means", what)
     for name, ask in template.asks.items():
         place = f"asks.{name}.means"
         yield from (Fault(place, what) for what in _find_others(template, ask))
@@ -65,6 +70,29 @@ def _find_other_senses(ask: Ask) -> Iterator[Message]:
         if positive and name_senses(claim["sense"]) == {OPPOSITE[positive]}:
             said = claim["said"].strip(",(，（ ")
             yield Message("template.sign-other-way", said=said, sign=Quoted(positive))
+
+
+def _find_other_drives(template: Template) -> Iterator[tuple[str, Message]]:
+    """By given `, clockwise` of one, never negative, that drives counter-clockwise alone."""
+    for name, senses in _list_drives(template).items():
+        given = template.parameters[name]
+        if len(senses) > 1 or any(choice.startswith("-") for choice in given.choices):
+            continue
+        opposite = {OPPOSITE[sense] for sense in senses}
+        for claim in read_texts(given.means.texts, "sense-meant"):
+            if name_senses(claim["sense"]) == opposite:
+                said = claim["said"].strip(",(，（ ")
+                yield name, Message("template.drives-other-way", said=said)
+
+
+def _list_drives(template: Template) -> Mapping[str, set[Convention]]:
+    """By given the senses in which it drives what it is a rate of."""
+    senses: dict[str, set[Convention]] = defaultdict(set)
+    driven = find_driven(template.scheme.drivers, template.parameters)
+    for each in chain.from_iterable(named.values() for named in driven.values()):
+        for rate in filter(None, (each.velocity, each.acceleration)):
+            senses[rate.given].add(OPPOSITE[each.positive] if rate.turned else each.positive)
+    return senses
 
 
 def _find_other_parts(ask: Ask) -> Iterator[Message]:
