@@ -1,78 +1,48 @@
 """The teeth of gears and racks in millimetres: trapezoids of one size on the pitch line, whatever
-the gear, so that gears of one figure mesh. Where their numbers are given, teeth are fine, and cut
-only where gears mesh, so that nobody counts others than those that are given.
+the gear, so that gears of one figure mesh.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from math import ceil, floor, pi
+from math import ceil, cos, floor, pi, sin
 
-from msgspec import Struct
-
-from kinegrade.figure.plane import angle_of, length, polar, unit
+from kinegrade.figure.plane import angle_of, length, unit
 from kinegrade.mechanics.vector import Vector
 
+_PITCH = 4.0  # from tooth to tooth
+_LEAST = 8  # teeth of a gear
 _BESIDE_EYE = 3.4  # from the pin at the end of a rack to its first tooth
 # Of the pitch line at an end without an eye, up to which the rack is solid, and of one that is wide
 # instead of a tooth so near to the end that the two would make a hook
 _LAND, _WIDE_LAND = 0.9, 2.2
-_BESIDE_END = 3.4
+_BESIDE_END = 0.85 * _PITCH
 _TAPER = 4.2  # of the back of a rack that narrows towards such a pin
 _HALF_ARM, _ARM = 1.2, 2.2  # half the width and the length of the arm with the eye
 TOOTH_TIP, TOOTH_ROOT = 0.7, 1.05  # from the pitch line, into the partner and into the material
-_SECTOR = 5.0  # millimetres on either side of a mesh in which fine teeth are cut
+# Corners of a tooth: along the pitch line in parts of the pitch, and outward from it; narrow, so
+# that paper is seen between the flanks of two gears
+_CORNERS = ((-0.25, -TOOTH_ROOT), (-0.09, TOOTH_TIP), (0.09, TOOTH_TIP), (0.25, -TOOTH_ROOT))
 
 
-class Toothing(Struct, frozen=True):
-    """The size of teeth in millimetres: from tooth to tooth, from the pitch line to tip and root;
-    the least number of a gear.
-    """
-
-    pitch: float
-    tip: float
-    root: float
-    least: int
-
-    @property
-    def corners(self) -> tuple[tuple[float, float], ...]:
-        """Corners of a tooth: along the pitch line in parts of the pitch, and outward from it;
-        narrow, so that paper is seen between the flanks of two gears.
-        """
-        return ((-0.25, -self.root), (-0.09, self.tip), (0.09, self.tip), (0.25, -self.root))
-
-
-COARSE = Toothing(4.0, TOOTH_TIP, TOOTH_ROOT, 8)
-FINE = Toothing(1.6, 0.5, 0.64, 12)
-_PITCH, _CORNERS = COARSE.pitch, COARSE.corners
-
-
-def find_tooth_angle(radius: float, toothing: Toothing = COARSE) -> float:
+def find_tooth_angle(radius: float) -> float:
     """From tooth to tooth of a gear with that pitch radius, in radians."""
-    return 2 * pi / max(toothing.least, round(2 * pi * radius / toothing.pitch))
+    return 2 * pi / max(_LEAST, round(2 * pi * radius / _PITCH))
 
 
-def trace_gear(
-    centre: Vector,
-    tooth: Vector,
-    inward: bool,
-    toothing: Toothing = COARSE,
-    meshes: Sequence[Vector] = (),
-) -> tuple[Vector, ...]:
+def trace_gear(centre: Vector, tooth: Vector, inward: bool) -> tuple[Vector, ...]:
     """The contour of a gear whose pitch circle passes through `tooth`, where a tooth is; a ring has
-    its teeth inward. Where its `meshes` are given, it is round between them, through the tips.
+    its teeth inward.
     """
     radius, first = length(tooth - centre), angle_of(tooth - centre)
-    step, outward = find_tooth_angle(radius, toothing), -1.0 if inward else 1.0
-    contour = []
-    for number in range(round(2 * pi / step)):
-        turn = first + number * step
-        middle = centre + polar(turn, radius)
-        cut = not meshes or any(length(middle - mesh) < _SECTOR for mesh in meshes)
-        for share, high in toothing.corners:
-            reach = radius + outward * (high if cut else toothing.tip)
-            contour.append(centre + polar(turn + share * step, reach))
-    return tuple(contour)
+    step, outward = find_tooth_angle(radius), -1.0 if inward else 1.0
+    (x, y), shares = centre, [(share * step, radius + outward * high) for share, high in _CORNERS]
+    turns = (first + number * step for number in range(round(2 * pi / step)))
+    return tuple(
+        Vector(x + reach * cos(turn + share), y + reach * sin(turn + share))
+        for turn in turns
+        for share, reach in shares
+    )
 
 
 def find_teeth_of_rack(

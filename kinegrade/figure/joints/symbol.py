@@ -12,7 +12,6 @@ from typing import Literal
 from msgspec import Struct
 
 from kinegrade.figure.plane import angle_of, shorter_way
-from kinegrade.figure.teeth import COARSE, Toothing
 from kinegrade.mechanics.joints import Line
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
@@ -28,8 +27,7 @@ class Rim(Struct, frozen=True):
     """A circle of a body; `ring` when the material lies outside; `touch` is the contact point.
 
     The kind "edge" is a circle that belongs to no joint, like that of a flange. A gear has a tooth
-    at `tooth` on its pitch circle. Of a track with `contacts` only the arc around these is drawn,
-    of a gear with `meshes` only the teeth about these.
+    at `tooth` on its pitch circle. Of a track with `contacts` only the arc around these is drawn.
     """
 
     body: str
@@ -41,8 +39,6 @@ class Rim(Struct, frozen=True):
     touch: Vector
     tooth: Vector
     contacts: tuple[Vector, ...] = ()
-    toothing: Toothing = COARSE
-    meshes: tuple[Vector, ...] = ()
 
     def find_arc(self) -> tuple[float, float] | None:
         """The angle at which the arc begins that is drawn, and how far it goes; None for all."""

@@ -37,6 +37,7 @@ from kinegrade.figure.placing.place import (
 )
 from kinegrade.figure.plane import polar, unit
 from kinegrade.figure.symbols.bars import BAR_WIDTH, SLOT_WIDTH
+from kinegrade.figure.teeth import TOOTH_ROOT
 from kinegrade.language.message import Fault, Message, Quoted
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
@@ -239,7 +240,7 @@ def _find_depth(rim: Rim) -> float:
     """Millimetres within a rim at which a leader to its body ends."""
     match rim.kind:
         case "gear":
-            return rim.toothing.root
+            return TOOTH_ROOT
         case "wheel" | "slot" | "cam" | "edge":
             return _INSIDE_RIM
         case _:

@@ -143,7 +143,7 @@ def _seat(rim: Rim, angle: float, share: float) -> Vector:
     """
     match rim.kind:
         case "gear":
-            step = find_tooth_angle(rim.radius, rim.toothing)
+            step = find_tooth_angle(rim.radius)
             first = angle_of(rim.tooth - rim.at) + share * step
             return polar(first + round((angle - first) / step) * step)
         case "wheel" | "slot" | "cam" | "edge":

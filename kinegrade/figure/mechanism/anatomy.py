@@ -43,7 +43,7 @@ class Anatomy(Struct, frozen=True):
     def of(mechanism: Mechanism, hints: FigureHints) -> Anatomy:
         """The anatomy of a mechanism with the author's hints."""
         symbols = find_symbols(mechanism, hints.shapes)
-        rims = order_rims(find_rims(mechanism, symbols, hints.circles, counted=hints.counted))
+        rims = order_rims(find_rims(mechanism, symbols, hints.circles))
         parts = find_straight_parts(mechanism, hints.shapes, symbols, rims)
         parts = broaden_links(parts, mechanism.points, hints.frames)
         parts = rule_plates(parts, mechanism.points, hints.frames)

@@ -5,13 +5,12 @@ joints; and those that only a hint knows.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from typing import assert_never
 
 from msgspec.structs import replace
 
 from kinegrade.figure.joints.symbol import Rim, Symbol
 from kinegrade.figure.plane import NEAR, angle_of, length, polar
-from kinegrade.figure.teeth import FINE, find_tooth_angle
+from kinegrade.figure.teeth import find_tooth_angle
 from kinegrade.mechanics.joints import GROUND
 from kinegrade.mechanics.mechanism import Mechanism
 from kinegrade.mechanics.vector import Vector
@@ -21,38 +20,20 @@ _Key = tuple[str, str, float]  # the body, the centre and the radius of a circle
 
 
 def find_rims(
-    mechanism: Mechanism,
-    symbols: Iterable[Symbol],
-    circles: Iterable[Rimmed],
-    *,
-    counted: bool = False,
+    mechanism: Mechanism, symbols: Iterable[Symbol], circles: Iterable[Rimmed]
 ) -> tuple[Rim, ...]:
-    """Every circle once: those of the joints, then those of the hints; gears with fine teeth where
-    their numbers are given.
-    """
+    """Every circle once: those of the joints, then those of the hints."""
     found: dict[_Key, Rim] = {}
-    pairs = [tuple(map(_refine, symbol.rims)) if counted else symbol.rims for symbol in symbols]
+    pairs = [symbol.rims for symbol in symbols]
     alone = [(_find_edge(mechanism, circle),) for circle in circles]
     for rims in (*pairs, *alone):
         for rim in _engage(rims, found):
             found.setdefault(_make_key(rim), rim)
         for rim in rims:
             known = found[_make_key(rim)]
-            contacts = tuple(dict.fromkeys((*known.contacts, *rim.contacts)))
-            meshes = tuple(dict.fromkeys((*known.meshes, *rim.meshes)))
-            found[_make_key(rim)] = replace(known, contacts=contacts, meshes=meshes)
+            contacts = dict.fromkeys((*known.contacts, *rim.contacts))
+            found[_make_key(rim)] = replace(known, contacts=tuple(contacts))
     return tuple(found.values())
-
-
-def _refine(rim: Rim) -> Rim:
-    """A gear with fine teeth where it meshes; any other circle as it is."""
-    match rim.kind:
-        case "gear":
-            return replace(rim, toothing=FINE, meshes=(rim.touch,))
-        case "wheel" | "slot" | "cam" | "edge":
-            return rim
-        case _:
-            assert_never(rim.kind)
 
 
 def _make_key(rim: Rim) -> _Key:
@@ -72,11 +53,10 @@ def _engage(rims: tuple[Rim, ...], found: Mapping[_Key, Rim]) -> tuple[Rim, ...]
 
 def _find_next_tooth(one: Rim, other: Rim) -> Vector:
     """Where the other circle has a tooth, half a tooth beside one of the first at their contact."""
-    step = find_tooth_angle(one.radius, one.toothing)
+    step = find_tooth_angle(one.radius)
     ahead = (angle_of(one.tooth - one.at) - angle_of(other.touch - one.at)) % step
     along = ahead * one.radius / other.radius * (1.0 if one.ring != other.ring else -1.0)
-    turn = angle_of(other.touch - other.at) + along
-    turn += find_tooth_angle(other.radius, other.toothing) / 2
+    turn = angle_of(other.touch - other.at) + along + find_tooth_angle(other.radius) / 2
     return other.at + polar(turn, other.radius)
 
 
@@ -85,7 +65,7 @@ def find_gap_of_rack(rims: Iterable[Rim], contact: Vector) -> Vector:
     contact, rolled out from there.
     """
     gear = next(rim for rim in rims if _touches(rim, contact))
-    step, outward = find_tooth_angle(gear.radius, gear.toothing), contact - gear.at
+    step, outward = find_tooth_angle(gear.radius), contact - gear.at
     behind = (angle_of(gear.tooth - gear.at) - angle_of(outward) + step / 2) % step
     return contact + outward.turned() * (behind - step / 2)
 

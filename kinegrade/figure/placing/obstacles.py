@@ -27,7 +27,7 @@ from kinegrade.figure.placing.crossing import (
     invert_step,
     make_boxed_strip,
 )
-from kinegrade.figure.plane import length, unit
+from kinegrade.figure.plane import unit
 from kinegrade.figure.scene import (
     BOLD,
     THIN,
@@ -49,7 +49,6 @@ Bounds = tuple[float, float, float, float]  # left, bottom, right, top
 COST_LABEL, COST_BOLD, COST_FIRM, COST_THIN = 1000.0, 100.0, 10.0, 4.0
 # Millimetres to be kept free on either side of a mark; less for thin lines
 _ROOM, _SHARED_ROOM = (0.8, 0.6)
-_TOOTH = TOOTH_TIP + TOOTH_ROOT  # the height of a tooth at most
 _CORNER = 1.5  # times half its width: how far a pen's corners reach at any angle, and a little more
 
 
@@ -218,22 +217,18 @@ def _make_band(contour: Sequence[Vector]) -> list[Boxed]:
     """Teeth as a band of their height along the middles of their flanks: a quarter as many lines as
     they have, and no place between them; with the back of a rack.
     """
-    sides = [(contour[place], contour[place + 1]) for place in range(0, len(contour), 4)]
-    flanks = [((foot + tip) / 2, length(tip - foot)) for foot, tip in sides]
-    band = [
-        _make_stripe(start, end, min(high, _TOOTH))
-        for (start, high), (end, _) in pairwise((*flanks, flanks[0]))
-    ]
+    flanks = [(contour[place] + contour[place + 1]) / 2 for place in range(0, len(contour), 4)]
+    band = [_make_stripe(*step) for step in pairwise((*flanks, flanks[0]))]
     back = _make_line(contour[-1], contour[0], TOOTHED.width / 2, COST_FIRM)
     return [*band, back]
 
 
-def _make_stripe(start: Vector, end: Vector, high: float) -> Boxed:
+def _make_stripe(start: Vector, end: Vector) -> Boxed:
     """A piece of such a band, as high as teeth at any angle: an upright box is widened by the pen
     along both axes.
     """
     across = unit(end - start).turned()
-    half = max(high, TOOTHED.width) / 2 / (abs(across.x) + abs(across.y))
+    half = (TOOTH_TIP + TOOTH_ROOT) / 2 / (abs(across.x) + abs(across.y))
     return _make_line(start, end, half, COST_FIRM)
 
 

@@ -14,7 +14,6 @@ from kinegrade.expressions.tree import Expression, Name, find_names
 from kinegrade.language.math.reading import read_math
 from kinegrade.language.math.tree import Number as Digits
 from kinegrade.language.math.tree import Row
-from kinegrade.mechanics.ground import GROUND
 from kinegrade.mechanics.vector_equation import Level
 from kinegrade.problem.template.domain import find_doubles
 from kinegrade.problem.template.hints import Axes, FigureHints, Moving, Turning
@@ -24,7 +23,6 @@ from kinegrade.problem.template.texts import find_unsigned_givens
 from kinegrade.sign_conventions import ALONG_AXES
 
 _HALF_TURN = 180
-_NUMBER = "1"  # the unit of a number of teeth
 _X_AXIS = "$x$"  # as a statement names the axis from which an angle is measured
 
 
@@ -37,8 +35,7 @@ def mark_givens(
     An input whose rate is a parameter, or its negative, has an arrow with the parameter's symbol; a
     hint of the author replaces it. An arrow follows the input, so it has the sense of each
     instance. A measure whose letters are all of parameters that are not printed is left out. Axes
-    stand where they are needed. Teeth are counted where a label of a body states a given number.
-    A length whose side the statement says in words is no coordinate.
+    stand where they are needed. A length whose side the statement says in words is no coordinate.
     """
     hidden = _list_hidden_symbols(template, printed)
     author = template.figure
@@ -61,7 +58,6 @@ def mark_givens(
         ),
         radii=tuple(mark for mark in author.radii if _is_printed(mark.symbol, hidden)),
         arrows=tuple(arrow for arrow in arrows if _is_printed(arrow.symbol, hidden)),
-        counted=_states_count(template),
         axes=_place_axes(template, printed, template.asked() if asked is None else asked),
     )
 
@@ -79,16 +75,6 @@ def _place_axes(
         return "origin"
     named = any(_X_AXIS in text for text in template.words.statement.texts)
     return template.figure.axes or ("aside" if along_axes or named else None)
-
-
-def _states_count(template: Template) -> bool:
-    """Whether the label of a body has the symbol of a given number, as of the teeth of a gear."""
-    given = [x.symbol for x in template.parameters.values() if x.unit.text == _NUMBER]
-    numbers = {node for symbol in given for node in _read(symbol)}
-    labels = template.figure.labels
-    bodies = {body.name for body in template.scheme.bodies} | {GROUND}
-    stated = [label for name, label in labels.items() if label and name in bodies]
-    return any(numbers & set(_read(label)) for label in stated)
 
 
 def _list_coordinates(template: Template) -> list[str]:

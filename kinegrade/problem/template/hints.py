@@ -157,7 +157,7 @@ class FigureHints:
     with a load at its point), "disc" (a disc about the first point, not a slotted bar), "geneva"
     (the slotted wheel of a Geneva drive), "rack" (a translating rod with teeth, whose gear is not
     in the figure). `supports` gives the side on which the support of a fixed pin stands; below it
-    where nothing is said. The teeth of gears are `counted` where a label states how many there are.
+    where nothing is said.
     """
 
     lengths: tuple[Length, ...] = ()
@@ -172,4 +172,3 @@ class FigureHints:
     supports: Mapping[str, Side] = field(default_factory=dict)
     frames: tuple[BodyFrame, ...] = ()
     axes: Axes | None = None
-    counted: bool = False

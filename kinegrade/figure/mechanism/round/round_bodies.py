@@ -134,9 +134,7 @@ def _draw_ring(rim: Rim) -> tuple[Primitive, ...]:
 
 def _draw_gear(rim: Rim, fill: Fill) -> tuple[Primitive, ...]:
     """The teeth with the pitch circle."""
-    teeth = Outline(
-        trace_gear(rim.at, rim.tooth, rim.ring, rim.toothing, rim.meshes), TOOTHED, fill
-    )
+    teeth = Outline(trace_gear(rim.at, rim.tooth, rim.ring), TOOTHED, fill)
     return (teeth, Disc(rim.at, rim.radius, PITCH))
 
 
