@@ -10,8 +10,10 @@ import pytest
 from kinegrade.problem.solving import solve_template
 from kinegrade.problem.template.library.library import find_template_names, load_template
 from kinegrade.problem.template.template import METHODS, Method
+from kinegrade.sign_conventions import UNSIGNED
 from kinegrade.worked.document import Block, Heading, Prose
 from kinegrade.worked.solution import write_worked_solution
+from tests.problem.draws import draw_filter, drawn
 from tests.worked.draws import kept
 from tests.worked.telling import lines, proses
 
@@ -39,6 +41,18 @@ def test_every_solution_says_what_is_sought_before_all_else(name: str) -> None:
     text = re.sub(r"\\left\|(.*?)\\right\|", r"\1", said.text)  # the size of what may be negative
     symbols = {ask.symbol for ask in load_template(name).asks.values()}
     assert [symbol for symbol in symbols if f"${symbol}$" not in text] == []
+
+
+@pytest.mark.sampled(12, also=("belt-driven-bicycle",))
+@pytest.mark.parametrize("name", find_template_names())
+def test_the_size_alone_is_sought_of_what_has_no_sense(name: str) -> None:
+    template = load_template(name)
+    signed = {ask.symbol for ask in template.asks.values() if ask.sign not in UNSIGNED}
+    for one in drawn(draw_filter(template, "sizes"), 4):
+        said = write_worked_solution(one.solution, template.asked(), "en").blocks[1]
+        assert isinstance(said, Prose)
+        sized = set(re.findall(r"\\left\|(.*?)\\right\|", said.text))
+        assert sized & signed == set()
 
 
 @pytest.mark.parametrize(

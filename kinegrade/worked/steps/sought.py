@@ -20,6 +20,7 @@ from kinegrade.mechanics.laws import (
 from kinegrade.mechanics.plan import Step
 from kinegrade.problem.template.signs import write_sign
 from kinegrade.problem.template.template import Ask
+from kinegrade.sign_conventions import UNSIGNED
 from kinegrade.worked.case import Case
 from kinegrade.worked.formulas.symbols import read_symbol
 from kinegrade.worked.rates.driven import is_assumed
@@ -47,12 +48,13 @@ def name_task(
 
 
 def _define(ask: Ask, signed: Set[Node], case: Case) -> Text:
-    """The symbol of what is sought with its meaning, where the author gives that in the
-    language: what this has in brackets stands behind it, what names the symbol stands for both.
-    The question's sense stands with it where the page counts the letter in the other one.
+    """The symbol of what is sought, between bars only where that is never negative, with its
+    meaning, where the author gives that in the language: what this has in brackets stands behind
+    it, what names the symbol stands for both. The question's sense stands with it where the page
+    counts the letter in the other one.
     """
     magnitude = abs(read_symbol(ask.symbol))
-    bare = magnitude.print(case.notation)[0] not in signed
+    bare = ask.sign not in UNSIGNED or magnitude.print(case.notation)[0] not in signed
     symbol = f"${ask.symbol if bare else case.text(magnitude)}$"
     if not ask.means.has(case.language):
         return symbol
