@@ -71,6 +71,16 @@ def test_the_letter_of_an_angle_stands_between_its_sides(angle: float) -> None:
             assert 0 < degrees(angle_of(corner - arc.centre)) / angle < 1
 
 
+def test_the_arc_of_an_obtuse_angle_is_no_speck_at_its_vertex() -> None:
+    values = {"l": "1.305", "theta": "35", "gamma": "110"}
+    solution = solve_template(load_template("rod-ground-incline-fixed-centrode"), values)
+    hints = mark_question(solution.template, solution.template.asked())
+    scene = sketch(solution.motion.frames.mechanism.map(float), hints)
+    arcs = [each for each in scene.primitives if isinstance(each, Bow)]
+    assert len(arcs) == 2
+    assert min(arc.radius for arc in arcs) > 4.0
+
+
 @pytest.mark.parametrize("length", [0.08, 0.1, 0.12, 0.15, 0.2])
 def test_an_arc_does_not_end_on_the_pin_of_its_bar(length: float) -> None:
     scene = sketch(*crank(50, length))

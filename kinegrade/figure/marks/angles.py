@@ -30,6 +30,7 @@ from kinegrade.problem.template.hints import Angle
 
 # Millimetres, the preferred radius first
 _RADII = (7.0, 6.2, 5.5, 4.5, 8.5, 10.0, 12.0, 14.0, 17.0, 20.0, 3.2)
+_SMALL, _TOO_SMALL = 4.0, 6.0  # millimetres of radius that are hardly seen, and their demerit
 _WIDEST = 17.0  # millimetres that are still preferred for a narrow angle
 _SHARE = 0.45  # largest radius of an arc over the distance to the next point on a side
 _LETTER = 1.8  # millimetres from an arc to the middle of its letter
@@ -155,7 +156,8 @@ def _rate_demerit(radius: float, nicest: float, legs: Iterable[Side]) -> float:
     extended = [leg for leg in legs if 0 < leg.drawn < radius]
     prolonged = sum(_EXTENDED_BROAD if leg.broad else _EXTENDED for leg in extended)
     hidden = any(not leg.drawn and leg.hidden and radius < leg.hidden + _SEEN for leg in legs)
-    return 0.6 * abs(radius - nicest) + prolonged + _HIDDEN * hidden
+    small = radius < _SMALL
+    return 0.6 * abs(radius - nicest) + prolonged + _HIDDEN * hidden + _TOO_SMALL * small
 
 
 def _rate_ends(radius: float, reaches: Iterable[float]) -> float:
