@@ -203,16 +203,18 @@ def _read(
     answer = _TAIL.sub("", undress(answer))
     sign = _SIGN.match(answer)
     place = sign.end() if sign else 0
-    found = scan_value(answer, place, style, typed.strip(BLANKS))
+    written = sign[1] if sign else ""
+    found = scan_value(answer, place, style, typed.strip(BLANKS), minus=written == "-")
     if found is None:
         raise Unreadable(Message("typing.not-a-number", typed=Quoted(show(typed.strip(BLANKS)))))
     rest = answer[found.end :]
     factor = find_only_conversion(rest, unit, typed)
     if isinstance(found, Formula) and found.pi and unit == "deg" and not rest.strip():
         raise Unreadable(Message("typing.pi-for-degrees"))
-    written = sign[1] if sign else ""
     turn, remark = find_direction(sense, written, convention, words) if sense else (1, "")
-    minus = (written == "-") != (turn < 0)
+    # The minus before a formula is in its tree
+    signed = written == "-" and isinstance(found, TypedNumber)
+    minus = signed != (turn < 0)
     doubt = describe_form(answer[: found.end]) or describe_doubt(found, minus)
     both = Message("marking.two-remarks", first=doubt, second=remark)
     said = both if doubt and remark else doubt or remark

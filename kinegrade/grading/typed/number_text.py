@@ -7,6 +7,7 @@ A `DecimalStyle` decides what a single mark before three digits means.
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Literal
@@ -20,18 +21,24 @@ MOST_DIGITS = 40
 LARGEST_EXPONENT = 99
 
 MarkUse = Literal["decimal", "groups", "unknown"]
+# How a number may hold its power of ten: 2e3 and 2·10^3, 2e3 alone, or not at all
+Power = Literal["any", "letter", "none"]
 
 _BODY = (
     r"(?:(?P<body>[0-9]+(?:[.,'\u2009][0-9]+|\ [0-9]{3}(?![0-9]))*)(?P<last>[.,](?![0-9√π(½-¾]))?"
     r"|(?P<decimals>[.,][0-9]+))"
 )
-_DIGITS = re.compile(_BODY + "(?P<power>(?!))?(?P<ten>(?!))?")
+_LETTER = r"[eE](?P<power>[+-]?[0-9]+)"
+_NEVER = "(?P<ten>(?!))?"
+_DIGITS = re.compile(_BODY + "(?P<power>(?!))?" + _NEVER)
+_WITH_LETTER = re.compile(f"{_BODY}(?:{_LETTER})?{_NEVER}")
 _RUN = re.compile(
-    _BODY + r"(?:[eE](?P<power>[+-]?[0-9]+)"
+    _BODY + rf"(?:{_LETTER}"
     r"|\s?(?:\*|[xX](?=\s?10\s?(?:\^|\*\*)))\s?10\s?(?:\^|\*\*)\s?(?P<bracket>\()?"
     r"(?P<ten>[+-]?[0-9]+)"
     r"(?![0-9]|[.,][0-9])(?(bracket)\)))?"
 )
+_RUNS: Mapping[Power, re.Pattern[str]] = {"any": _RUN, "letter": _WITH_LETTER, "none": _DIGITS}
 _FIRST_GROUP = re.compile(r"[1-9][0-9]{0,2}")
 
 
@@ -152,15 +159,13 @@ def _make_mantissa(found: re.Match[str]) -> Mantissa:
     return Mantissa(tuple(pieces), tuple(re.findall(r"[.,'\u2009 ]", found["body"])), exponent)
 
 
-def scan(
-    text: str, place: int, style: DecimalStyle, *, power_of_ten: bool = True
-) -> TypedNumber | None:
-    """The number that begins at `place` of a folded text, None where none does; on request without
-    its power of ten.
+def scan(text: str, place: int, style: DecimalStyle, *, power: Power = "any") -> TypedNumber | None:
+    """The number that begins at `place` of a folded text, None where none does, with such a power
+    of ten as is wanted.
 
     Raises Unreadable for wrong grouping, too many digits, too large powers, and ambiguous marks.
     """
-    found = (_RUN if power_of_ten else _DIGITS).match(text, place)
+    found = _RUNS[power].match(text, place)
     if found is None:
         return None
     parts = _make_mantissa(found)
@@ -169,12 +174,12 @@ def scan(
     decimal, reason = _find_decimal_mark(parts, style)
     whole = "".join(parts.pieces[:-1] if decimal else parts.pieces)
     decimals = parts.pieces[-1] if decimal else ""
-    power = found["power"] or found["ten"] or "0"
-    _require_bounded(whole + decimals, power)
+    tens = found["power"] or found["ten"] or "0"
+    _require_bounded(whole + decimals, tens)
     digits = (
-        f"{whole or '0'}{'.' if decimals else ''}{decimals}{f'e{int(power)}' if int(power) else ''}"
+        f"{whole or '0'}{'.' if decimals else ''}{decimals}{f'e{int(tens)}' if int(tens) else ''}"
     )
-    value = _scale(int(whole + decimals), int(power) - len(decimals))
+    value = _scale(int(whole + decimals), int(tens) - len(decimals))
     return TypedNumber(value, digits, found.end(), reason)
 
 

@@ -1,9 +1,10 @@
 """Values typed as small formulas: `√3/2`, `2 sqrt(3)/3`, `5π/3`, `2½`, `3/4`. Parsed by a small
 grammar, never by `eval`.
 
+    value   = [sign] sum                              the sign is that of the first product
     sum     = product (("+" | "-") product)*          at least one of them with a root or π
     product = power (("*" | "/") power | power)*   without a sign only before a root, π or a bracket
-    power   = atom ["^" whole number]
+    power   = atom ["^" whole number]         behind "/" an atom holds no power of ten of its own
     atom    = number [½] | "√" (number | bracket) | "sqrt" bracket | "π" | "(" [sign] sum ")"
 
 `scan_value` takes the longest formula off the front of a folded text and leaves the rest, the unit.
@@ -32,6 +33,7 @@ from kinegrade.grading.typed import formula_signs as signs
 from kinegrade.grading.typed.keyboard import show
 from kinegrade.grading.typed.number_text import (
     DecimalStyle,
+    Power,
     TypedNumber,
     Unreadable,
     scan,
@@ -42,11 +44,14 @@ from kinegrade.language.message import Message, Quoted, Text
 _MOST_ROOTS = 8
 _MOST_BRACKETS = 8
 _MOST_ATOMS = 24
+_ZERO = Number(read_rational("0"))
 
 
 @dataclass(frozen=True, slots=True)
 class Formula:
-    """What was typed as a formula: its tree, where it ends, and remarks on single numbers in it."""
+    """What was typed as a formula: its tree with its sign, where it ends, and remarks on parts of
+    it.
+    """
 
     tree: Expression
     end: int
@@ -56,9 +61,11 @@ class Formula:
 
 
 def scan_value(
-    text: str, place: int, style: DecimalStyle, typed: str
+    text: str, place: int, style: DecimalStyle, typed: str, *, minus: bool = False
 ) -> TypedNumber | Formula | None:
-    """The number or formula at `place` of a folded text; None where neither begins there.
+    """The number or formula at `place` of a folded text; None where neither begins there. A `minus`
+    before that place is the sign of a formula's first product, not of the whole; that of a number
+    is left to the caller.
 
     Raises Unreadable for what cannot be one value, which quotes the answer as it was `typed`.
     """
@@ -68,7 +75,7 @@ def scan_value(
     if plain is None and not signs.compile_beginnings().value.match(text, place):
         return None
     reader = _Reader(text, place, style, typed)
-    tree = reader.sum(0)
+    tree = reader.sum(0, minus=minus)
     return Formula(tree, reader.place, reader.roots, reader.pi, reader.remark)
 
 
@@ -81,9 +88,11 @@ class _Reader:
         self.roots, self.surds, self.pi, self.atoms = 0, False, False, 0
         self.remark: Text = ""
 
-    def sum(self, depth: int) -> Expression:
+    def sum(self, depth: int, *, minus: bool) -> Expression:
+        """The sum that begins here, of which a minus before it negates the first product."""
         before, self.surds = self.surds, False
         tree, terms = self.product(depth), 1
+        tree = Operation("-", _ZERO, tree) if minus else tree
         while (mark := self._operator(*SUMS)) is not None:
             tree, terms = Operation(mark, tree, self.product(depth)), terms + 1
         if terms > 1 and not self.surds:
@@ -103,8 +112,10 @@ class _Reader:
                 tree = Operation("*", tree, factor)
                 continue
             self._require_plain_order(divided and mark == "/")
+            if divided and signs.TEN.match(self.text, self.place):
+                self.remark = self.remark or Message("typing.quotient-times-power")
             divided = divided or mark == "/"
-            tree = Operation(mark, tree, self.power(depth))
+            tree = Operation(mark, tree, self.power(depth, "letter" if mark == "/" else "any"))
 
     def _require_plain_order(self, doubtful: bool) -> None:
         if doubtful:
@@ -133,17 +144,30 @@ class _Reader:
         self.place = self.place if mark is None else found.end()
         return mark
 
-    def power(self, depth: int) -> Expression:
-        base = self.atom(depth)
+    def power(self, depth: int, ten: Power = "any") -> Expression:
+        """A power, of a number with such a power of ten as is wanted: √3/2·10^3 is a thousand
+        times √3/2.
+        """
+        start = self.place
+        base = self.atom(depth, ten)
         if found := signs.HALF.match(self.text, self.place):
             self.place = found.end()
             return self._root_of(base)
         if found := signs.POWER.match(self.text, self.place):
+            self._require_no_dot_for_times(start, found.end())
             self.place = found.end()
             return raise_to(base, int(found[1] or found[2]))
         return base
 
-    def atom(self, depth: int) -> Expression:
+    def _require_no_dot_for_times(self, start: int, end: int) -> None:
+        """Raises Unreadable for 8.10^-3, which is 8·10^-3 to who writes the dot for times."""
+        if found := signs.DOT_BEFORE_TEN.fullmatch(self.text, start, end):
+            whole, power = found.groups()
+            point, times = f"({whole}.10){power}", f"{whole}*10{power}"
+            typed = Quoted(show(found[0].strip()))
+            raise Unreadable(Message("typing.raised-dot", typed=typed, point=point, times=times))
+
+    def atom(self, depth: int, ten: Power) -> Expression:
         self.atoms += 1
         if self.atoms > _MOST_ATOMS:
             raise Unreadable(Message("typing.many-parts", most=_MOST_ATOMS))
@@ -156,14 +180,14 @@ class _Reader:
             return Name("pi")
         if self.text.startswith("(", self.place):
             return self._bracket(depth)
-        return self.number()
+        return self.number(ten)
 
     def _radical(self, depth: int) -> Expression:
         """The root of a bracket or of a single number; whatever follows that number is not part of
         the root.
         """
         bracket = self.text.startswith("(", self.place)
-        tree = self._root_of(self._bracket(depth) if bracket else self.number(power_of_ten=False))
+        tree = self._root_of(self._bracket(depth) if bracket else self.number("none"))
         if (
             not bracket
             and (after := signs.compile_beginnings().factor.match(self.text, self.place))
@@ -187,19 +211,20 @@ class _Reader:
         self.skip()
         sign = self.text[self.place : self.place + 1]
         self.place += sign in ("+", "-")
-        tree = self.sum(depth + 1)
+        tree = self.sum(depth + 1, minus=sign == "-")
         self.skip()
         if not self.text.startswith(")", self.place):
             raise Unreadable(Message("typing.open-bracket", typed=self.typed))
         self.place += 1
-        return Operation("-", Number(read_rational("0")), tree) if sign == "-" else tree
+        return tree
 
-    def number(self, *, power_of_ten: bool = True) -> Expression:
+    def number(self, power: Power) -> Expression:
         """A decimal number, a fraction such as ½, or a whole number with a fraction; √3×10^-2 is a
         hundredth of √3.
         """
-        found = scan(self.text, self.place, self.style, power_of_ten=power_of_ten)
+        found = scan(self.text, self.place, self.style, power=power)
         if found is not None:
+            self._require_no_uncertainty(found)
             self.remark = self.remark or self._doubt(found)
             self.place = found.end
         vulgar = self._vulgar() if found is None or found.digits.isdigit() else None
@@ -209,6 +234,11 @@ class _Reader:
         if found is None or vulgar is None:
             return vulgar or _make_literal(found.value if found else Fraction(0))
         return Operation("+", _make_literal(found.value), vulgar)
+
+    def _require_no_uncertainty(self, found: TypedNumber) -> None:
+        """Raises Unreadable for 1.234(5): the uncertainty of the last digit, or a second try."""
+        if "." in found.digits and signs.IN_BRACKETS.match(self.text, found.end):
+            raise Unreadable(Message("typing.range", typed=self.typed))
 
     def _doubt(self, found: TypedNumber) -> Text:
         """What the instructor should know about a number just read, quoted as it was typed; ""

@@ -63,7 +63,8 @@ class AnswerReader {
     const answer = this.undress(unsensed).replace(TAIL, "");
     const signed = /^([+-]?)\s*/.exec(answer);
     const sign = signed?.[1] ?? "";
-    const found = scanValue(answer, signed?.[0].length ?? 0, this.beginnings, typed);
+    const minus = sign === "-";
+    const found = scanValue(answer, signed?.[0].length ?? 0, this.beginnings, typed, minus);
     if (!found) throw new Unreadable("not-a-number", { typed: quote(typed) });
     const rest = answer.slice(found.end);
     if (NEXT_NUMBER.test(rest) && !SHARE_OF_TIME.test(rest)) {
@@ -73,7 +74,8 @@ class AnswerReader {
     if (found.pi && ask.unit === "deg" && !rest.trim()) throw new Unreadable("pi-for-degrees");
     const turn = sense ? findDirection(sense, sign, ask) : 1;
     const size = (found.work ? found.work() : found.value) * factor;
-    return requireFinite(sign === "-" ? -size * turn : size * turn);
+    // The minus before a formula is in what it is worth
+    return requireFinite(minus && !found.work ? -size * turn : size * turn);
   }
 
   /**

@@ -13,6 +13,8 @@ const RAISED_TO = /\s*(?:\^|\*\*)\s*(?:\(\s*([+-]?[0-9]{1,3})\s*\)|([+-]?[0-9]{1
 const HALF =
   /\s*(?:\^|\*\*)\s*(?:\(\s*1\/2\s*\)|\(\s*0?[.,]5\s*\)|0?[.,]5(?![0-9.,]))/y;
 const OPERATOR = /\s*([-+*/])(?!\*)/y;
+const DOT_BEFORE_TEN = /^\s*([0-9]+)[.,]10(\s*(?:\^|\*\*).*)/;
+const IN_BRACKETS = /\(\s*[0-9]+\s*\)/y;
 const BRACKET_OR_PI = /^\s*(?:[πΠ𝜋]|\(\s*[0-9√])/u;
 
 /**
@@ -54,14 +56,15 @@ function compileBeginnings(words) {
  * @param {number} place
  * @param {Beginnings} beginnings
  * @param {string} typed the whole answer, as faults quote it
+ * @param {boolean} minus before that place: the sign of a formula's first product, not of the whole
  * @returns {(TypedNumber & {work?: undefined, pi?: undefined}) | Formula | null}
  */
-function scanValue(text, place, beginnings, typed) {
+function scanValue(text, place, beginnings, typed, minus) {
   const plain = scanNumber(text, place);
   if (plain && !isContinued(text, plain.end, beginnings)) return plain;
   if (!plain && !matchAt(beginnings.value, text, place)) return null;
   const reader = new FormulaReader(text, place, beginnings, typed);
-  const work = reader.sum(0);
+  const work = reader.sum(0, minus);
   return { work, end: reader.place, pi: reader.pi };
 }
 
@@ -91,11 +94,17 @@ class FormulaReader {
     this.atoms = 0;
   }
 
-  /** @param {number} depth @returns {Work} */
-  sum(depth) {
+  /**
+   * The sum that begins here, of which a minus before it negates the first product.
+   * @param {number} depth
+   * @param {boolean} minus
+   * @returns {Work}
+   */
+  sum(depth, minus) {
     const before = this.surds;
     this.surds = false;
-    let work = this.product(depth);
+    const first = this.product(depth);
+    let work = minus ? () => -first() : first;
     let terms = 1;
     for (let mark = this.operator("+-"); mark; mark = this.operator("+-")) {
       work = combine(mark, work, this.product(depth));
@@ -121,7 +130,7 @@ class FormulaReader {
       }
       if (divided && mark === "/") throw this.fault("two-ways");
       divided = divided || mark === "/";
-      work = combine(mark, work, this.power(depth));
+      work = combine(mark, work, this.power(depth, mark === "/" ? WITH_LETTER : RUN));
     }
   }
 
@@ -154,13 +163,20 @@ class FormulaReader {
     return found[1];
   }
 
-  /** @param {number} depth @returns {Work} */
-  power(depth) {
-    const base = this.atom(depth);
+  /**
+   * A power; √3/2·10^3 is a thousand times √3/2.
+   * @param {number} depth
+   * @param {RegExp} [run] of a number
+   * @returns {Work}
+   */
+  power(depth, run = RUN) {
+    const start = this.place;
+    const base = this.atom(depth, run);
     const most = base.literal === 10 ? LARGEST_EXPONENT : MOST_POWER;
     if (this.take(HALF)) return this.rootOf(base);
     const found = this.take(RAISED_TO);
     if (!found) return base;
+    this.requireNoDotForTimes(this.text.slice(start, this.place));
     const exponent = Number(found[1] ?? found[2]);
     if (Math.abs(exponent) > most) throw new Unreadable("large-whole-power", { most });
     return base.literal === 10
@@ -168,8 +184,18 @@ class FormulaReader {
       : () => raise(base(), exponent);
   }
 
-  /** @param {number} depth @returns {Work} */
-  atom(depth) {
+  /** @param {string} power 8.10^-3 is 8·10^-3 to who writes the dot for times */
+  requireNoDotForTimes(power) {
+    const found = DOT_BEFORE_TEN.exec(power);
+    if (!found) return;
+    const [all, whole, raised] = found;
+    const times = `${whole}*10${raised}`;
+    const parts = { typed: quote(all.trim()), point: `(${whole}.10)${raised}`, times };
+    throw new Unreadable("raised-dot", parts);
+  }
+
+  /** @param {number} depth @param {RegExp} run of a number @returns {Work} */
+  atom(depth, run) {
     this.atoms += 1;
     if (this.atoms > MOST_ATOMS) throw new Unreadable("many-parts", { most: MOST_ATOMS });
     this.skip();
@@ -179,7 +205,7 @@ class FormulaReader {
       this.pi = true;
       return () => Math.PI;
     }
-    return this.text.startsWith("(", this.place) ? this.bracket(depth) : this.number();
+    return this.text.startsWith("(", this.place) ? this.bracket(depth) : this.number(run);
   }
 
   /**
@@ -211,21 +237,25 @@ class FormulaReader {
     this.skip();
     const sign = this.text[this.place];
     if (sign === "+" || sign === "-") this.place += 1;
-    const work = this.sum(depth + 1);
+    const work = this.sum(depth + 1, sign === "-");
     this.skip();
     if (!this.text.startsWith(")", this.place)) throw this.fault("open-bracket");
     this.place += 1;
-    return sign === "-" ? () => -work() : work;
+    return work;
   }
 
   /**
    * A decimal number, a fraction such as ½, or a whole number with a fraction.
-   * @param {RegExp} [run]
+   * @param {RegExp} run
    * @returns {Work}
    */
-  number(run = RUN) {
+  number(run) {
     const found = scanNumber(this.text, this.place, run);
     if (found) this.place = found.end;
+    // 1.234(5): the uncertainty of the last digit, or a second try
+    if (found?.digits.includes(".") && matchAt(IN_BRACKETS, this.text, this.place)) {
+      throw this.fault("range");
+    }
     const vulgar = !found || /^[0-9]+$/.test(found.digits) ? this.take(MIXED) : null;
     if (!found && !vulgar) {
       const rest = quote(this.text.slice(this.place));

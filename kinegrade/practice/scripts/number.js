@@ -11,10 +11,12 @@ const BODY =
   "|(?<decimals>[.,][0-9]+))";
 const TEN = "\\s?(?:\\*|[xX](?=\\s?10\\s?(?:\\^|\\*\\*)))\\s?10\\s?(?:\\^|\\*\\*)\\s?";
 const NO_MORE = "(?![0-9]|[.,][0-9])";
+const BY_LETTER = "[eE](?<power>[+-]?[0-9]+)";
 const POWER =
-  `(?:[eE](?<power>[+-]?[0-9]+)|${TEN}\\((?<inside>[+-]?[0-9]+)${NO_MORE}\\)` +
+  `(?:${BY_LETTER}|${TEN}\\((?<inside>[+-]?[0-9]+)${NO_MORE}\\)` +
   `|${TEN}(?<ten>[+-]?[0-9]+)${NO_MORE})?`;
 const DIGITS = new RegExp(BODY, "y");
+const WITH_LETTER = new RegExp(`${BODY}(?:${BY_LETTER})?`, "y");
 const RUN = new RegExp(BODY + POWER, "y");
 const SEPARATOR = /[.,'\u2009 ]/g;
 
@@ -39,7 +41,7 @@ class Unreadable extends Error {
  * The number at a place of a folded text, null where none begins there.
  * @param {string} text
  * @param {number} place
- * @param {RegExp} [run] DIGITS for one without its power of ten
+ * @param {RegExp} [run] DIGITS for one without a power of ten, WITH_LETTER for one with 2e3 alone
  * @returns {TypedNumber | null}
  */
 function scanNumber(text, place, run = RUN) {
