@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from typing import assert_never
 
 from kinegrade.expressions.tree import SUMS, Call, Expression, Name, Number, Operation, Operator
@@ -35,17 +36,19 @@ def find_angular_degree(tree: Expression, angles: frozenset[str]) -> int:
             assert_never(tree)
 
 
-def turns_round(tree: Expression) -> bool:
+def turns_round(tree: Expression, angles: Collection[str] = ()) -> bool:
     """Whether the expression is the angle of a position, itself or with others added: one that
-    full turns leave the same.
+    full turns leave the same. Names are such `angles`, or no angles.
     """
     match tree:
-        case Number() | Name():
+        case Number():
             return False
+        case Name(name):
+            return name in angles
         case Call(function):
             return function in TURNING
         case Operation(sign, left, right):
-            return sign in SUMS and (turns_round(left) or turns_round(right))
+            return sign in SUMS and any(turns_round(each, angles) for each in (left, right))
         case _:
             assert_never(tree)
 

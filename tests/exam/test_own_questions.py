@@ -13,7 +13,7 @@ from unicodedata import normalize
 import pytest
 from pypdf import PdfReader
 
-from tests.small_class import kinegrade
+from tests.small_class import kinegrade, table
 
 CAR = """title = { en = "Test", zh = "测验" }
 course = "Mechanics"
@@ -53,6 +53,22 @@ asks.w = { unit = "cm/s", points = 1, means = "the speed of the rim" }
 asks.psi = { unit = "deg", points = 1, means = "an angle" }
 same = true
 """
+TURNS = """
+[[questions]]
+name = "turns"
+statement = "{{ t }}"
+parameters.t = { unit = "deg", draw = [105] }
+steps.h = "atan2(sin(t), cos(t))"
+steps.g = "h + pi/6"
+steps.k = "t/2"
+steps.j = "t/3"
+asks.h = { unit = "deg", points = 1, means = "a direction", sign = "ccw" }
+asks.g = { unit = "deg", points = 1, means = "another", sign = "ccw" }
+asks.k = { unit = "deg", points = 1, means = "a third", sign = "ccw", cyclic = true }
+asks.j = { unit = "deg", points = 1, means = "how far it has turned", sign = "ccw" }
+same = true
+"""
+STUDENTS = "1001", "1002", "1003"
 ROSTER = "student,name\n1001,Ada\n1002,Sofya\n1003,Lise\n"
 
 
@@ -141,6 +157,18 @@ def test_units_are_converted_and_angles_are_angles(tmp_path: Path) -> None:
     assert "20m/s⋅cos60°=10m/s" in solution
     assert "2π2s≈3.142rad/s" in solution
     assert "1.571m/s≈157.1cm/s" in solution
+
+
+def test_a_direction_is_right_with_full_turns_more_or_less(tmp_path: Path) -> None:
+    exam = set_exam(tmp_path, 'title = "T"\ncourse = "C"\n' + TURNS)
+    answers = tmp_path / "answers.csv"
+    turned = "465,-225,412.5,395", "105,135,52.5,35", "-255,495,-307.5,-325"
+    rows = [f"{student},{cells}" for student, cells in zip(STUDENTS, turned, strict=True)]
+    answers.write_text("\n".join(["student,q1.h,q1.g,q1.k,q1.j", *rows]), encoding="utf-8")
+    marks = tmp_path / "MARKS"
+    assert kinegrade("grade", exam, answers, "-o", marks).exit_code in (0, 1)
+    earned = [[row["student"], row["total"]] for row in table(marks / "grades.csv")]
+    assert earned == [["1001", "3"], ["1002", "4"], ["1003", "3"]]
 
 
 @pytest.mark.left(beside="test_the_paper_has_no_figure_and_no_rule_of_axes")

@@ -5,10 +5,12 @@ keeps it in a file of its own.
 from __future__ import annotations
 
 import re
-from collections.abc import Collection
+from collections.abc import Collection, Mapping
 
-from kinegrade.expressions.tree import Name
+from kinegrade.expressions.angular import turns_round
+from kinegrade.expressions.tree import Expression, Name
 from kinegrade.files.fields.table import Table
+from kinegrade.files.fields.values import flag
 from kinegrade.language.message import Message
 from kinegrade.problem.template.domain import read_choices
 from kinegrade.problem.template.draft import Draft
@@ -81,7 +83,7 @@ def _read_draft(table: Table) -> Draft:
         joints={},
         drivers={},
         conditions=read_conditions(table),
-        asks=_read_asks(table, declared["steps"]),
+        asks=_read_asks(table, declared["steps"], _list_angles(steps)),
         published={},
         figure=FigureHints(),
         faulty=frozenset((*declared["parameters"], *declared["steps"])) - read,
@@ -116,23 +118,35 @@ def _read_parameter(name: str, table: Table) -> Parameter | None:
     return Parameter(name, label, measured_in, choices, None, _BLANK)
 
 
-def _read_asks(table: Table, steps: Collection[str]) -> dict[str, Ask]:
-    """The steps that are asked for and can be read, by name."""
+def _list_angles(steps: Mapping[str, Expression]) -> Collection[str]:
+    """The steps that are angles of positions, or such with others added."""
+    angles: set[str] = set()
+    for name, tree in steps.items():
+        if turns_round(tree, angles):
+            angles.add(name)
+    return angles
+
+
+def _read_asks(table: Table, steps: Collection[str], angles: Collection[str]) -> dict[str, Ask]:
+    """The steps that are asked for and can be read, by name; `angles` are right with full turns
+    more or less where nothing is said.
+    """
     asked = table.table("asks").only(*steps, unknown=Message("template.no-step"))
     entries = asked.each_table(_LIKE_ASK)
-    return present({name: _read_ask(name, entry) for name, entry in entries.items()})
+    return present({name: _read_ask(name, entry, angles) for name, entry in entries.items()})
 
 
-def _read_ask(name: str, table: Table) -> Ask | None:
+def _read_ask(name: str, table: Table, angles: Collection[str]) -> Ask | None:
     entry = table.only(*STEPWISE_ASK)
     counted_in = entry.required("unit", unit)
     means = entry.required("means", translated)
     label = entry.with_default("symbol", written, write_symbol(name))
     sign: Sign = entry.optional("sign", read_sign) or "magnitude"
+    cyclic = entry.with_default("cyclic", flag, name in angles)
     if counted_in is None or means is None:
         return None
     return Ask(
-        name, label, Name(name), counted_in, means, sign, points=0, vanishes=False, cyclic=False
+        name, label, Name(name), counted_in, means, sign, points=0, vanishes=False, cyclic=cyclic
     )
 
 

@@ -43,6 +43,9 @@ STEPWISE_ASK = (
     #: What a positive answer means: a keyword, or words of your own by language. Where nothing is
     #: said, the answer is never negative.
     "sign",
+    #: Whether an angle is right with up to three full turns more or less, `true` or `false`; where
+    #: nothing is said it is if the step is `atan2(y, x)` or a sum with it.
+    "cyclic",
     #: The symbol in LaTeX math, where it does not follow from the name of the step.
     "symbol",
 )
