@@ -7,6 +7,7 @@ all others keep their bytes.
 from __future__ import annotations
 
 import io
+from collections.abc import Iterator
 from copy import copy
 from dataclasses import dataclass
 from pathlib import Path
@@ -18,7 +19,7 @@ from kinegrade.files.workbooks.inspection import explain_damaged, inspect_workbo
 from kinegrade.files.workbooks.sheet_reading import read_sheet_xml
 from kinegrade.files.workbooks.sheet_xml import SheetXml
 
-_BOOK, _SHARED = "xl/workbook.xml", "xl/sharedStrings.xml"
+_BOOK, SHARED = "xl/workbook.xml", "xl/sharedStrings.xml"
 _LINKS = "xl/_rels/workbook.xml.rels"
 _LINK = "{http://schemas.openxmlformats.org/officeDocument/2006/relationships}id"
 _STRICT_LINK = "{http://purl.oclc.org/ooxml/officeDocument/relationships}id"
@@ -71,26 +72,33 @@ def read_workbook_parts(path: Path) -> WorkbookParts:
 
 def _read_sheets(archive: ZipFile) -> tuple[WorkbookSheet, ...]:
     shared = _read_shared(archive)
+    return tuple(
+        WorkbookSheet(name, part, read_sheet_xml(archive.read(part), shared))
+        for name, part in list_sheet_parts(archive)
+    )
+
+
+def list_sheet_parts(archive: ZipFile) -> Iterator[tuple[str, str]]:
+    """The names of the visible sheets, each with the part that holds it, but for sheets of charts.
+    Raises KeyError and ParseError for a damaged workbook.
+    """
     links = {
         each.attrib["Id"]: normpath(join("xl", each.attrib["Target"])).lstrip("/")
         for each in ElementTree.fromstring(archive.read(_LINKS))
     }
-    found = []
     for each in ElementTree.fromstring(archive.read(_BOOK)).iter():
         if each.tag.endswith("}sheet") and each.attrib.get("state", "visible") == "visible":
             part = links[each.attrib.get(_LINK) or each.attrib[_STRICT_LINK]]
-            if part.startswith("xl/worksheets/"):  # and no sheet of a chart
-                xml = read_sheet_xml(archive.read(part), shared)
-                found.append(WorkbookSheet(each.attrib["name"], part, xml))
-    return tuple(found)
+            if part.startswith("xl/worksheets/"):
+                yield each.attrib["name"], part
 
 
 def _read_shared(archive: ZipFile) -> list[str]:
     """The texts that cells share, without the readings of Chinese and Japanese letters."""
-    if _SHARED not in archive.namelist():
+    if SHARED not in archive.namelist():
         return []
     found = []
-    for each in ElementTree.fromstring(archive.read(_SHARED)):
+    for each in ElementTree.fromstring(archive.read(SHARED)):
         pieces = [child for child in each if not child.tag.endswith("}rPh")]
         texts = (text for piece in pieces for text in piece.iter() if text.tag.endswith("}t"))
         found.append("".join(text.text or "" for text in texts))

@@ -34,6 +34,7 @@ from kinegrade.files.workbooks.oddities import (
     note_formulas,
     note_sheets,
 )
+from kinegrade.files.workbooks.raised_digits import note_raised
 from kinegrade.language.message import Fault, Message
 
 _LONGEST_TEXT = 32_767  # characters in a cell: no spreadsheet program keeps more
@@ -59,6 +60,7 @@ def read_workbook(
                 SAVE_AS_XLSX,
             )
         )
+    lines = note_raised(path, name, lines)
     if has_formulas:
         lines = note_formulas(path, name, lines)
     skipped = 0 if is_header is None else find_header(_list_texts(lines), is_header)
