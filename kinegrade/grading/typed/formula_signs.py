@@ -21,8 +21,6 @@ POWER = re.compile(
 )
 HALF = re.compile(r"\s*(?:\^|\*\*)\s*(?:\(\s*1/2\s*\)|\(\s*0?[.,]5\s*\)|0?[.,]5(?![0-9.,]))")
 TEN = re.compile(r"\s*10\s*(?:\^|\*\*)")
-DOT_BEFORE_TEN = re.compile(r"\s*([0-9]+)[.,]10(\s*(?:\^|\*\*).*)")
-IN_BRACKETS = re.compile(r"\(\s*[0-9]+\s*\)")
 OPERATOR = re.compile(r"\s*([-+*/])(?!\*)")
 
 

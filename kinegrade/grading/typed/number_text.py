@@ -39,6 +39,7 @@ _RUN = re.compile(
     r"(?![0-9]|[.,][0-9])(?(bracket)\)))?"
 )
 _RUNS: Mapping[Power, re.Pattern[str]] = {"any": _RUN, "letter": _WITH_LETTER, "none": _DIGITS}
+_IN_BRACKETS = re.compile(r"\(\s*[0-9]+\s*\)")
 _FIRST_GROUP = re.compile(r"[1-9][0-9]{0,2}")
 
 
@@ -217,3 +218,21 @@ def _require_bounded(digits: str, power: str) -> None:
         raise Unreadable(Message("typing.many-digits", most=MOST_DIGITS))
     if len(power) > 6 or abs(int(power)) > LARGEST_EXPONENT:
         raise Unreadable(Message("typing.large-power", largest=LARGEST_EXPONENT))
+
+
+def require_no_uncertainty(text: str, found: TypedNumber, typed: Quoted) -> None:
+    """Raises Unreadable for 1.234(5): the uncertainty of the last digit, or a second try; it quotes
+    the answer as it was `typed`.
+    """
+    if "." in found.digits and _IN_BRACKETS.match(text, found.end):
+        raise Unreadable(Message("typing.range", typed=typed))
+
+
+def describe_number(text: str, place: int, found: TypedNumber) -> Text:
+    """What the instructor should know about a number just read at a place, quoted as it was typed;
+    "" where nothing is in doubt.
+    """
+    if not found.reason:
+        return ""
+    typed = Quoted(show(text[place : found.end]))
+    return Message("typing.read-as", typed=typed, digits=found.digits, reason=found.reason)

@@ -36,9 +36,12 @@ from kinegrade.grading.typed.number_text import (
     Power,
     TypedNumber,
     Unreadable,
+    describe_number,
+    require_no_uncertainty,
     scan,
 )
 from kinegrade.grading.typed.powers import raise_to
+from kinegrade.grading.typed.raised_dot import require_no_dot_for_times
 from kinegrade.language.message import Message, Quoted, Text
 
 _MOST_ROOTS = 8
@@ -154,18 +157,10 @@ class _Reader:
             self.place = found.end()
             return self._root_of(base)
         if found := signs.POWER.match(self.text, self.place):
-            self._require_no_dot_for_times(start, found.end())
+            require_no_dot_for_times(self.text, start, found.end())
             self.place = found.end()
             return raise_to(base, int(found[1] or found[2]))
         return base
-
-    def _require_no_dot_for_times(self, start: int, end: int) -> None:
-        """Raises Unreadable for 8.10^-3, which is 8·10^-3 to who writes the dot for times."""
-        if found := signs.DOT_BEFORE_TEN.fullmatch(self.text, start, end):
-            whole, power = found.groups()
-            point, times = f"({whole}.10){power}", f"{whole}*10{power}"
-            typed = Quoted(show(found[0].strip()))
-            raise Unreadable(Message("typing.raised-dot", typed=typed, point=point, times=times))
 
     def atom(self, depth: int, ten: Power) -> Expression:
         self.atoms += 1
@@ -224,8 +219,8 @@ class _Reader:
         """
         found = scan(self.text, self.place, self.style, power=power)
         if found is not None:
-            self._require_no_uncertainty(found)
-            self.remark = self.remark or self._doubt(found)
+            require_no_uncertainty(self.text, found, self.typed)
+            self.remark = self.remark or describe_number(self.text, self.place, found)
             self.place = found.end
         vulgar = self._vulgar() if found is None or found.digits.isdigit() else None
         if found is None and vulgar is None:
@@ -234,20 +229,6 @@ class _Reader:
         if found is None or vulgar is None:
             return vulgar or _make_literal(found.value if found else Fraction(0))
         return Operation("+", _make_literal(found.value), vulgar)
-
-    def _require_no_uncertainty(self, found: TypedNumber) -> None:
-        """Raises Unreadable for 1.234(5): the uncertainty of the last digit, or a second try."""
-        if "." in found.digits and signs.IN_BRACKETS.match(self.text, found.end):
-            raise Unreadable(Message("typing.range", typed=self.typed))
-
-    def _doubt(self, found: TypedNumber) -> Text:
-        """What the instructor should know about a number just read, quoted as it was typed; ""
-        where nothing is in doubt.
-        """
-        if not found.reason:
-            return ""
-        typed = Quoted(show(self.text[self.place : found.end]))
-        return Message("typing.read-as", typed=typed, digits=found.digits, reason=found.reason)
 
     def _vulgar(self) -> Expression | None:
         found = signs.MIXED.match(self.text, self.place)
