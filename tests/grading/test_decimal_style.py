@@ -67,7 +67,7 @@ def reading(
     ("1.234", ["0,5", "0.5"], [["0.5"]], None, 1.234, ""),
     ("1.234", ["0,5"], [["2,5"]], None, 1.234,
      "a point is a decimal point, as the papers say; all other unambiguous answers have a decimal "
-     "comma"),
+     "comma (if points group digits: --decimal comma)"),
     ("1.234", ["2.345,6"], [["0.5"]] * 9, None, 1234, "this student groups digits by points "
                                                       "elsewhere"),
     ("1,234", ["0,5"], [], "point", 1234, "the decimal mark was declared to be the point"),
