@@ -52,8 +52,6 @@ EXCEPTIONS = {
     "'**'": "the exponent is no operand; the other signs are matched below",
     "problem/template/meaning/meaning.py: if isinstance(kind, "
     "Unknown)": "what is not known fits anywhere; the slots are matched below",
-    "grading/typed/value.py: Operation('-', Number(read_rational('0')), tree) if sign == '-' else "
-    "tree": "a character that was typed before a bracket: a minus, a plus, or none",
     "worked/answers/poses.py: if first.relation == "
     "'='": "a value in another unit that is not exact stands after the exact ones",
     "problem/pole_names.py: match read_math(ask.symbol, ask.name): "

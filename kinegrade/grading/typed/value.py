@@ -14,6 +14,7 @@ A formula that can be understood in two ways is refused, naming both: `1/2√3`,
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from unicodedata import numeric
@@ -47,6 +48,7 @@ from kinegrade.language.message import Message, Quoted, Text
 _MOST_ROOTS = 8
 _MOST_BRACKETS = 8
 _MOST_ATOMS = 24
+_TEN_BEHIND: Mapping[Mark, Power] = {"*": "any", "/": "letter"}
 _ZERO = Number(read_rational("0"))
 
 
@@ -118,7 +120,7 @@ class _Reader:
             if divided and signs.TEN.match(self.text, self.place):
                 self.remark = self.remark or Message("typing.quotient-times-power")
             divided = divided or mark == "/"
-            tree = Operation(mark, tree, self.power(depth, "letter" if mark == "/" else "any"))
+            tree = Operation(mark, tree, self.power(depth, _TEN_BEHIND[mark]))
 
     def _require_plain_order(self, doubtful: bool) -> None:
         if doubtful:
