@@ -57,8 +57,8 @@ def test_lines_of_code_are_lines_without_docstrings_comments_and_blanks(tmp_path
 # did when fairness came to be bounded (mistakes, follow-through, papers alike hard) and when
 # mechanisms came to move (cycles)
 FAR = {
-    "syntax nodes": 928_600,
-    "lines of code": 93_560,
+    "syntax nodes": 928_210,
+    "lines of code": 93_530,
     "syntax nodes a line": 9.93,
 }
 COPIED = """

@@ -6,7 +6,7 @@ import os
 import subprocess
 import sys
 import zipfile
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from datetime import date, datetime, time
 from pathlib import Path
 
@@ -16,47 +16,12 @@ from hypothesis import strategies as st
 from openpyxl import Workbook, load_workbook
 
 from kinegrade.errors import TableError
-from kinegrade.files.tables import Table
 from kinegrade.files.workbooks import cells
 from kinegrade.files.workbooks import inspection as workbook_inspection
 from kinegrade.files.workbooks.inspection import is_workbook
 from kinegrade.files.workbooks.spreadsheet import read_workbook
+from tests.files.written_workbooks import SHEET, book, told, with_cells, with_part
 from tests.said import said
-
-
-def book(path: Path, *rows: list[object]) -> Path:
-    written = Workbook()
-    for row in rows:
-        written.active.append(row)
-    written.save(path)
-    return path
-
-
-def told(table: Table) -> list[tuple[int | None, str, str, str]]:
-    return [(each.line, each.column, each.content, said(each.problem)) for each in table.complaints]
-
-
-def with_part(path: Path, part: str, change: Callable[[str], str]) -> Path:
-    """The workbook with one of its parts changed."""
-    with zipfile.ZipFile(path) as archive:
-        parts = {name: archive.read(name) for name in archive.namelist()}
-    parts[part] = change(parts[part].decode()).encode()
-    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
-        for name, content in parts.items():
-            archive.writestr(name, content)
-    return path
-
-
-SHEET = "xl/worksheets/sheet1.xml"
-
-
-def with_cells(path: Path, cells: str) -> Path:
-    """A workbook whose header is "student", with more rows as raw XML."""
-    return with_part(
-        book(path, ["student"]),
-        SHEET,
-        lambda xml: xml.replace("</sheetData>", f"{cells}</sheetData>"),
-    )
 
 
 def test_cells_come_out_as_they_were_typed(tmp_path: Path) -> None:
@@ -403,52 +368,3 @@ def test_a_unit_that_a_cell_shows_is_read_with_it(tmp_path: Path, style: str, re
     written.save(tmp_path / "shown.xlsx")
     (row,) = read_workbook(tmp_path / "shown.xlsx").rows
     assert row.cell(0) == read
-
-
-RICH = """<row r="2"><c r="A2" t="inlineStr"><is><r><t>2\u00d710</t></r><r><rPr><vertAlign \
-val="superscript"/></rPr><t>%s</t></r><r><t xml:space="preserve">%s</t></r></is></c></row>"""
-
-
-@pytest.mark.parametrize(
-    ("raised", "behind", "text"),
-    [
-        ("4", "", "2\u00d710^4"),
-        ("-3", " m/s", "2\u00d710^-3 m/s"),
-        ("4", "5", "2\u00d710^4 5"),
-    ],
-)
-def test_raised_digits_are_a_power_and_told(
-    tmp_path: Path, raised: str, behind: str, text: str
-) -> None:
-    table = read_workbook(with_cells(tmp_path / "a.xlsx", RICH % (raised, behind)))
-    assert [row.cells for row in table.rows] == [(text,)]
-    assert told(table) == [(2, "student", text, f"raised digits: read as a power, {text}")]
-
-
-@pytest.mark.parametrize(
-    ("text", "look", "read"),
-    [("th", "superscript", "2\u00d710th"), ("4", "subscript", "2\u00d7104")],
-)
-def test_raised_letters_and_lowered_digits_stay_as_they_are(
-    tmp_path: Path, text: str, look: str, read: str
-) -> None:
-    rich = (RICH % (text, "")).replace("superscript", look)
-    table = read_workbook(with_cells(tmp_path / "a.xlsx", rich))
-    assert [row.cells for row in table.rows] == [(read,)]
-    assert table.complaints == ()
-
-
-SHARED = "xl/sharedStrings.xml"
-SHARED_TEXTS = """<sst xmlns="http://schemas.openxmlformats.org/spreadsheetml/2006/main"><si><r>\
-<t>5</t></r><r><rPr><vertAlign val="superscript"/></rPr><t>2</t></r></si></sst>"""
-SHARED_TYPE = """<Override PartName="/xl/sharedStrings.xml" ContentType="application/vnd.openxml\
-formats-officedocument.spreadsheetml.sharedStrings+xml"/></Types>"""
-
-
-def test_raised_digits_of_shared_texts_are_a_power(tmp_path: Path) -> None:
-    """As spreadsheet programs keep them."""
-    path = with_cells(tmp_path / "a.xlsx", '<row r="2"><c r="A2" t="s"><v>0</v></c></row>')
-    with_part(path, "[Content_Types].xml", lambda xml: xml.replace("</Types>", SHARED_TYPE))
-    with zipfile.ZipFile(path, "a") as archive:
-        archive.writestr(SHARED, SHARED_TEXTS)
-    assert [row.cells for row in read_workbook(path).rows] == [("5^2",)]

@@ -8,7 +8,7 @@ from zipfile import ZipFile
 
 from kinegrade.files.cell_text import shorten
 from kinegrade.files.tables import Complaint
-from kinegrade.files.workbooks.parts import read_workbook_parts
+from kinegrade.files.workbooks.parts import holds, read_workbook_parts
 from kinegrade.files.workbooks.sheet_xml import Merged, Position, write_position
 from kinegrade.language.message import Message
 
@@ -40,8 +40,7 @@ def _hides_something(merged: Merged, titles: Sequence[str]) -> bool:
 
 def _find_merged(path: Path, sheet: str) -> Sequence[Merged]:
     with ZipFile(path) as archive:
-        sheets = [name for name in archive.namelist() if name.startswith("xl/worksheets/sheet")]
-        if not any(_MERGED in archive.read(name) for name in sheets):  # as in most workbooks
+        if not holds(archive, _MERGED):
             return ()
     book = read_workbook_parts(path)
     return [merged for each in book.sheets if each.name == sheet for merged in each.xml.merged]

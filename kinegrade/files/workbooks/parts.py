@@ -20,6 +20,7 @@ from kinegrade.files.workbooks.sheet_reading import read_sheet_xml
 from kinegrade.files.workbooks.sheet_xml import SheetXml
 
 _BOOK, SHARED = "xl/workbook.xml", "xl/sharedStrings.xml"
+_SHEETS = "xl/worksheets/"
 _LINKS = "xl/_rels/workbook.xml.rels"
 _LINK = "{http://schemas.openxmlformats.org/officeDocument/2006/relationships}id"
 _STRICT_LINK = "{http://purl.oclc.org/ooxml/officeDocument/relationships}id"
@@ -78,6 +79,14 @@ def _read_sheets(archive: ZipFile) -> tuple[WorkbookSheet, ...]:
     )
 
 
+def holds(archive: ZipFile, sign: bytes) -> bool:
+    """Whether any sheet, or a text that cells share, has that in its XML; looked for before it is
+    parsed, as most workbooks have none of what is rare.
+    """
+    names = [name for name in archive.namelist() if name == SHARED or name.startswith(_SHEETS)]
+    return any(sign in archive.read(name) for name in names)
+
+
 def list_sheet_parts(archive: ZipFile) -> Iterator[tuple[str, str]]:
     """The names of the visible sheets, each with the part that holds it, but for sheets of charts.
     Raises KeyError and ParseError for a damaged workbook.
@@ -89,7 +98,7 @@ def list_sheet_parts(archive: ZipFile) -> Iterator[tuple[str, str]]:
     for each in ElementTree.fromstring(archive.read(_BOOK)).iter():
         if each.tag.endswith("}sheet") and each.attrib.get("state", "visible") == "visible":
             part = links[each.attrib.get(_LINK) or each.attrib[_STRICT_LINK]]
-            if part.startswith("xl/worksheets/"):
+            if part.startswith(_SHEETS):
                 yield each.attrib["name"], part
 
 

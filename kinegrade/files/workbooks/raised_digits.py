@@ -13,16 +13,17 @@ from zipfile import ZipFile
 
 from kinegrade.files.workbooks.cells import Cell, Line
 from kinegrade.files.workbooks.inspection import explain_damaged
-from kinegrade.files.workbooks.parts import SHARED, list_sheet_parts
+from kinegrade.files.workbooks.parts import SHARED, holds, list_sheet_parts
 from kinegrade.files.workbooks.sheet_xml import Position, read_position
 from kinegrade.language.message import Message
 
-_LOOK, _SHEETS = b"superscript", "xl/worksheets/sheet"
+_LOOK = b"superscript"
 _POWER = re.compile(r"[+\-\u2212]?[0-9]+")
+_SUPERSCRIPTS = str.maketrans("0123456789+-\u2212", "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻⁻")
 
 
 def note_raised(path: Path, sheet: str, lines: list[Line]) -> list[Line]:
-    """The lines with each raised number written as a power, 2·10^4, and a remark for its cell.
+    """The lines with each raised number in superscripts, which are read, and a remark for its cell.
     Raises TableError for a damaged workbook.
     """
     raised = _find_raised(path, sheet)
@@ -43,7 +44,7 @@ def _find_raised(path: Path, sheet: str) -> Mapping[Position, str]:
     """The texts with raised numbers, by row and column; none in most workbooks."""
     try:
         with ZipFile(path) as archive:
-            if not any(_LOOK in archive.read(name) for name in _list_parts(archive)):
+            if not holds(archive, _LOOK):
                 return {}
             part = dict(list_sheet_parts(archive))[sheet]
             texts = archive.read(SHARED) if SHARED in archive.namelist() else b""
@@ -52,13 +53,6 @@ def _find_raised(path: Path, sheet: str) -> Mapping[Position, str]:
         return {at: text for at, text in _read_cells(cells, shared) if text is not None}
     except Exception as fault:  # a damaged part may raise any exception
         raise explain_damaged(path, fault) from fault
-
-
-def _list_parts(archive: ZipFile) -> Iterator[str]:
-    """The parts that may hold texts of cells."""
-    for name in archive.namelist():
-        if name == SHARED or name.startswith(_SHEETS):
-            yield name
 
 
 def _read_texts(texts: bytes) -> Iterator[str | None]:
@@ -83,16 +77,16 @@ def _read_cells(
 
 
 def _write_raised(element: ElementTree.Element) -> str | None:
-    """The text of runs, raised numbers behind a caret; None where there are none."""
+    """The text of runs, raised numbers in superscripts; None where there are none."""
     runs = [(_is_raised(run), run.findtext("{*}t", "")) for run in element.iterfind(".//{*}r")]
-    if not any(raised and _POWER.fullmatch(text.strip()) for raised, text in runs):
-        return None
-    written = ""
-    for raised, text in runs:
-        is_power = raised and _POWER.fullmatch(text.strip())
-        # A digit that follows is no part of the power
-        written += f"^{text.strip()} " if is_power else text
-    return re.sub(r"(\^\S+) (?![0-9])", r"\1", written)
+    plain = "".join(text for _, text in runs)
+    written = "".join(_raise_number(text) if raised else text for raised, text in runs)
+    return None if written == plain else written
+
+
+def _raise_number(text: str) -> str:
+    """A number in superscripts; what is none, as the letters of 4th, as it is."""
+    return text.translate(_SUPERSCRIPTS) if _POWER.fullmatch(text.strip()) else text
 
 
 def _is_raised(run: ElementTree.Element) -> bool:

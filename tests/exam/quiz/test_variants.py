@@ -23,6 +23,14 @@ from tests.exam.quizzes import papers, quiz_of
 from tests.small_class import generate, key_lines, kinegrade, write_class
 
 
+def set_class(folder: Path, head: str) -> Path:
+    """A class whose bank begins with a head, its exam set."""
+    bank = write_class(folder) / "bank.toml"
+    bank.write_text(head + bank.read_text(encoding="utf-8"), encoding="utf-8")
+    assert generate(folder).exit_code == 0
+    return folder
+
+
 def test_variants_are_the_first_papers_and_nobodys(small_class: Path) -> None:
     pool, own = papers(small_class / "EXAM", variants=2), papers(small_class / "EXAM")
     assert pool == tuple(replace(paper, student="", name="") for paper in own[:2])
@@ -35,10 +43,7 @@ def test_variants_are_the_first_papers_and_nobodys(small_class: Path) -> None:
 def test_a_version_is_put_once_and_questions_in_the_order_in_which_responses_are_read(
     tmp_path: Path,
 ) -> None:
-    folder = write_class(tmp_path)
-    bank = (folder / "bank.toml").read_text(encoding="utf-8")
-    (folder / "bank.toml").write_text("versions = 2\nshuffle = true\n" + bank, encoding="utf-8")
-    assert generate(folder).exit_code == 0
+    folder = set_class(tmp_path, "versions = 2\nshuffle = true\n")
     put = papers(folder / "EXAM")
     assert [(paper.code, paper.student, paper.name) for paper in put] == [
         ("A", "", "Version A"),
@@ -60,10 +65,7 @@ def test_a_version_is_put_once_and_questions_in_the_order_in_which_responses_are
 def test_a_question_without_its_figure_says_where_that_is_on_a_shuffled_paper(
     tmp_path: Path,
 ) -> None:
-    folder = write_class(tmp_path)
-    bank = (folder / "bank.toml").read_text(encoding="utf-8")
-    (folder / "bank.toml").write_text("shuffle = true\n" + bank, encoding="utf-8")
-    assert generate(folder).exit_code == 0
+    folder = set_class(tmp_path, "shuffle = true\n")
     upload = tmp_path / "upload.txt"
     assert kinegrade("quiz", folder / "EXAM", "--to", "blackboard", "-o", upload).exit_code <= 1
     texts = [line.split("\t")[1] for line in upload.read_text("utf-8").splitlines()]
